@@ -10,11 +10,11 @@ namespace drillwave {
 
 // Where in the recorded histories of an impact the state of any time is found.
 
-// Of an impact solved with Detail::histories. Times s are counted at the front end from impact.frontArrival,
-// in t0; recorded times are those of impact.incident and impact.force, which leave out impact.skips and end
-// where nothing but a repetition with the round trip 2τ follows.
+// Requires an impact solved with Detail::histories. Times s are counted at the front end from
+// impact.frontArrival, in t0; recorded times are those of impact.incident and impact.force, which leave out
+// impact.skips and end where nothing but a repetition with the round trip 2τ follows.
 
-/// The recorded time at which g and F are those of time s; s itself before the recording begins.
+/// Returns the recorded time at which g and F are those of time s; s itself before the recording begins.
 double recordedTime(const Impact& impact, double s);
 
 /// For how long after s the recording can be followed without a jump to another part of it.

@@ -14,12 +14,12 @@ struct TimeSpan {
     bool operator==(const TimeSpan&) const = default;
 };
 
-/// From the beginning of a blow to a round trip after its last separation. A long flight before the first
-/// contact is left out but for its end, and so is what comes later than a dozen round trips. Of an impact
-/// solved with Detail::events or more.
+/// Returns the span from the beginning of a blow to a round trip after its last separation. Leaves out most
+/// of a long flight before the first contact, and everything later than a dozen round trips. Requires an
+/// impact solved with Detail::events or more.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
-/// The same from the first contact of bit and rock to their last separation (not a number where they never
+/// Returns the span from the first contact of bit and rock to their last separation (NaN where they never
 /// meet), at least to when the waves of the blow have arrived.
 TimeSpan interestingTime(const TimeSpan& contact, double arrival, double roundTrip);
 

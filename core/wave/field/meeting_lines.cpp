@@ -11,10 +11,10 @@
 namespace drillwave {
 namespace {
 
-/// As a share of the largest sum. Waves of many periods are almost alike: each would raise the edge by less.
+/// Smallest rise that counts, as a share of the largest sum: waves of many periods are almost alike.
 constexpr double negligibleRise = 2e-5;
 
-/// Of two values at both ends of a stretch; exactly one of them at the ends and beyond.
+/// Interpolates between the values at both ends of a stretch; exactly one of them at the ends and beyond.
 double between(double begin, double end, double first, double last, double at) {
     if (at <= begin) return first;
     if (at >= end) return last;
@@ -107,7 +107,7 @@ class Search {
     void offer(Node incoming, Node reflected) {
         const double a = m_incoming.begin(incoming), b = m_reflected.begin(reflected);
         if (m_incoming.end(incoming) <= b || (a + b) / 2 >= m_limits.end) return;
-        // What has come back from the rear end is in the incoming wave already.
+        // A wave reflected at the rear end is part of the incoming wave already.
         if (a - m_reflected.end(reflected) >= m_limits.roundTrip - roundingOfTrip(a, m_limits.roundTrip))
             return;
         const Pair pair{m_incoming.most(incoming) + m_reflected.most(reflected), incoming, reflected};

@@ -112,7 +112,7 @@ Bernstein halve(Bernstein& slope) {
     for (std::size_t round = 0; round < slope.count; ++round) {
         left[round] = slope[0];
         for (std::size_t j = 0; j + 1 < slope.count - round; ++j) slope[j] = (slope[j] + slope[j + 1]) / 2;
-        // What falls out on the right stays where it is, as the right half.
+        // The coefficients that drop out on the right stay in place, as the right half.
     }
     return left;
 }
@@ -145,7 +145,7 @@ void keepLarger(RodForce& largest, const RodForce& other) {
 
 ForcePeaks::ForcePeaks(double largest) : m_least(leastPeak * largest), m_dip(leastDip * largest) {}
 
-/// Of the rises and falls in a row of values.
+/// Counts peaks from the rises and falls of a row of values.
 void ForcePeaks::pass(double force) {
     m_turn = m_rising ? std::max(m_turn, force) : std::min(m_turn, force);
     if (std::abs(force - m_turn) <= m_dip) return;

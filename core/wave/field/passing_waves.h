@@ -32,11 +32,11 @@ class ForcePeaks {
     int m_peaks = 0;
 };
 
-/// Of an impact solved with Detail::histories.
+/// Returns the number of peaks of F. Requires an impact solved with Detail::histories.
 int forcePeaks(const Impact& impact);
 
-/// Peaks of the impact force and largest forces in the rod, those of forcePeaks() and largestRodForces(),
-/// from histories that come in parts: a force in the rod is made by waves of one round trip.
+/// Peaks of the impact force and largest forces in the rod, as by forcePeaks() and largestRodForces(), from
+/// histories that arrive in parts: a force in the rod is made by waves of one round trip.
 class PassingWaves {
   public:
     /// `solved` is the same impact, solved with Detail::summary or more.

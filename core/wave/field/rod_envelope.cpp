@@ -107,7 +107,7 @@ class Builder {
     void addWavesLeft(double begin) {
         const std::vector<Instant> period = lastPeriod(m_impact);
         const auto lineOf = [&](double sign) {
-            // What has left the front end is what had come to it, reversed; it may be from the period before.
+            // The outgoing wave is the one that had arrived, reversed; maybe from the period before.
             std::vector<WaveStretch> left =
                 stretchesOf(period, &Instant::incident, -sign, -m_impact.roundTrip);
             const std::vector<WaveStretch> now = stretchesOf(period, &Instant::incident, -sign);
@@ -147,7 +147,7 @@ RodForce forceAt(const EnvelopeLine& line, double section) {
     const auto behind = std::ranges::lower_bound(line, section, {}, &RodForce::section);
     if (behind == line.end()) return line.back();
     if (behind == line.begin() || behind->section == section) {
-        // Of the points of one section the largest.
+        // Returns the largest of the points at one section.
         const auto end = std::ranges::upper_bound(line, behind->section, {}, &RodForce::section);
         return *std::max_element(behind, end, [](const auto& a, const auto& b) { return a.size < b.size; });
     }

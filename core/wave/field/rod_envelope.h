@@ -23,15 +23,15 @@ struct RodEnvelope : OfLoads<EnvelopeLine> {
     long steps = 0;     ///< pairs of stretches of the two waves that were looked at
 };
 
-/// Of an impact solved with Detail::histories. Made of the same instants as largestRodForces(), and exact
-/// where those are: a wave is a straight line between two of them, and the sum of two such lines that pass
-/// each other is one, too, over the sections where they meet. A smooth maximum may be missed by 2e-4 of the
-/// largest force. At a jump both sides count. The work is bounded, to `mostSteps` for each of the lines, and
-/// ends early after a stop.
+/// Returns the lines of the largest forces. Requires an impact solved with Detail::histories. Made of the
+/// same instants as largestRodForces(), and exact where these are: a wave is a straight line between two of
+/// them, and so is the sum of two such lines that pass each other, over the sections where they meet. A
+/// smooth maximum may be missed by 2e-4 of the largest force. At a jump both sides count. The work is limited
+/// to `mostSteps` for each of the lines, and ends early after a stop.
 RodEnvelope rodEnvelope(const Impact& impact, const PulseForce& pulse, const std::stop_token& stop = {},
                         long mostSteps = 1'000'000);
 
-/// The largest force at the section ξ; nothing (size 0) where the line has no points.
+/// Returns the largest force at the section ξ; size 0 where the line has no points.
 RodForce forceAt(const EnvelopeLine& line, double section);
 
 }  // namespace drillwave

@@ -31,16 +31,16 @@ struct Meeting {
 };
 
 // The largest sum of one sign while the blow lasts. Almost all of both waves cannot be part of it: from
-// whole pieces to parts of them, what cannot come to the largest sum that was seen so far with anything that
-// it meets is left out. What is left is looked at in every part. Keeps its memory from one sign to the
+// whole pieces to parts of them, waves are left out that cannot reach the largest sum so far with
+// anything that they meet. The rest is looked at in every part. Keeps its memory from one sign to the
 // other.
 class LargestMeeting {
   public:
     explicit LargestMeeting(const Impact& impact);
 
-    // Of −N for a sign of 1, of N for one of −1. `pieces` are whole, `ends` those of them.
+    // Finds the largest −N for a sign of 1, N for −1. `pieces` are whole, `ends` are their instants.
     Meeting find(double sign, const std::vector<WaveSpan>& pieces, const std::vector<Instant>& ends);
-    // Spans so far.
+    // Returns the number of spans so far.
     long looked() const { return m_looked; }
 
   private:
@@ -88,9 +88,9 @@ Meeting LargestMeeting::find(double sign, const std::vector<WaveSpan>& pieces,
     return sumsOf(instantsOf(m_left));
 }
 
-/// What is reflected at the rear end by now is in g already. A jump that comes back there must not be added
-/// to what it was before: within rounding of one round trip only the later side of the earlier time and the
-/// earlier side of the later one are in the rod together.
+/// Waves that the rear end has reflected by now are part of g already. A jump that returns there must not be
+/// added to its former value: within rounding of one round trip only the later side of the earlier time and
+/// the earlier side of the later one are in the rod together.
 bool LargestMeeting::areInRod(const Instant& incoming, const Instant& reflected) const {
     const double oldest = incoming.time - m_impact.roundTrip;
     if (std::abs(reflected.time - oldest) > roundingOfTrip(incoming.time, m_impact.roundTrip))
@@ -98,7 +98,7 @@ bool LargestMeeting::areInRod(const Instant& incoming, const Instant& reflected)
     return incoming.side == Side::end && reflected.side == Side::start;
 }
 
-/// Of instants in order of time, all of which are instants of the blow.
+/// Returns the largest sum over instants in order of time, all of which are instants of the blow.
 Meeting LargestMeeting::sumsOf(const std::vector<Instant>& instants) {
     Meeting most;
     addInTheBlow(instants, most);

@@ -16,35 +16,35 @@ struct RodForce {
     bool operator==(const RodForce&) const = default;
 };
 
-/// Of −N and of N while the blow lasts, to one transit after the last separation; later of the waves left,
-/// which nothing damps in the model, with time and place of their first meeting. Sizes are 0 where the rod is
-/// never pushed or pulled.
+/// Largest −N and N while the blow lasts, to one transit after the last separation; later those of the
+/// residual waves, which nothing damps in the model, with time and place of their first meeting. Sizes are 0
+/// where the rod is never pushed or pulled.
 using RodForces = OfLoads<RodForce>;
 
-/// Which of them are wanted; the others stay 0.
+/// Selected forces; the others stay 0.
 struct RodForceChoice {
     bool compression = true, tension = true, after = true;
 };
 
-/// The largest of −N and of N = Np + Nn over the whole rod, during the blow and of the waves that run on
-/// after it. Of an impact solved with Detail::histories.
+/// Returns the largest −N and N = Np + Nn over the whole rod, during the blow and of the residual waves after
+/// it. Requires an impact solved with Detail::histories.
 ///
 /// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ: every pair of times 0 ≤ a − b ≤ 2τ
-/// meets at some section at t = (a + b)/2 + τ, so it is a sliding maximum of r that is added to g. Exact at
-/// breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force. Where the
-/// waves cannot be large enough they are not looked at: `looked` is raised by the stretches that were.
+/// meets at some section at t = (a + b)/2 + τ, so a sliding maximum of r is added to g. Exact at breakpoints
+/// and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force. Stretches whose waves
+/// are not large enough are skipped; `looked` is raised by the number of the others.
 RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice = {},
                            long* looked = nullptr);
 
-// Where and when two waves meet in the rod (theory §3.1).
+// Place and time where two waves meet in the rod (theory §3.1).
 
-// For the files of this folder only; of an impact solved with Detail::histories.
+// For the files of this folder only; requires an impact solved with Detail::histories.
 
-/// A force of that size made by what comes to the front end at the recorded time `incident` [t0] and what has
-/// left it `delay` earlier, 0 ≤ delay ≤ 2τ: they are at 1 − ξ = delay/2τ together.
+/// Returns a force of that size, made by the wave that reaches the front end at the recorded time `incident`
+/// [t0] and the one that left it `delay` earlier, 0 ≤ delay ≤ 2τ: they meet at 1 − ξ = delay/2τ.
 RodForce meetingInRod(const Impact& impact, double size, double incident, double delay);
 
-/// The same of waves that repeat themselves with 2τ: the first such meeting from the global time `begin` on.
+/// Returns the same for waves that repeat with 2τ: the first such meeting from the global time `begin` on.
 RodForce laterMeetingInRod(const Impact& impact, double size, double incident, double delay, double begin);
 
 /// From when on only the waves that are left run through the rod: one transit after the last separation and

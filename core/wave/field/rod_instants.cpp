@@ -25,7 +25,7 @@ constexpr auto bendFactors = [] {
     return f;
 }();
 
-/// What the second derivative over u of a piece is at most, and what its values are at most.
+/// Upper bounds of the second derivative over u of a piece, and of its values.
 struct Sizes {
     double bend = 0, value = 0;
 

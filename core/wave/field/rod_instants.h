@@ -91,10 +91,10 @@ std::vector<double> counterparts(const Impact& impact, double end, double first,
 /// All of them.
 std::vector<double> counterparts(const Impact& impact, double end);
 
-/// What the rod does before the first front arrives, at a time ≤ 0: nothing, or a uniform motion.
+/// Returns the state before the first front arrives, at a time ≤ 0: no waves, or a uniform motion.
 Instant instantBeforeFront(const Impact& impact, double time);
 
-/// The last period of the recording, which repeats itself for ever: instants of one round trip.
+/// Returns the last period of the recording, which repeats for ever: instants of one round trip.
 std::vector<Instant> lastPeriod(const Impact& impact);
 
 /// By how much two times one round trip apart may differ from it: `time` is the later of them.
@@ -128,7 +128,7 @@ inline bool follows(const WaveSpan& span, const WaveSpan& next) {
     return span.piece == next.piece && span.last == next.first;
 }
 
-/// What the waves, times `sign`, are at most in a span.
+/// Upper bounds of the waves, times `sign`, in a span.
 struct SpanBound {
     double incident = 0, reflected = 0;
 };
@@ -139,20 +139,20 @@ SpanBound boundOf(const WaveSpan& span, double sign);
 Cut cutForIncident(const WaveSpan& span, double sign);
 Cut cutForReflected(const WaveSpan& span, double sign);
 
-/// The pieces that end at `from` or later and begin until `until`, whole.
+/// Returns the pieces that end at `from` or later and begin until `until`, whole.
 std::vector<WaveSpan> wholePieces(const Impact& impact, double from, double until);
 
-/// All spans of more than one part in two, each where it is to be cut, in place of what is in `parts`.
+/// Writes all spans into `parts`, cleared first; those of more than one part are split where `cut` says.
 void cut(const Impact& impact, const std::vector<WaveSpan>& spans, std::vector<WaveSpan>& parts);
 
-/// The instants at their ends, each once, in order of time, in place of what is in `instants`.
+/// Writes the instants at their ends into `instants`, which is cleared first: each once, in order of time.
 void endsOf(const std::vector<WaveSpan>& spans, std::vector<Instant>& instants);
 
-/// The largest of neighbouring numbers, in a time that grows like the logarithm of how many there are.
+/// Largest of neighbouring numbers, found in a time that grows with the logarithm of their count.
 class RangeMaximum {
   public:
     void assign(const std::vector<double>& numbers);
-    /// Of the numbers from `first` to before `behind`; minus infinity of none.
+    /// Returns the largest number from `first` to before `behind`; minus infinity if there are none.
     double over(std::size_t first, std::size_t behind) const;
 
   private:

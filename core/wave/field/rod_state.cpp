@@ -40,8 +40,8 @@ std::vector<RodState> sampledStates(const Impact& impact, const Problem& problem
     for (std::size_t i = 0; i < states.size(); ++i) {
         const double time = history.time[i], force = history.force[i], incident = history.incident[i];
         rock.rememberAcross(force);
-        // Of the law of the rock while it pushes, where the displacement of the bit would have its digits
-        // cancelled by those of a much longer way.
+        // From the law of the rock while it pushes, because digits of the displacement of the bit would
+        // cancel with those of a much longer way.
         const double penetration = force > 0 ? rock.penetration(force) * lawUnitOfPenetration
                                              : bitDisplacement(impact, time) - problem.firstGap();
         states[i] = {.time = time,

@@ -22,18 +22,18 @@ class StringField {
 
     double rear() const { return m_joints.front(); }
     double end() const { return m_waves->end(); }
-    /// The section at a place, the one behind it where two meet.
+    /// Returns the section at a place; where two meet, the one after it.
     std::size_t sectionAt(double x) const;
     double value(WaveQuantity quantity, double x, double t) const;
-    /// Exact at the centre of every cell as that of a uniform rod; the work follows the cells likewise.
+    /// Returns values exact at the centre of every cell, as for a uniform rod; the work grows with the cells.
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
 
-    /// How long a wave takes from the shank to the bit, and from the face of the hammer to its rear and back.
+    /// Returns the travel time from the shank to the bit; below, from the hammer face to its rear and back.
     double arrival() const { return m_arrival; }
     double hammerRoundTrip() const { return m_hammerRoundTrip; }
-    /// The ways of a front that leaves the shank at the time `start` and runs to and fro in the string,
-    /// section by section; of that of the first touch also the way in the hammer. What joints throw back has
-    /// no front.
+    /// Returns the paths of a front that leaves the shank at the time `start` and runs to and fro in the
+    /// string, section by section; the front of the first touch also runs in the hammer. Reflections at
+    /// joints have no front.
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
   private:

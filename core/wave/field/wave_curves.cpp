@@ -37,11 +37,11 @@ int chords(const PiecewisePolynomial& f, const Piece& piece) {
                       static_cast<int>(most));
 }
 
-/// What is shorter, in round trips, is the rounding of a time and no part of a curve.
+/// Rounding of times, in round trips: anything shorter is no part of a curve.
 constexpr double negligibleTime = 1e-12;
 
 /// Appends value(piece, x) over recorded time [from, to), shifted by `shift`, as chords of `wave`: without
-/// the jumps at `from` and `to`, on which side of them ever rounding has put the pieces that begin there.
+/// the jumps at `from` and `to`, whichever side of them rounding has put the pieces that begin there.
 template <class Value>
 void sampleRecorded(const Impact& impact, double from, double to, double shift, Value value,
                     SampledCurve& curve) {

@@ -31,7 +31,7 @@ class RodDelays {
         const double way = (1 - xi) * m_roundTrip / 2;
         return heading == Heading::toBit ? t - m_arrival + way : t - m_arrival - way;
     }
-    /// What must be added to s to get the time t at which the same wave is at ξ.
+    /// Returns the difference t − s for the wave that is at ξ at the time t.
     double shift(Heading heading, double xi) const {
         return m_arrival + (heading == Heading::toBit ? -1 : 1) * (1 - xi) * transitTime();
     }
@@ -69,7 +69,7 @@ class WaveField {
 
 // Force and particle velocity over a grid of sections and times: the x–t picture of a blow.
 
-/// What is looked at in the rod.
+/// Quantity shown in the rod.
 enum class WaveQuantity {
     force,     ///< N = Np + Nn [F0], tension positive
     velocity,  ///< v = (−Np + Nn)/Z [F0/Z], positive towards the rock

@@ -71,7 +71,7 @@ BitNode::CellMaps BitNode::mapsOf(double width) const {
     return maps;
 }
 
-/// Of the loading line that the largest force is on.
+/// Returns the maps of the loading line of the largest force.
 BitNode::LineMaps BitNode::mapsOfLine(double width) const {
     LineMaps maps;
     maps.line = m_now.law.loadingLine();
@@ -300,8 +300,8 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
     return piece;
 }
 
-/// The first event on a piece: where, and the line that follows. What balances on a corner of the law is to
-/// stay there: then no event is looked for.
+/// Returns the first event on a piece: its place, and the line after it. A state that balances on a corner of
+/// the law should stay there: then it looks for no event.
 BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
     LineEvent event{{}, m_now.line};
     SearchCount uncounted;

@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// What the rock has been through, at a time.
+/// Sums and extremes at the bit up to a time.
 struct BitRecord {
     double impulse = 0;          ///< ∫F dt
     double impulseMoment = 0;    ///< ∫F t dt
@@ -70,26 +70,26 @@ class BitNode {
     };
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
-    /// A step without mass, away from the rock all along: −g leaves. False, and nothing done, where it may
-    /// not be.
+    /// Takes a step of a bit without mass that stays away from the rock: −g leaves. False, and nothing done,
+    /// if it may not stay away.
     bool flyStep(const WaveCell& g, std::size_t index) {
         return m_mass == 0 && m_now.isApart() && fly(g, m_maps[index].width);
     }
 
     // Many blows (drilling §4)
 
-    /// What the rock of a cycle is left with.
+    /// Changes of the rock between two cycles.
     struct Turned {
-        double penetration = 0;  ///< what its residual penetration has grown by
-        double lostEnergy = 0;   ///< of a rock that was pressed, and left behind
+        double penetration = 0;  ///< growth of its residual penetration
+        double lostEnergy = 0;   ///< of a rock that was pressed, and then replaced
     };
-    /// The record begins anew. On new rock the bottom of the crater is the face, and what presses on it goes
-    /// on along its first line: F becomes γF under a straight one.
+    /// Starts a new record. On new rock the bottom of the crater is the new face, and a force that presses
+    /// continues along the first line: F becomes γF on a straight one.
     Turned beginCycle(bool isFresh);
-    /// Peaks of the record are also those below the largest force that the rock remembers.
+    /// Records peaks also below the largest force that the rock remembers.
     void notePeaksOfCycles() { m_notesAllPeaks = true; }
     void setVelocity(double velocity) { m_now.velocity = velocity; }
-    /// U from the bottom of the crater, negative while apart.
+    /// Returns U from the bottom of the crater, negative while apart.
     double placeFromBottom() const {
         return m_now.isApart() ? -m_now.distance : m_now.law.elasticWay(m_now.force);
     }

@@ -9,10 +9,10 @@ namespace drillwave {
 
 namespace {
 
-/// What a piece of a cell with events takes, in cells.
+/// Work of a piece of a cell with events, in cells.
 constexpr long workOfPiece = 150;
 
-/// A clock before all others.
+/// Clock before all others.
 constexpr double never = -std::numeric_limits<double>::infinity();
 
 /// Where the next part begins.

@@ -44,19 +44,19 @@ class CellLattice {
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }  ///< waves back
     const WaveCell* bitForces() const { return m_bitForces.data(); }  ///< where histories are wanted
 
-    // Behind it
+    // After a block
 
-    /// Of the hammer, or of the force in its place.
+    /// Returns the state of the hammer's face, or of the force that replaces it.
     const FaceNodeState& face() const { return m_force ? m_force->state() : m_face.state(); }
     const BitNodeState& bit() const { return m_bit.state(); }
     const std::vector<ImpactEvent>& events() const { return m_events; }  ///< where they are wanted
 
     double passing(std::size_t section) const { return m_passing[section]; }  ///< e^−αL
     double held() const;                                                      ///< cells on their way
-    /// What cells that were cut on their way, and those with events, took beside the others, in cells.
+    /// Returns the extra work of cells that were cut on their way, and of those with events, in cells.
     long work() const { return m_recut + workOfEvents(); }
     long workOfEvents() const;
-    /// Why it cannot go on; empty when it can.
+    /// Returns why it cannot go on; empty if it can.
     std::string_view trouble() const { return m_bit.trouble().empty() ? m_face.trouble() : m_bit.trouble(); }
 
   private:
@@ -102,11 +102,11 @@ class CellLattice {
     CellCuts m_cuts;
     std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]; that of the face is not used
     FaceNode m_face;
-    std::optional<ForceNode> m_force;  ///< in front of the first section, in place of hammer and face
+    std::optional<ForceNode> m_force;  ///< before the first section; replaces hammer and face
     BitNode m_bit;
     std::vector<DelayLine<WaveCell>> m_lines;  ///< waves back, of each section
     std::vector<WaveCell> m_downs;             ///< waves down over the block, of one section after the other
-    std::vector<NodeTurn> m_turns;             ///< who takes which steps of a block, in order
+    std::vector<NodeTurn> m_turns;             ///< nodes and their steps in a block, in order
     CutAt m_cutAt = CutAt::nothing;
     std::size_t m_faceTaken = 0, m_bitTaken = 0;  ///< steps of the block whose jumps are taken as they are
     long m_step = 0;

@@ -24,15 +24,15 @@ struct LineSums {
 /// The sums over one wave between two clock times while cells go by.
 class LineCensus {
   public:
-    /// What has entered in [from, to] is in the line; it loses `decay` of the logarithm of its amplitude over
-    /// that time. Before clock 0 the wave was `before`.
+    /// Sums up the line at the clock `to`, filled since `from`; it loses `decay` of the logarithm of its
+    /// amplitude over that time. Before clock 0 the wave was `before`.
     LineCensus(double from, double to, double decay, double before);
 
-    /// Whether cells between two clock times matter; what passed before only does where something is lost.
+    /// Returns whether cells between two clock times matter; earlier ones do only if something is lost.
     bool concerns(double start, double end, bool losses) const {
         return start < m_to && (losses || end > m_from);
     }
-    /// A cell that enters at clock `start`.
+    /// Adds a cell that enters at clock `start`.
     void add(const WaveCell& cell, double start, double width) {
         if (start >= m_to) return;
         if (start + width <= m_from) {
@@ -47,8 +47,8 @@ class LineCensus {
             addAcross(cell, start, width);
         }
     }
-    /// What of the cell that begins at clock `start` has entered at `to`. A cell has the moments of its wave
-    /// as a whole only: a part of it has others.
+    /// Sets the part entered by `to` of the cell that begins at clock `start`. A cell only has the moments of
+    /// its wave as a whole: a part of it has others.
     void setEntered(const WaveCell& part, double start) { m_entered = {part, start}; }
     const LineSums& sums() const { return m_sums; }
 
@@ -64,7 +64,7 @@ class LineCensus {
     std::optional<Entered> m_entered;
 };
 
-/// What moves at one time, all over the string. Units of Problem.
+/// Motions and energies at one time, over the whole string. Units of Problem.
 struct CensusResult {
     double time = 0;
     BitNodeState bit = {};
@@ -75,11 +75,11 @@ struct CensusResult {
     double faceEnergy = 0;
 };
 
-// The census of hammer and string at one time, taken while the march goes by.
+// Census of hammer and string at one time, taken during the march.
 
-/// A place of the string whose clock is that of the face less the way to it.
+/// Clocks of a string: at every place, the clock of the face less the travel time to it.
 struct StringClocks {
-    /// Of a string whose sections take these times one way [t0].
+    /// Sets the clocks of a string whose sections take these times one way [t0].
     void begin(std::size_t hammerSections, const std::vector<double>& transitTimes);
 
     std::vector<double> delays;  ///< of node i: time = clock + delays[i]; below 0 in the hammer
@@ -124,8 +124,8 @@ class StringCensus {
     CensusResult m_result;
 };
 
-/// The time from which on neither the rock nor the hammer can be met again by a string that loses nothing,
-/// provided that neither is met between the census and then (strings §8). Nothing where that cannot be told.
+/// Returns the time from which a string without losses cannot meet rock or hammer again, provided that it
+/// meets neither between the census and that time (strings §8). Nothing where it is unknown.
 std::optional<double> restTime(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

@@ -14,8 +14,8 @@ namespace drillwave {
 template <class Cell>
 class DelayLine {
   public:
-    /// Begins anew in the memory that it has: as long as `delay`, to be filled by content(); at most
-    /// `mostBlock` cells are put in before advance().
+    /// Restarts in the same memory: as long as `delay`, to be filled by content(); at most `mostBlock` cells
+    /// are added before advance().
     void restart(std::size_t delay, std::size_t mostBlock) {
         m_mostBlock = mostBlock;
         m_delay = delay;

@@ -169,8 +169,8 @@ void FaceNode::separate(double time) {
     if (!m_restrike) m_now.released = true;
 }
 
-/// What decides over a stretch of a cell: the gap while apart, else the force, as powers of 0 ≤ v ≤ 1. Either
-/// is positive until something happens.
+/// Gap while apart, else force, over a stretch of a cell, as powers of 0 ≤ v ≤ 1: positive until an event
+/// happens.
 struct FaceNode::EventPiece {
     double from = 0, width = 1;  ///< in the width of the cell
     int count = 0;

@@ -13,11 +13,11 @@
 
 namespace drillwave {
 
-/// What has passed the face, at a time.
+/// Sums and first events at the face up to a time.
 struct FaceRecord {
     double impulse = 0;           ///< ∫P dt
     double impulseMoment = 0;     ///< ∫P t dt
-    double work = 0;              ///< of a force in place of a hammer: ∫Fa v dt
+    double work = 0;              ///< ∫Fa v dt of a force that replaces the hammer
     double firstRelease = -1;     ///< when P first fell to zero; negative: never
     double firstSeparation = -1;  ///< when the faces first moved apart; negative: never
 };

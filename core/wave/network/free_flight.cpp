@@ -64,7 +64,7 @@ bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {
 
 bool FreeFlight::step(const NodeTurn& turn) {
     if (turn.node == m_count) return stepBit(turn);
-    if (turn.node == 0) {  // free: a force in place of the hammer is over
+    if (turn.node == 0) {  // free: a force instead of a hammer is over
         const double* back = m_lines[0].arriving();
         double* f = down(0);
         for (std::size_t i = turn.from; i < turn.behind(); ++i) f[i] = -back[i];

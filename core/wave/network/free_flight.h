@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// What flies, and from where.
+/// State of hammer and string at the beginning of a flight.
 struct FlightStart {
     double faceGap = 0;      ///< between hammer and string
     double bitDistance = 0;  ///< between bit and rock
@@ -22,17 +22,17 @@ struct FlightStart {
 };
 
 /// Sections that end in steps of impedance alone pass the means of their waves over a cell on as they pass
-/// the waves: those tell exactly where the ends are after each cell. Within a cell neither end gets nearer
+/// the waves, which give the exact places of the ends after each cell. Within a cell neither end gets nearer
 /// than at its ends by more than √(Δ E/Z), by the inequality of Cauchy and Schwarz, E the energy of its body.
 class FreeFlight {
   public:
-    /// Whether that can be told of a string: it needs joints without mass or loss.
+    /// Returns whether flights of a string can be followed: requires joints without mass or loss.
     static bool suits(const Problem& problem);
 
-    /// Whether everything is so far apart that it can be told; the waves are not looked at.
+    /// Returns whether distances are so large that nothing can touch, whatever the waves are.
     static bool isClear(const Problem& problem, double cell, const FlightStart& start);
 
-    /// Begins a flight in the memory that it has. Its waves are to be written before it goes on.
+    /// Begins a flight in the same memory. Its waves must be written before it goes on.
     void begin(const Problem& problem, const CellGrid& grid, const FlightStart& start);
     /// Means of the cells of a section on their way back, the oldest first, as many as its round trip has.
     std::span<double> waves(std::size_t section) { return m_lines[section].content(); }

@@ -48,7 +48,7 @@ class Joint {
     double rate() const { return (m_impedance1 + m_impedance2) / m_mass; }
     double velocity() const { return m_velocity; }  ///< of the mass
     void setVelocity(double velocity) { m_velocity = velocity; }
-    /// A cell, or a part of one, of this width alone; only with a mass.
+    /// Takes a single cell, or part of a cell, of this width; requires a mass.
     void stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2);
 
   private:

@@ -32,10 +32,10 @@ void addTurns(std::vector<NodeTurn>& turns, std::span<const std::size_t> delays,
 /// Without another limit a blow is followed for so many round trips of the string.
 constexpr double mostRoundTrips = 40;
 
-/// Less than that of the largest force is no jump of it.
+/// Smallest jump that counts, as a share of the largest force.
 constexpr double leastFront = 1e-9;
 
-/// What every node takes for every block of cells, in cells.
+/// Work of every node for every block of cells, in cells.
 constexpr long workOfBlock = 4;
 
 }  // namespace

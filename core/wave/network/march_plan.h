@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of a blow before it is followed: the string on its cells, its clocks, its cuts, its work.
+// Plan of a blow before it is followed: the string on its cells, its clocks, its cuts, its work.
 #pragma once
 
 #include <cstddef>
@@ -23,41 +23,41 @@ struct NodeTurn {
     bool operator==(const NodeTurn&) const = default;
 };
 
-/// A node waits for the waves that the next one made a round trip before, `delays` steps for each section,
-/// all > 0. Where that is less than a block, the nodes at both ends take turns. Written into `turns`.
+/// Writes the order of the nodes into `turns`. A node waits for the waves that the next one made `delays`
+/// steps before, a round trip of each section, > 0. Where that is less than a block, both nodes take turns.
 void planTurns(std::span<const std::size_t> delays, std::size_t block, std::vector<NodeTurn>& turns);
 
-/// What is wanted of a blow beside its sums.
+/// Requested results of a blow besides its sums.
 struct NetworkWants {
     bool events = false;
     bool forces = false;           ///< the largest of every section
-    bool reflections = false;      ///< with the forces: what joints reflect
-    bool forcesIfTheyFit = false;  ///< a result without them rather than none
+    bool reflections = false;      ///< with the forces: reflections at joints
+    bool forcesIfTheyFit = false;  ///< omits them, if too much work, to get a result
     bool histories = false;        ///< the waves of every section
     CutAt cutAt = CutAt::jumps;
     Grading grading{0.3, 1.5, 24};
     bool operator==(const NetworkWants&) const = default;
 };
 
-/// What a run takes that is followed to its end and in which nothing happens.
+/// Estimated work of a run that is followed to its end without events.
 struct ForeseenWork {
-    double work = 0;  ///< in cells times nodes
-    double held = 0;  ///< cells that are on their way at once
+    double work = 0;  ///< [cells × nodes]
+    double held = 0;  ///< number of cells on their way at once
 };
 
-/// Steps taken by one node before the next one follows: what a first-level cache holds.
+/// Steps taken by one node before the next one follows: as many as fit into a first-level cache.
 inline constexpr std::size_t stepsOfBlock = 64;
 
-/// What a cell takes with its largest forces, in cells.
+/// Work of a cell for its largest forces, in cells.
 inline constexpr long workOfForces = 8;
 
-/// Plans one blow after another in the same memory, and takes none for waves.
+/// Plans one blow after another in the same memory; uses no memory for waves.
 class MarchPlan {
   public:
     void begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
 
-    /// The string as its cells have it: round trips are whole cells, and behind the last section of hammer or
-    /// string there is no joint.
+    /// Returns the string as its cells have it: round trips are whole cells, and there is no joint after the
+    /// last section of hammer or string.
     const Problem& problem() const { return m_problem; }
     std::size_t sections() const { return m_problem.sections.size(); }
     const CellGrid& grid() const { return m_grid; }

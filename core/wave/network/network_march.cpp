@@ -15,9 +15,9 @@ namespace drillwave {
 
 namespace {
 
-// What a census tells of a blow: balances, rock and face.
+// Results of a census: balances, rock and face.
 
-/// Negative: never.
+/// Returns the time; never if it is negative.
 double timeOrNever(double time) {
     return time >= 0 ? time : Impact::never;
 }
@@ -70,11 +70,11 @@ Impact impactOf(const Problem& problem, const CensusResult& census) {
     return impact;
 }
 
-/// Of the work that is permitted, what may go into cutting cells that are on their way: in very long strings
-/// each cut is as much as some millions of steps. Jumps that are not cut any more show in the balance.
+/// Share of the permitted work for cutting cells that are on their way: in very long strings each cut takes
+/// as much as some millions of steps. Jumps that are no longer cut show in the balance.
 constexpr double shareOfCuts = 0.1;
 
-/// So many means of cells that fly free take what one cell does.
+/// Number of means of cells in free flight that take as much work as one cell.
 constexpr double flownOfCell = 8;
 
 }  // namespace
@@ -190,7 +190,7 @@ bool NetworkMarch::isUntouchedSince(const CensusResult& census) const {
            face.record.impulse == census.face.record.impulse;
 }
 
-/// Whether nothing touches until then, told by the means of the waves where those are all that is wanted.
+/// Returns whether nothing touches until then; follows means of the waves if no more is requested.
 bool NetworkMarch::fliesUntil(double time, const std::stop_token& stop) {
     const Problem& problem = m_plan.problem();
     const double now = m_lattice.clock(), cell = m_plan.grid().cell;
@@ -230,7 +230,7 @@ Impact NetworkMarch::notSolved(Message reason, Hindrance hindrance) {
     return impact;
 }
 
-/// What took most of the work, and what takes less.
+/// Returns the cause of most of the work, and how to reduce it.
 std::string_view NetworkMarch::overspent() const {
     if (m_lattice.workOfEvents() > work() / 2)
         return translatable(

@@ -16,18 +16,18 @@
 
 namespace drillwave {
 
-/// Takes blocks of steps until what moves can be counted and neither rock nor hammer are met again. One blow
-/// after another in the same memory: of sums alone, a blow that is no larger than those before allocates
-/// nothing. Its parts point to each other: it stays where it is.
+/// Takes blocks of steps until the motion can be counted and neither rock nor hammer is met again. Follows
+/// one blow after another in the same memory: if only sums are requested, a blow no larger than those before
+/// allocates nothing. Its parts point to each other, so it cannot be moved.
 class NetworkMarch {
   public:
     NetworkMarch() = default;
     NetworkMarch(const NetworkMarch&) = delete;
     NetworkMarch& operator=(const NetworkMarch&) = delete;
 
-    /// What it will take; no memory is taken for waves yet.
+    /// Returns the estimated work; uses no memory for waves yet.
     const ForeseenWork& plan(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
-    /// Follows the blow that was planned last, with at most as much work as `mostCells` cells times nodes.
+    /// Follows the blow that was planned last, with at most `mostCells` cells × nodes of work.
     Impact run(long mostCells, const std::stop_token& stop);
     static constexpr std::string_view tooManyCells = translatable(
         "it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a "

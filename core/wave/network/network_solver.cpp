@@ -27,29 +27,29 @@ constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25, 100}, CutAt::corners, 1 /
 /// A force of more parts than that bends more often.
 constexpr double segmentsOfShape = 8;
 
-/// Round trips of hammer and string are at most so many cells; what shares none is rounded to that.
+/// Maximum cells in round trips of hammer and string; round trips that share none are rounded to that.
 constexpr double mostSharedCells = 2e6;
 constexpr double roundedCells = 2e4;
 
-/// Of fewer no section keeps its length: rounding moves every joint by up to half a cell.
+/// Minimum cells for sections to keep their length: rounding moves every joint by up to half a cell.
 constexpr double fewestRoundedCells = 100;
 
-/// Of the work that is permitted, as much may be foreseen for one run.
+/// Maximum estimated work of one run, as a share of the permitted work.
 constexpr double sharedShare = 0.5, roundedShare = 0.1;
 
-/// A bit mass may swing so often in the round trip of all sections.
+/// Maximum number of swings of a bit mass in the round trip of all sections.
 constexpr double mostSwings = 1e6;
 
 /// Cells on their way at once: some hundreds of megabytes.
 constexpr double mostHeld = 4e6;
 
-/// A workspace of that many cells, some tens of megabytes, is not kept.
+/// Cells in the largest workspace that is kept, some tens of megabytes.
 constexpr double mostKept = 3e5;
 
-/// What rounding in double precision is worth, in E0.
+/// Error due to rounding in double precision [E0].
 constexpr double leastError = 1e-13;
 
-/// The difference of two solutions counts as often: it covered all that was tried.
+/// Factor from the difference of two solutions to the stated error: it covered all cases tried.
 constexpr double covering = 4;
 
 /// The energy balance of a quick run misses an error of the efficiency by up to 14 times where the faces have
@@ -59,12 +59,12 @@ constexpr double coveringResidual = 20;
 /// Under a force by up to 65 times: the steps of a staircase that are within cells.
 constexpr double coveringForce = 100;
 
-/// What cells leave out of a wave is missing in the energy by its square, and in the largest force of a rock
-/// that remembers it by its first power: errors of quick runs are up to 0.03 times the root of what is
-/// missing.
+/// Waves lost by cells are missing in the energy by their square, and in the largest force of a rock that
+/// remembers it by their first power: errors of quick runs are up to 0.03 times the root of the missing
+/// energy.
 constexpr double coveringRoot = 0.06;
 
-/// Less than that a balance cannot tell.
+/// Smallest significant residual of a balance.
 constexpr double leastResidual = std::numeric_limits<double>::epsilon();
 
 double roundTripOf(const Problem& problem) {
@@ -137,7 +137,7 @@ double forcesErrorOf(const Impact& impact, const Impact& quick) {
     return std::min(1.0, error);
 }
 
-/// What is known of the error of any run.
+/// States the error that is known for any run.
 void stateError(Impact& impact, const Problem& problem) {
     const double missed = std::abs(impact.energyResidual());
     impact.efficiencyError = std::max({leastError, impact.efficiencyError, missed});
@@ -146,7 +146,7 @@ void stateError(Impact& impact, const Problem& problem) {
     impact.corError = std::max({leastCorError, impact.corError, missed});
 }
 
-/// What its energy balance misses is what a quick run alone can tell of its error.
+/// States the error of a quick run, which is only known from the residual of its energy balance.
 void stateErrorOfQuickRun(Impact& impact, const Problem& problem) {
     stateError(impact, problem);
     const double missed = std::abs(impact.energyResidual());

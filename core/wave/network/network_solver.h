@@ -19,37 +19,37 @@ enum class NetworkAccuracy {
     sure,  ///< cells cut at every corner of a wave, against a quick run; that alone where it is too much work
 };
 
-/// Most work of one run, in cells times nodes: some seconds.
+/// Maximum work of one run [cells × nodes]: some seconds.
 inline constexpr long mostNetworkCells = 200'000'000;
 
-/// What cells of this string shall divide, and how small the law of the rock asks them to be.
+/// Settings of a run of a string on cells: accuracy, requested results, limits.
 struct NetworkSettings {
     NetworkAccuracy accuracy = NetworkAccuracy::sure;
     NetworkWants wants;
-    int halvings = 0;  ///< cells half as large as usual, and again
+    int halvings = 0;  ///< number of times that the usual cells are halved
     long mostCells = mostNetworkCells;
-    bool roundsForWaves = true;  ///< waves of rounded round trips rather than none
+    bool roundsForWaves = true;  ///< waves of rounded round trips instead of none
 };
 
-/// Why this is no problem that can be solved: losses inside the hammer, a bit mass that swings too fast.
-/// Empty where it is one.
+/// Returns why this problem cannot be solved: losses inside the hammer, a bit mass that swings too fast.
+/// Empty if it can be.
 std::string_view networkRefusal(const Problem& problem);
 
-/// Writes the cell that all round trips share into `grid`. False where they share none.
+/// Writes the cell that all round trips share into `grid`. Returns false if they share none.
 bool usualGrid(const Problem& problem, CellGrid& grid);
 
-/// How far the shares of E₀ of a quick run may be off, as the energy it neither kept nor lost tells (strings
-/// §11).
+/// Returns the possible error of the shares of E₀ of a quick run, estimated from the energy that it neither
+/// kept nor lost (strings §11).
 double balanceError(const Impact& impact);
 
-/// Solves one blow after another, keeping its workspace: once warm, a blow of which nothing is wanted but
-/// sums, and which is no larger than those before, allocates nothing. What a very long string took is given
-/// back. One solver per thread.
+/// Solves one blow after another in the same workspace: once warm, a blow of which only sums are requested,
+/// and which is no larger than those before, allocates nothing. Memory for a very long string is released
+/// afterwards. One solver per thread.
 ///
-/// Where the waves of a sure run are more than can be kept, they are those of a quick one: values to some
-/// 1e-3 where a wave bends within a cell, or else of a run with round trips rounded until they can be kept
-/// (Impact::wavesDifference). Round trips that share no cell are rounded: `rounding` tells by how
-/// much, and the error then is what other cells make of it. A blow that takes more work than permitted is not
+/// Where the waves of a sure run are more than can be kept, they are those of a quick one: values to
+/// some 1e-3 where a wave bends within a cell, or else of a run with round trips rounded until they can
+/// be kept (Impact::wavesDifference). Round trips that share no cell are rounded by up to `rounding`;
+/// the error is then estimated from other cells. A blow that takes more work than permitted is not
 /// solved.
 class NetworkSolver {
   public:

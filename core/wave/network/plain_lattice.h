@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// What the plain lattice makes of a blow.
+/// Result of a blow on the plain lattice.
 struct PlainBlow {
     bool isSolved = false;
     double efficiency = 0;   ///< work on the rock [E0]

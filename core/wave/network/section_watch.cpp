@@ -14,7 +14,7 @@ constexpr long blocksOfPair = 6;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What cells, pushing and pulling, are at most.
+/// Upper bounds of pushing and pulling in cells.
 struct CellBounds {
     double push = -std::numeric_limits<double>::infinity();
     double pull = push;
@@ -22,13 +22,13 @@ struct CellBounds {
     double of(double sign) const { return sign > 0 ? push : pull; }
 };
 
-/// Never less than WaveCell::peak() says of any of the cells, nor than their values: Legendre polynomials are
-/// at most 1. What the sums in those lose by rounding is a few units of the last place of the coefficients,
-/// and nothing for cells that are one constant, of which there are many; what rounding takes up there is
-/// taken up here.
+/// Returns bounds never below WaveCell::peak() of any of the cells, nor below their values: Legendre
+/// polynomials are at most 1. The sums in both lose a few units of the last place of the coefficients by
+/// rounding, and nothing for cells that are one constant, of which there are many; this rounding is added
+/// here.
 CellBounds boundsOf(std::span<const WaveCell> cells) {
     constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
-    CellBounds even, odd;  // which do not wait for each other
+    CellBounds even, odd;  // independent of each other
     const auto add = [](CellBounds& bounds, const WaveCell& cell) {
         const double spread = cell.spread();
         bounds.push = std::max(bounds.push, spread + cell.c[0]);
@@ -238,9 +238,9 @@ void SectionWatch::meet(const Span& span, double sign, const Meeting& meeting, c
         }
 }
 
-/// What the cells on their way from step `first` to before `behind` are at most; less only where none of them
-/// comes to more than `known` with a
-/// wave of at most `down`.
+/// Returns the upper bound of the cells on their way from step `first` to before
+/// `behind`; less only if none of them exceeds `known` with a wave of at most
+/// `down`.
 double SectionWatch::mostOnTheWay(const Side& side, double down, double known, long first, long behind) {
     double most = -infinity;
     side.maxima.search(
@@ -309,7 +309,7 @@ void SectionWatch::add(std::span<const WaveCell> downs, std::span<const WaveCell
     });
 }
 
-/// Of cells from `step` on, what they are at most.
+/// Pushes upper bounds of the cells from `step` on.
 void SectionWatch::push(std::span<const WaveCell> cells, long step) {
     const CellBounds bounds = boundsOf(cells);
     m_compression.maxima.push(step, bounds.push);

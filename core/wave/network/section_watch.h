@@ -15,19 +15,19 @@
 
 namespace drillwave {
 
-// The largest values of the steps in a window that moves, over blocks of them and blocks of blocks.
+// Largest values of the steps in a moving window, over blocks of them and blocks of blocks.
 
-/// Steps are whole numbers that follow each other; what their values are at most is pushed, and the oldest
-/// are dropped. What no larger block can hold is not looked for in the smaller ones.
+/// Steps are consecutive whole numbers; upper bounds of their values are pushed, and the oldest are dropped.
+/// Blocks inside a larger one are searched only if that can hold the value.
 class WindowMaxima {
   public:
-    /// So many steps make the smallest block, and so many blocks one of the next size.
+    /// Steps in the smallest block, and blocks in one of the next size.
     static constexpr long smallest = 32, growth = 8;
 
-    /// The first step of the smallest block that holds `step`.
+    /// Returns the first step of the smallest block that holds `step`.
     static long blockStart(long step) { return smallest * blockOf(step, smallest); }
 
-    /// Empty, for windows of so many steps.
+    /// Clears it, for windows of that many steps.
     void begin(long window);
     /// `value` counts for all steps of the smallest block that holds `step`: one call for each of them will
     /// do.
@@ -98,15 +98,15 @@ class SectionWatch {
   public:
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
 
-    /// Waves of the steps from `step` on, on both clocks: `downs` enter at the rear end. `ups` are those that
-    /// have entered at the front end for a round trip before, the oldest first, and behind them those that
-    /// enter there now, as many as `downs`. What would meet after `lastTime` does not count.
+    /// Adds waves of the steps from `step` on, on both clocks: `downs` enter at the rear end. `ups` are those
+    /// that have entered at the front end during the round trip before, the oldest first, followed by those
+    /// that enter there now, as many as `downs`. Meetings after `lastTime` do not count.
     void add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step, const CellCuts& cuts,
              double lastTime);
-    /// At the beginning, or after cells were cut: `window` is on its way before `step`.
+    /// Restarts at the beginning, or after cells were cut: `window` is on its way before `step`.
     void restart(std::span<const WaveCell> window, long step);
-    /// Sets when the blow is over, as far as is known, and until when waves count that are left. What meets
-    /// after either is kept apart. With a new end, which is a later one, what met so far belongs to the blow.
+    /// Sets the end of the blow, as far as known, and of the residual waves; forces after the blow are kept
+    /// apart. A later end of the blow includes all meetings so far in the blow.
     void setEndOfBlow(double time, double lastAfter);
 
     SectionForces forces() const {

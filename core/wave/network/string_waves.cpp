@@ -66,9 +66,9 @@ class PassingCells {
         advance(waves.rounding());
     }
 
-    /// What it is between time and next().
+    /// Returns the wave between time and next().
     const WaveCell& cell() const { return m_behind == 0 ? m_first : m_cells[m_behind - 1]; }
-    /// What is left of that on the way from the end where it entered.
+    /// Returns the share of it left after the way from the end where it entered.
     double kept() const { return m_behind == 0 ? 1 : m_kept; }
     double next() const {
         return m_behind < m_clocks.size() ? m_zero + m_clocks[m_behind]
@@ -105,7 +105,7 @@ void note(SectionPeak& peak, double force, double time) {
     if (force > peak.force) peak.force = force, peak.time = time;
 }
 
-// What is known is better than the waves that were kept.
+// The known peak is more exact than the waves that were kept.
 void hold(SectionPeak& here, const SectionPeak& known) {
     if (known.place == here.place && known.force > here.force) here = known;
     here.force = std::min(here.force, known.force);

@@ -43,40 +43,40 @@ struct SectionWaves {
     WaveAtPlace upAt(double xi) const;
 };
 
-/// Looks up what hammer and string do. Units of Problem, times global, from the first touch; sections of the
-/// chain, whatever pieces stand for them, ξ = 0 at the rear end of a section and 1 at its front end.
+/// Motions of hammer and string at any time. Units of Problem, times global, from the first touch; sections
+/// of the chain, whatever pieces stand for them, ξ = 0 at the rear end of a section and 1 at its front end.
 /// Compression and motion towards the rock are positive, in every piece:
 ///
 ///     P(ξ, t) = f(t − ξτ) e^(−ξαL) + b(t − (1 − ξ)τ) e^(−(1 − ξ)αL),   v = (f − b)/ζ
 ///
-/// Accurate to what a cubic over a cell is: sums are those of the run, values to some 1e-9 where that is a
-/// sure one. A time that is but for rounding that of a jump is taken for it.
+/// Accurate to a cubic over a cell: sums are those of the run, values are accurate to some 1e-9 in a sure
+/// one. A time within rounding of a jump is taken as that of the jump.
 class StringWaves {
   public:
-    /// What is kept is at most about so many bytes.
+    /// Approximate limit of the memory for waves.
     static constexpr std::size_t mostBytes = 40'000'000;
 
     StringWaves(const Problem& problem, const std::vector<double>& rearTimes);
 
-    // While it is recorded
+    // During recording
 
-    /// What the clocks go through next, after the waves that enter then in every piece.
+    /// Adds the next cells of the two waves of a piece, as they enter it.
     void add(std::size_t piece, const WaveCell& down, const WaveCell& up) {
         m_pieces[piece].down.push_back(down);
         m_pieces[piece].up.push_back(up);
     }
-    /// `rearForce` is that on the rear end of the first section where it is given in place of a hammer.
-    /// Clocks that begin below 0 tell what was before the blow.
+    /// Adds a step; `rearForce` is the force on the rear end of the first section if it replaces a hammer.
+    /// Clocks below 0 describe the time before the blow.
     void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
-    /// What else pushes the rear end of the string over the step that was added last; of all steps or none.
+    /// Adds another force on the rear end of the string over the last step added; for all steps or none.
     void addDamper(const WaveCell& force) { m_damperForces.push_back(force); }
-    /// What rod or string has when the blow begins [I0].
+    /// Sets the momentum of rod or string when the blow begins [I0].
     void setMomentum(double momentum) { m_momentum = momentum; }
     bool isFull() const;
-    /// Nothing follows; what is told is told up to `end`.
+    /// Ends the recording; everything is known up to `end`.
     void finish(double end);
 
-    // To be read
+    // For reading
 
     double end() const { return m_end; }  ///< all places are known until then
     std::span<const SectionWaves> pieces() const { return m_pieces; }
@@ -93,9 +93,9 @@ class StringWaves {
         std::size_t piece;
         double xi;
     };
-    /// That of a section, in the piece behind it where two meet.
+    /// Returns the piece at a place of a section; where two meet, the one after it.
     PiecePlace pieceAt(std::size_t section, double xi) const;
-    /// Of the cells of all waves: where on the clocks each begins, and how long it is.
+    /// Return the clock at which each cell of all waves begins, and its width.
     std::span<const double> clocks() const { return m_clocks; }
     std::span<const double> widths() const { return m_widths; }
     double force(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
@@ -127,10 +127,10 @@ class StringWaves {
     const PiecewisePolynomial& damperForce() const { return m_damperForce; }  ///< empty without
     const PiecewisePolynomial& bitForce() const { return m_bitForce; }        ///< F of the rock
     const PiecewisePolynomial& bitWave() const { return m_bitWave; }          ///< g that arrives at the bit
-    /// U' of the bit, with its mass where it has one: its integral is how far it has moved.
+    /// Returns U' of the bit, with its mass if it has one; the integral is its displacement.
     const PiecewisePolynomial& bitVelocity() const { return m_bitVelocity; }
 
-    /// What two times may differ by and be the same.
+    /// Returns the difference up to which two times are the same.
     double rounding() const;
 
   private:
@@ -161,20 +161,20 @@ class StringWaves {
 SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow,
                               double until = std::numeric_limits<double>::infinity());
 
-/// Those of one section at places in order, its ends among them.
+/// Largest forces of one section at places in order, its ends included.
 using SectionEnvelope = std::vector<SectionForces>;
 
-/// How fine an envelope is, and what it may cost.
+/// Fineness and work limit of an envelope.
 struct EnvelopeGrid {
     int places = 400;             ///< in hammer and string, about, shared out by transit time
     int leastOfSection = 8;       ///< of a short one
-    long mostSteps = 20'000'000;  ///< cells to be looked at; with more there are fewer places
+    long mostSteps = 20'000'000;  ///< cells to be looked at; with more work there are fewer places
 };
 
-/// Of every section, the rear of the hammer first. Where the largest forces of a section are known
-/// (impact.sections), their places are among those of the envelope, and nothing is larger in a section that
-/// is one uniform piece: the waves that were kept may be less exact. Requires waves that were kept. A stop
-/// ends the work early: the sections that are left have no places.
+/// Returns the envelope of every section, the rear of the hammer first. Where the largest forces of a section
+/// are known (impact.sections), their places are among those of the envelope, and nothing is larger in a
+/// section that is one uniform piece: the waves that were kept may be less exact. Requires kept waves. A stop
+/// ends the work early: the remaining sections have no places.
 std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::stop_token& stop = {},
                                             const EnvelopeGrid& grid = {});
 

@@ -17,7 +17,7 @@ struct WaveCell {
     std::array<double, count> c{};
 
     static WaveCell constant(double value) { return {{value, 0, 0, 0}}; }
-    /// Of p(u) = Σ p_k u^k.
+    /// Converts p(u) = Σ p_k u^k.
     static WaveCell fromPowers(const Powers& p) {
         WaveCell f;
         f.c[3] = p[3] / 20;
@@ -128,11 +128,11 @@ class CellProjection {
 
 // Events inside a cell: which of them cut the cells, and what is only rounding.
 
-/// What a cell must stay away from an event by to be taken as a whole, in its own changes: more than its
-/// projection moves it.
+/// Distance from an event, as a multiple of its own changes, above which a cell is taken as a whole: more
+/// than its projection moves it.
 inline constexpr double quietMargin = 1e-3;
 
-/// A rise is too fast for a cell where its rate times the width is more than this.
+/// Rate times width above which a rise is too fast for a cell.
 inline constexpr double fastRise = 0.4;
 
 /// Events at one point of a cell: what balances there after so many stays there.

@@ -8,7 +8,7 @@ namespace drillwave {
 
 namespace {
 
-/// What it takes to see whether a block of cells may hold the largest force of a section that loses, in
+/// Work of checking whether a block of cells may hold the largest force of a section with losses, in
 /// cells.
 constexpr long workOfLook = 8;
 
@@ -111,7 +111,7 @@ double WaveRecorder::wantedTime() const {
     return m_hasForces && isOver ? std::min(m_endOfBlow + 2 * m_stringTransit, m_plan->limitTime()) : 0;
 }
 
-/// Those of a section by its pieces, where they make the largest stress: that is as force over impedance.
+/// Returns the forces of a section, from the pieces with the largest stress: force over impedance.
 SectionForces WaveRecorder::forcesOf(std::size_t first, std::size_t count) const {
     SectionForces forces = m_watches[first].forces();
     if (count == 1) return forces;

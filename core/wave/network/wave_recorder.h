@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is recorded of a blow beside its sums: the forces in its sections, what joints reflect, its waves.
+// Records a blow besides its sums: the forces in its sections, reflections at joints, its waves.
 #pragma once
 
 #include <memory>
@@ -21,18 +21,18 @@ class WaveRecorder {
     /// Plan and lattice must outlive the blow.
     void begin(const MarchPlan& plan, const CellLattice& lattice);
 
-    /// The block that the lattice has taken last. Waves are no longer recorded where they are too many.
+    /// Adds the block that the lattice has taken last. Stops recording waves when they are too many.
     void add(const std::stop_token& stop);
-    /// The blow is not solved: its waves are of no use.
+    /// Drops the waves of a blow that is not solved.
     void abandon() { m_waves.reset(); }
-    /// What there is when all that counts has happened until `time` [t0].
+    /// Writes the results into `impact`, when everything up to `time` [t0] has happened.
     void finish(double time, Impact& impact);
 
-    /// What the largest forces have taken beside the `cells` times nodes that have gone by, in cells.
+    /// Returns the extra work of the largest forces after `cells` cells × nodes, in cells.
     long workForForces(long cells) const;
-    /// They take too much.
+    /// Drops the forces, which take too much work.
     void leaveOutForces();
-    bool hasForces() const { return m_hasForces; }  ///< that are wanted, and not left out
+    bool hasForces() const { return m_hasForces; }  ///< requested and not dropped
     /// To when the waves shall be followed, as far as is known: once to and fro in the string after the blow,
     /// where the forces are wanted.
     double wantedTime() const;
