@@ -23,7 +23,7 @@
 
 namespace drillwave {
 
-/// What is asked.
+/// Parameters and outputs of a curve study.
 struct CurveQuestion {
     Scenario base;
     /// The parameter to go along, as parseRange() gives it.
@@ -42,15 +42,15 @@ struct CurveQuestion {
     std::vector<SweepAxis> axes() const;  ///< the family, if there is one, and the parameter to go along
 };
 
-/// Most lines of a family.
+/// Maximum number of lines of a family.
 inline constexpr std::size_t maximumCurveLines = 50;
 
-/// What makes a question unusable, each a line: a range that cannot be followed, see followProblem(), alone;
-/// as problemsOf(Sweep), axes of one quantity, ends none of which is a scenario; outputs that take a study at
-/// every point. Empty when it can be studied.
+/// Returns the problems of a question, each a line: a range that cannot be followed (see followProblem()),
+/// and then no others; as problemsOf(Sweep), axes of one quantity, or no end that is a scenario; outputs that
+/// need a study at every point. Empty if it can be studied.
 std::vector<Message> problemsOf(const CurveQuestion& question);
 
-/// Why the family has too many lines; empty when it has not.
+/// Returns why the family has too many lines; empty if it has not.
 Message familyProblem(const CurveQuestion& question);
 /// Why the goal of a question is none; empty when it is one, or there is none.
 Message goalProblem(const CurveQuestion& question);
@@ -65,13 +65,13 @@ struct CurveStretch {
 
 /// One output along the range.
 struct CurveOutput {
-    /// Over shares of the way (CurveRange), 0 … 1, ascending, one function each.
+    /// Over shares of the range (CurveRange), 0 … 1, ascending, one function each.
     std::vector<FitPiece> pieces;
-    /// Where the output is not smooth, or not within the work permitted: there it was computed at the points
-    /// of the line alone, no more than 1/500 of the way and 1/16 of the stretch apart, and is straight
+    /// Stretches where the output is not smooth, or not within the permitted work: only computed at the
+    /// points of the line, no more than 1/500 of the range and 1/16 of the stretch apart, and straight
     /// between them.
     std::vector<CurveStretch> grid;
-    std::vector<CurveStretch> unsolved;  ///< where there is no answer
+    std::vector<CurveStretch> unsolved;  ///< without results
     std::vector<CurveFeature> features;  ///< by place
 
     /// The least or largest of the line; nullptr where there is no answer at all.
@@ -108,14 +108,14 @@ struct CurveStudy {
     bool isReached() const;
 };
 
-/// Told on the calling thread which share of the work is done, 0 … 1.
+/// Called on the calling thread with the share of the work that is done, 0 … 1.
 using CurveProgress = std::function<void(double)>;
 
-/// Fits every output on its own, in the parameter or its logarithm, to 1e-10 of its size and the error of the
-/// solver: which others are asked for changes nothing. Work is bounded: all blows of a cell for one output
-/// have as many wave pieces together as five at the work limit; beyond, the output is known by points alone,
-/// each of which may take a sixth of the limit. The lines do not depend on `jobs` (≥ 1). Requires
-/// problemsOf() to be empty.
+/// Fits every output by itself, in the parameter or its logarithm, to 1e-10 of its size and the error of the
+/// solver: other requested outputs change nothing. Work is bounded: all blows of a cell for one output have
+/// as many wave pieces together as five at the work limit; beyond, the output is only known at points, each
+/// of which may take a sixth of the limit. The lines do not depend on `jobs` (≥ 1). Requires problemsOf() to
+/// be empty.
 CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                       const CurveProgress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is worth telling about a curve: where it is least and largest, turns, jumps and crosses a level.
+// Features of a curve: minimum and maximum, turns, jumps and crossings of a level.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,11 @@ struct CurveFeature {
         jump,      ///< the value jumps
         crossing,  ///< `level` is passed
     };
-    /// What the curve is like there.
+    /// Shape of the curve at the feature.
     enum class Shape {
-        smooth,      ///< nothing but what the kind says
+        smooth,      ///< no more than the kind says
         cusp,        ///< the slope jumps, or the value does
-        end,         ///< the range, or what is known of it, begins or ends here
+        end,         ///< the range, or the known part of it, begins or ends here
         grid,        ///< the curve is known by points alone here, and the place by how far these are apart
         everywhere,  ///< the curve is the same everywhere, but for errors
     };

@@ -34,13 +34,13 @@ struct GoalPlace {
 
 std::string_view name(GoalPlace::Kind kind);
 
-/// What is known of a goal along a line.
+/// Places of a goal along a line.
 struct GoalAnswer {
     std::vector<GoalPlace> places;  ///< ascending
-    /// Whether these are all in the range, as far as the errors of the curve tell; false where a part of it
-    /// is known by points alone, or has no answer.
+    /// Whether these are all places in the range, within the errors of the curve; false where a part of it is
+    /// only known at points, or has no result.
     bool isComplete = true;
-    /// Where nothing gives the goal: the value that comes nearest. Nothing where there is no answer at all.
+    /// If no place reaches the goal: the nearest value. Nothing if there is no result at all.
     struct Nearest {
         Estimate x = {};  ///< SI
         Estimate value = {};

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// What studyCurve() promises.
+/// Studies the curves; see studyCurve().
 CurveStudy followLines(const CurveQuestion& question, int jobs, std::stop_token stop,
                        const CurveProgress& progress);
 

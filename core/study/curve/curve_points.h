@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a line, and what is known of outputs by points alone.
+// Points of a line, and outputs that are only known at points.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace drillwave {
 /// slivers, no more than 1/500 apart and closer where a piece is open; and one wherever there is no answer.
 std::vector<double> pointsOf(const CurveLine& line);
 
-/// Of `points`, those at which open pieces have to be known, and the ends of these.
+/// Returns those of `points` at which open pieces need values, and the ends of these pieces.
 std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> points);
 
-/// All outputs at one point of a line, solved.
+/// All outputs at a point of a line, solved.
 struct LinePoint {
     double share = 0;
     std::vector<FitSample> outputs;

@@ -27,13 +27,13 @@ class CurveSampler {
     FitSample operator()(double share, std::size_t output);
     /// Why there was no answer for the last sample that had none.
     const Message& reason() const { return m_reason; }
-    /// The size that numbers of an output have in its unit, at a share of the way: d0 of a penetration and
-    /// so on; 1 of what is a ratio; 0 where there is no scenario.
+    /// Returns the size of the numbers of an output in its unit, at a share of the range: d0 for a
+    /// penetration and so on; 1 for a ratio; 0 if there is no scenario.
     double unitAt(double share, std::size_t output);
-    /// What the blow at a share of the way takes: wave pieces, or cells of a drill string.
+    /// Returns the work of the blow at a share of the range: wave pieces, or cells of a drill string.
     long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
-    /// What all blows so far have taken.
+    /// Returns the work of all blows so far.
     long effort() const { return m_effort; }
 
   private:

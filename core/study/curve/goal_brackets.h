@@ -16,12 +16,12 @@ struct GoalBracket {
     Estimate share;   ///< where it is at the goal, as far as its error tells
     double from = 0;  ///< the bracket: at its ends the curve is clearly on the sides named, if on any
     double to = 0;
-    double valueFrom = 0;  ///< of the curve there
+    double valueFrom = 0;  ///< of the curve at `from`
     double valueTo = 0;
     int before = 0;       ///< −1 below, +1 above; 0 where the curve begins at the goal
-    int after = 0;        ///< likewise; 0 where it ends there
-    double margin = 0;    ///< the error of the curve there: within it nothing is told from the goal
-    bool isOpen = false;  ///< inside, between two points of a curve that is known by points alone
+    int after = 0;        ///< −1 below, +1 above; 0 where the curve ends at the goal
+    double margin = 0;    ///< error of the curve there: closer values cannot be distinguished from the goal
+    bool isOpen = false;  ///< inside, between two points of a curve that is only known at points
 
     bool isPassed() const { return before * after < 0; }
 };

@@ -14,14 +14,14 @@ namespace drillwave {
 /// is larger; where it cannot be brought nearer than a hundred times that, it jumps.
 inline constexpr double goalAccuracy = 1e-11;
 
-/// Most places of a line that are solved for. Where there are more, the others are known by the curve alone.
+/// Maximum number of places of a line that are solved for; further ones are taken from the curve.
 inline constexpr std::size_t mostSoughtPlaces = 64;
 
-/// What it took.
+/// Work of a search.
 struct GoalWork {
-    bool stopped = false;  ///< on the stop token: the lines are without an answer
+    bool stopped = false;  ///< by the stop token: the lines have no result
     std::uint64_t solves = 0;
-    long effort = 0;  ///< of these
+    long effort = 0;  ///< of these solves
 };
 
 /// Gives every line its CurveLine::goal, that of the question's first column; nothing without a goal. Every

@@ -12,11 +12,11 @@
 
 namespace drillwave {
 
-/// What makes a question unusable, as problemsOf(CurveQuestion); whole numbers can be asked for here.
+/// Returns the problems of a question, as problemsOf(CurveQuestion); whole numbers are allowed here.
 std::vector<Message> sampledProblemsOf(const CurveQuestion& question);
 
-/// Told on the calling thread how many points are solved, of all, and, whenever the points lie twice as close
-/// as before, the lines through those that are there.
+/// Called on the calling thread with the number of solved points and of all points; and, whenever the
+/// distance of the points is halved, with the lines through the points so far.
 struct SampledProgress {
     std::function<void(std::size_t done, std::size_t of)> tell;
     std::function<void(CurveStudy soFar)> show;

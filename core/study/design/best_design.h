@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// What is to be large, or small.
+/// Direction of an aim: large or small values are good.
 enum class Sense { largest, least };
 
 /// A statistic of an output: numbers in DesignSamples::statistics.
@@ -44,20 +44,20 @@ struct Feasibility {
 Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
                           std::span<const LimitOrder> limits);
 
-/// Whether two designs are equal in an aim: within the errors, or but for rounding where it has none.
+/// Returns whether two designs are equal in an aim: within the errors, or within rounding if it has none.
 bool areTied(const DesignSamples& one, const DesignSamples& other, const AimOrder& aim);
 
-/// Of all designs, by number from 0.
+/// Best of all designs, by number from 0.
 struct BestDesigns {
     std::optional<std::size_t> robust;   ///< feasible, best statistic of the first aim
-    std::optional<std::size_t> nominal;  ///< best with x as in the scenario; limits hold of those values
-    /// Feasible, and equal to the robust best within the errors. Without it.
+    std::optional<std::size_t> nominal;  ///< best with x as in the scenario; limits apply to those values
+    /// Feasible, and equal to the robust best within the errors; without the robust best.
     std::vector<std::size_t> ties;
-    /// Of the robust best and its ties the best in the next aim; nothing where there is no such aim or no
+    /// Best in the next aim among the robust best and its ties; nothing if there is no such aim or no
     /// tie.
     std::optional<std::size_t> nextBest;
-    /// Feasible, and best or tied with the best in every aim, each aim deciding among those that the aims
-    /// before it left; ascending.
+    /// Feasible, and best or tied with the best in every aim, each aim deciding among those left by the aims
+    /// before it; ascending.
     std::vector<std::size_t> equal;
     std::optional<std::size_t> chosen;  ///< of these the robust best, or else the best in the last aim
     std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none

@@ -11,13 +11,13 @@
 namespace drillwave {
 
 /// Energy of a blow [J]: of a prescribed force that of its incident wave, ∫Fa² dt/Z, of the reference case
-/// I0²/2m, of an elastic hammer m v0²/2. Requires a valid scenario with units.
+/// Returns I0²/2m, for an elastic hammer m v0²/2. Requires a valid scenario with units.
 double blowEnergy(const Scenario& scenario);
 
-/// What scales it: the impulse, or the velocity of the hammer; none of a table of points.
+/// Returns the parameter that scales the energy: impulse or hammer velocity; none for a table of points.
 KeptParameter energyParameter(const Scenario& scenario);
 
-/// Why the energy of such a scenario cannot be kept and what to do; empty when it can.
+/// Returns why the energy of such a scenario cannot be kept and what to do; empty if it can be.
 Message keepEnergyProblem(const Scenario& scenario);
 
 /// Gives the blow that energy: impulse or velocity times √(energy/blowEnergy()). Requires that there is no

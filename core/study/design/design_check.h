@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a design study unusable, found before anything is computed.
+// Problems of a design study, found before anything is computed.
 #pragma once
 
 #include <stop_token>

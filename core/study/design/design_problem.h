@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a design study is about, whatever solves it: designs, uncertain numbers, outputs.
+// Subject of a design study, whatever solves it: designs, uncertain numbers, outputs.
 #pragma once
 
 #include <cstdint>
@@ -42,19 +42,19 @@ class DesignProblem {
 
     virtual std::uint64_t designCount() const = 0;
     virtual std::size_t outputCount() const = 0;
-    /// Of the uncertain numbers, at least one, equally many of each design.
+    /// Returns those of the uncertain numbers: at least one, equally many for each design.
     virtual std::vector<Distribution> distributions(std::uint64_t design) const = 0;
     virtual std::unique_ptr<DesignSolver> solver() const = 0;
-    /// Places in the box of a coordinate, besides its ends, where worst cases are likely.
+    /// Returns places in the box of a coordinate, besides its ends, where worst cases are likely.
     virtual std::vector<double> likelyPlaces(std::uint64_t /*design*/, std::size_t /*coordinate*/) const {
         return {};
     }
 };
 
-/// Told how many points have been solved since the last time.
+/// Called with the number of points solved since the last call.
 using SolveProgress = std::function<void(std::uint64_t)>;
 
-/// How to work: threads (≥ 1), when to stop, whom to tell.
+/// Way of working: threads (≥ 1), stop, progress.
 struct DesignWork {
     int jobs = 1;
     std::stop_token stop = {};

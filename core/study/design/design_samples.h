@@ -15,13 +15,13 @@ namespace drillwave {
 /// Beyond this share of points that could not be solved a design has no statistics.
 inline constexpr double mostUnsolvedShare = 1e-3;
 
-/// Points that are one piece of work: enough to make handing over cheap, few enough to end soon.
+/// Number of points in one piece of work: enough to make handing over cheap, few enough to end soon.
 inline constexpr std::uint64_t pointsOfBlock = 256;
 
-/// What a design came to.
+/// Results of a design.
 struct DesignSamples {
     std::vector<double> nominal = {};  ///< outputs; NaN where that blow could not be solved
-    /// Output by output, in the order of the statistics asked for; NaN where there are none.
+    /// Output by output, in the order of the requested statistics; NaN where there are none.
     std::vector<std::vector<SampledValue>> statistics = {};
     std::uint64_t unsolved = 0;  ///< points left out
     Message reason = {};         ///< of the first one
@@ -48,9 +48,9 @@ struct SampleOrder {
     std::optional<UncertainPoints> uncertain = {};
 };
 
-/// Solves all designs, each at the same points of SobolPoints, in order. What comes out depends neither on
-/// the number of threads nor on the other designs. Keeps the outputs of one design at a time; after a stop
-/// it gives those that are finished.
+/// Solves all designs, each at the same points of SobolPoints, in order. Results depend neither on the number
+/// of threads nor on the other designs. Keeps the outputs of one design at a time; after a stop, returns
+/// those that are finished.
 std::vector<DesignSamples> sampleDesigns(const DesignProblem& problem, const SampleOrder& order,
                                          const DesignWork& work);
 

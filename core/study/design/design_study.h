@@ -49,7 +49,7 @@ struct DesignLimit {
     bool operator==(const DesignLimit&) const = default;
 };
 
-/// All that is asked. The designs are the grid of the choices, the last one fastest, or the base alone.
+/// Settings of a design study. Designs are the grid of the choices, the last one fastest, or only the base.
 struct DesignStudy {
     Scenario base;
     std::vector<UncertainInput> uncertain;
@@ -62,16 +62,16 @@ struct DesignStudy {
     std::uint64_t seed = 1;
     long workLimit = defaultWorkLimit;
 
-    std::uint64_t designCount() const;  ///< 0 where it is beyond counting
-    /// Of a design (from 0), in the order of the choices, SI.
+    std::uint64_t designCount() const;  ///< 0 if too many to count
+    /// Returns the choices of a design (from 0), in their order, in SI.
     std::vector<double> choice(std::uint64_t design) const;
-    /// Of aims and limits, each once.
+    /// Returns the outputs of aims and limits, each once.
     std::vector<OutputColumn> columns() const;
-    /// What is told of an output: the customary ones, then what aims and limits ask besides.
+    /// Returns the statistics of an output: the default ones, then those needed by aims and limits.
     std::vector<Statistic> statisticsOf(const Output& output) const;
-    /// Uncertain numbers that scatter independently.
+    /// Returns the number of uncertain numbers that scatter independently.
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
-    /// Parameters that scatter, those of the draws last.
+    /// Returns the parameters that scatter, those of the draws last.
     std::vector<KeptParameter> scattered() const;
     /// Where the statistic of an aim or limit is in DesignSamples.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
@@ -86,10 +86,10 @@ std::vector<DesignAim> customaryAims(const Scenario& scenario);
 /// another.
 int customarySamples(const Scenario& scenario);
 
-/// What the study found.
+/// Results of a design study.
 struct DesignFindings {
-    Message refusal = {};   ///< why the study cannot be made; then there is nothing else
-    Message unsolved = {};  ///< why no design is solved even without scatter; then there is nothing else
+    Message refusal = {};   ///< why the study cannot be made; then all else is empty
+    Message unsolved = {};  ///< why no design is solved even without scatter; then all else is empty
     std::vector<DesignSamples> designs;
     std::vector<Feasibility> feasibility;  ///< of each
     BestDesigns best;  ///< the robust and the chosen one with the present value of what makesDifference() not

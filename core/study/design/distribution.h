@@ -8,14 +8,14 @@
 
 namespace drillwave {
 
-/// What LOW and HIGH are of a range.
+/// Meaning of LOW and HIGH of a range.
 enum class DistributionKind {
     uniform,    ///< the ends
     log,        ///< the ends, even in the logarithm
     normal,     ///< the 2.5 % and 97.5 % quantiles
-    lognormal,  ///< likewise, of the logarithm
+    lognormal,  ///< the 2.5 % and 97.5 % quantiles, of the logarithm
     percent,    ///< the ends, so many per cent below and above the value of the design
-    draws,      ///< rows of a table, from 0 up to the number of them
+    draws,      ///< rows of a table, from 0 up to their number
 };
 
 /// "uniform", …, as on the command line and in JSON.
@@ -44,14 +44,14 @@ class Distribution {
     /// Whether there is a box to look for worst cases in.
     bool hasBox() const { return m_kind != DistributionKind::draws; }
 
-    /// The value below which the share u lies, 0 < u < 1.
+    /// Returns the value below which the share u lies, 0 < u < 1.
     double quantile(double u) const;
-    /// The same way through the box of low and high, 0 ≤ b ≤ 1: even in the logarithm of `log` and
-    /// `lognormal`. Of rows as quantile().
+    /// Returns the value at a place in the box of low and high, 0 ≤ b ≤ 1: even in the logarithm for `log`
+    /// and `lognormal`. Rows of draws are as in quantile().
     double inBox(double b) const;
-    /// Back: where in the box a value is.
+    /// Returns the place of a value in the box.
     double boxPlace(double value) const;
-    /// The least and the largest value that can come.
+    /// Return the least and the largest possible value.
     double least() const;
     double most() const;
 

@@ -11,13 +11,13 @@
 
 namespace drillwave {
 
-/// Shares of the variance of an output: by one uncertain number alone, and by it with others.
+/// Shares of the variance of an output: by one uncertain number only, and including effects with others.
 struct SobolIndex {
     Estimate first;
     Estimate total;
 };
 
-/// Of one output.
+/// Sensitivities of one output.
 struct OutputSensitivity {
     bool isConstant = false;          ///< the output does not scatter: there are no indices
     std::vector<SobolIndex> indices;  ///< of each uncertain number

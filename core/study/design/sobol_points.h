@@ -14,7 +14,7 @@ inline constexpr std::size_t replicateCount = 8;
 
 /// u = (MX ⊕ s + ½)/2^64 for each coordinate of a point n of replicate r: X is the Sobol sequence of Joe and
 /// Kuo with its point 0; the digital shift s and the mixing M of its digits are by SplitMix64 from seed, r
-/// and the coordinate. Any point can be had by its number alone.
+/// and the coordinate. A point only needs its number, not those before it.
 class SobolPoints {
   public:
     /// At most mostDimensions; a replicate has up to 2^20 points.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is made of many samples of an output: a mean, a quantile, each with its error.
+// Statistics of many samples of an output: a mean, a quantile, each with its error.
 #pragma once
 
 #include <array>
@@ -22,18 +22,18 @@ struct Statistic {
 
     /// "mean", "q05", "min", "max", "nominal".
     std::string name() const;
-    /// Whether its error can be told: min and max say what was seen, nominal is one blow.
+    /// Returns whether it has an error: min and max are extremes seen, nominal is one blow.
     bool hasError() const { return kind == Kind::mean || kind == Kind::quantile; }
     auto operator<=>(const Statistic&) const = default;
 };
 
-/// Nothing for another name.
+/// Returns the statistic of that name; nothing if there is none.
 std::optional<Statistic> findStatistic(std::string_view name);
 
-/// Those that are told of every output: mean, min, q05, q50, q95, max.
+/// Returns the statistics reported for every output: mean, min, q05, q50, q95, max.
 std::span<const Statistic> customaryStatistics();
 
-/// A statistic of all samples, and of each replicate alone.
+/// Statistic of all samples, and of each replicate by itself.
 struct SampledValue {
     double value = std::numeric_limits<double>::quiet_NaN();
     std::array<double, replicateCount> replicates{};
@@ -56,10 +56,10 @@ double sortedQuantile(std::span<const double> sorted, double q);
 /// Samples of one output, sorted once for all statistics. NaN are left out.
 class SortedSamples {
   public:
-    /// Replicate after replicate, equally many of each.
+    /// Requires the samples of one replicate after another, equally many of each.
     explicit SortedSamples(std::span<const double> samples);
     std::size_t count() const { return m_all.size(); }
-    /// Of a statistic other than `nominal`; NaN where a replicate is empty.
+    /// Returns a statistic other than `nominal`; NaN if a replicate is empty.
     SampledValue of(const Statistic& statistic) const;
 
   private:

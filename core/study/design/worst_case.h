@@ -18,23 +18,23 @@ inline constexpr int worstSearches = 12;
 struct WorstCase {
     double value = 0;
     std::vector<double> at;  ///< uncertain values
-    double sampled = 0;      ///< the worst of samples alone, in the same ranges
-    int searches = 0;        ///< how many were made
-    int agreeing = 0;        ///< how many ended within 1e-6 of the value
+    double sampled = 0;      ///< the worst of the samples only, in the same ranges
+    int searches = 0;        ///< number of searches made
+    int agreeing = 0;        ///< number of searches that ended within 1e-6 of the value
 };
 
-/// What is looked for: the extreme of an output, the opposite of an aim.
+/// Extreme to search for: of an output, opposite to an aim.
 struct WorstOrder {
     std::size_t output = 0;
-    Sense towards = Sense::least;  ///< which way it is bad
+    Sense towards = Sense::least;  ///< the bad direction
 };
 
-/// Of one design, for each order; nothing where no point could be solved, and after a stop. Tries all corners
-/// of the ranges, the likely places, as many samples as the statistics had, 512 points on every face, and
-/// goes on from the best 12 of these by a compass search: steps of 0.05 of the range along each coordinate,
-/// where none leads on along others, halved to 1e-7. Where this ends it climbs once more with
-/// steps that adapt to a ridge (adapted_search.h). Along rows of draws there is no way to go:
-/// they are taken as they come.
+/// Returns the worst case of one design, for each order; nothing where no point could be solved, and after a
+/// stop. Tries all corners of the ranges, the likely places, as many samples as the statistics had, 512
+/// points on every face, and goes on from the best 12 of these by a compass search: steps of 0.05 of the
+/// range along each coordinate, where none leads on along others, halved to 1e-7. At its end it climbs once
+/// more with steps that adapt to a ridge (adapted_search.h). Rows of draws have no direction: they are tried
+/// in order.
 std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, std::uint64_t design,
                                                  const std::vector<WorstOrder>& orders, std::uint64_t samples,
                                                  std::uint64_t seed, const DesignWork& work);

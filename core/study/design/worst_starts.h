@@ -39,8 +39,8 @@ class WorstStarts {
     std::uint64_t m_corners = 0;
 };
 
-/// The worst places so far, the worst first, no two of them near each other: else all searches may begin in
-/// one dip and miss a lower one. Of equals the one that came first.
+/// The worst places so far, the worst first, no two of them near each other: otherwise all searches may begin
+/// in one dip and miss a lower one. Among equals, the first one.
 class WorstPlaces {
   public:
     struct Found {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is to be noticed of many blows.
+// Alerts about many blows.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace drillwave {
 
-/// What a result does not hold itself.
+/// Causes of alerts that are not part of a result.
 struct AlertCauses {
-    double lateShare = 0;  ///< most that passed a face after its first separation, of the hammer's momentum
+    double lateShare = 0;  ///< largest impulse of a face after its first separation, of the hammer momentum
     double rounding = 0;   ///< of the frequency, as a share of it
     bool hasMachine = false;  ///< a body on a damper
 };

@@ -25,14 +25,14 @@ struct DrillingSettings {
 inline constexpr int leastDrillingCells = 10, mostDrillingCells = 400, scanCells = 20;
 inline constexpr long mostBlows = 1'000'000;
 
-/// Those of the scenario; where it says nothing of the blows, `usualBlows`, and a fifth of the blows settle.
+/// Returns the settings of the scenario; by default `usualBlows`, a fifth of them transient.
 DrillingSettings drillingSettingsOf(const Scenario& scenario, long usualBlows = 1000);
 
-/// Those of a study of many values (scanLengthOf()).
+/// Returns the settings for a study of many values (scanLengthOf()).
 DrillingSettings scanSettingsOf(const Scenario& scenario);
 
-/// Why a scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
-/// it can.
+/// Returns why a scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty if
+/// it can be.
 std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
 
 /// SI values of the units of a Problem.

@@ -8,10 +8,10 @@
 
 namespace drillwave {
 
-/// Those that there are. The error of the penetration needs `cellError`, λ `lyapunov` of DrillingWants.
+/// Returns the available outputs. Penetration error needs `cellError`, λ `lyapunov` of DrillingWants.
 DrillNumbers drillNumbersOf(const DrillingResult& result);
 
-/// Why there are no statistics: pushed back, stopped, or not solved; empty where there are.
+/// Returns why there are no statistics: pushed back, stopped, or not solved; empty if there are.
 Message whyNoStatistics(const DrillingResult& result);
 
 }  // namespace drillwave

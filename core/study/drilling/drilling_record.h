@@ -23,7 +23,7 @@ enum class DrillingOutcome {
 /// "done", "pushed_back", …
 std::string_view name(DrillingOutcome outcome);
 
-/// Blows that are told in full, from 1.
+/// Blows that are recorded in full, from 1.
 struct BlowRange {
     long first = 1, last = 1;
 };
@@ -35,10 +35,10 @@ struct DrillingInstant {
 };
 inline constexpr std::size_t mostDrillingInstants = 200'000;
 
-/// Told how many blows more are done; by one thread at a time.
+/// Called with the number of further blows done; by one thread at a time.
 using DrillingProgress = std::function<void(long)>;
 
-/// What was marched.
+/// Result of a march.
 struct DrillingRecord {
     std::vector<DrillingBlow> blows;
     DrillingOutcome outcome = DrillingOutcome::done;
@@ -50,13 +50,13 @@ struct DrillingRecord {
     std::vector<double> growths;  ///< ln of how a small distance has grown, of each blow
 };
 
-/// Work of one march [cells times nodes] that is permitted where nothing else is asked for.
+/// Permitted work of one march by default [cells × nodes].
 inline constexpr double mostDrillingWork = 4e9;
 
-/// How far it is marched, and what of it is told.
+/// Length of a march, and extent of its record.
 struct RecordLength {
     long blows;
-    double mostWork = mostDrillingWork;  ///< a march that would take more is given up after its first blows
+    double mostWork = mostDrillingWork;  ///< a march that needs more is given up after its first blows
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< the march of λ has a thread of its own where they are more

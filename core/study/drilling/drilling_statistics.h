@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many blows have in common: means with errors, contact share, period, how gaps scatter (drilling §5).
+// Statistics of many blows: means with errors, contact share, period, scatter of gaps (drilling §5).
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct BlowSpread {
 /// Requires values.
 BlowSpread spreadOf(std::span<const double> values);
 
-/// What a number of a blow is, and of what it is a multiple: times, gaps, impulses, forces, velocities.
+/// Unit of a number of a blow: times, gaps, impulses, forces, velocities.
 enum class DrillingMeasure { count, time, length, velocity, impulse, force, energy };
 
 /// A number of every blow.
@@ -83,14 +83,14 @@ enum class DrillingRegime {
 };
 std::string_view name(DrillingRegime regime);
 
-/// A blow whose gap is less than that counts as one that begins in contact [d0].
+/// Gap below which a blow counts as starting in contact [d0].
 inline constexpr double contactLimit = 0.05;
 
-/// Of the blows that count.
+/// Statistics of the counted blows.
 struct DrillingStatistics {
     std::array<BlowSpread, blowQuantities.size()> spreads;  ///< of blowQuantities, in units of Problem
     double contactShare = 0;                                ///< blows with a gap below contactLimit
-    int period = 0;                                         ///< 1 … 16; 0: it does not repeat
+    int period = 0;                                         ///< 1 … 16; 0: not periodic
     DrillingRegime regime = DrillingRegime::irregular;
     std::array<int, 20> gapParts{};  ///< gap/d0 modulo 1
     double ksDistance = 0;           ///< of those to an even distribution

@@ -32,25 +32,25 @@ struct Lyapunov {
     std::optional<double> error;
 };
 
-/// What other cells change, twice or half as large, counts so often.
+/// Factor of the change caused by other cells, twice or half as large, in stated errors.
 inline constexpr double coveringCells = 3;
 
-/// A relative rounding of the interval has changed means by up to 180 times as much, which no other cells
-/// show.
+/// Factor of a relative rounding of the interval in stated errors: it has changed means by up to 180 times as
+/// much, which other cells do not show.
 inline constexpr double coveringRounding = 300;
 
-/// What is wanted beside the blows: each march costs one of its own.
+/// Requested results besides the blows: each march costs one of its own.
 struct DrillingWants {
-    bool cellError = true;  ///< the same with other cells, see comparedDrillingGridOf()
+    bool cellError = true;  ///< from other cells, see comparedDrillingGridOf()
     bool lyapunov = true;
-    bool blowAlone = true;  ///< the single blow that it is compared with
+    bool blowAlone = true;  ///< the single blow for comparison
     std::optional<BlowRange> histories = {};
     double mostWork = mostDrillingWork;  ///< of each march [cells times nodes]
-    int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
-    /// Told every blow of the march itself, as soon as it is done.
+    int jobs = 1;  ///< marches that may run side by side, each on a thread; does not change the results
+    /// Called with every blow of the march itself, as soon as it is done.
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Asked after every blow of the march itself: whether what follows is known. Then it ends there, and
-    /// there are no statistics.
+    /// Called after every blow of the march itself; true ends the march there because what follows is known.
+    /// Then there are no statistics.
     std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
 };
 
@@ -58,16 +58,16 @@ struct DrillingResult {
     Scenario scenario;
     DrillingSettings settings;
     DrillingOutcome outcome = DrillingOutcome::done;
-    Message reason;  ///< where it is not done
+    Message reason;  ///< if it is not done
     std::vector<DrillingBlow> blows;
-    std::vector<DrillingInstant> instants;  ///< of the blows that are told in full
-    /// Nothing where nothing bounded comes of it.
+    std::vector<DrillingInstant> instants;  ///< of the blows that are recorded in full
+    /// Nothing if the motion is not bounded.
     std::optional<DrillingStatistics> statistics;
-    /// Of the means, three times what other cells change; 0 where that was not wanted.
+    /// Errors of the means, three times the change by other cells; 0 if not requested.
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;
-    /// Nothing where it was not wanted, or is not solved.
+    /// Nothing if not requested, or not solved.
     std::optional<BlowAlone> alone;
     double meanImpulse = 1;  ///< J [units of Problem]
     DrillingLedger ledger;
@@ -82,8 +82,8 @@ struct DrillingResult {
 
     bool hasLoss = false;            ///< waves fade
     bool hasWholeTrips = true;       ///< the round trips of all sections are whole cells
-    bool cellsDecideMotion = false;  ///< other cells come to another motion
-    /// Of a mean, by batches and cells, and what it may still settle by; nothing where any is not known.
+    bool cellsDecideMotion = false;  ///< other cells give another motion
+    /// Returns the error of a mean: from batches, cells and transients; nothing if any is unknown.
     std::optional<double> meanError(std::size_t quantity) const;
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
 };
@@ -91,13 +91,13 @@ struct DrillingResult {
 /// Blows of all marches of a study.
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);
 
-/// How many instants that many blows have.
+/// Returns the number of instants of that many blows.
 double foreseenInstants(const Scenario& scenario, const DrillingSettings& settings, const BlowRange& range);
 
-/// What it takes, in cells times nodes.
+/// Returns the estimated work [cells × nodes].
 double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants);
 
-/// Not solved where there are drillingRefusals(), which are the reason.
+/// Returns no solution if there are drillingRefusals(), which are the reason.
 DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& settings,
                              const DrillingWants& wants = {}, const std::stop_token& stop = {},
                              const DrillingProgress& progress = {});

@@ -16,17 +16,17 @@
 
 namespace drillwave {
 
-/// What is known along the gap. The impulse is 1 + e.
+/// Outputs along the gap. The impulse is 1 + e.
 enum class GapOutput : std::size_t { cor, peakForce, efficiency };
 inline constexpr std::size_t gapOutputCount = valueCount<GapOutput>;
 
-/// So many times at most may the wave of the hammer have returned before the hammer has ended.
+/// Maximum number of returns of the hammer wave before the hammer ends.
 inline constexpr double maximumGapPeriodStart = 10'000;
 
-/// Of the blows of one curve, all together, where the study of all gaps is an addition that nobody has asked
-/// for by name: in a report, and for the margin of the thrust in the files of a run. At four to ten
-/// million a second that is two to four seconds, and three curves make a report. Counted, not timed, so that
-/// what is written does not depend on the machine. `gap` and `thrust` themselves have no such limit.
+/// Maximum number of wave pieces of all blows of one curve, where the study of all gaps was not requested by
+/// name: in a report, and for the margin of the thrust in the files of a run. At four to ten million a second
+/// that is two to four seconds, and three curves make a report. A count, not a time, so that the files do not
+/// depend on the machine. `gap` and `thrust` themselves have no such limit.
 inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
@@ -65,14 +65,14 @@ struct GapCurve {
     double value(GapOutput output, double gap) const;
 };
 
-/// Told now and then which share of the work is done, 0 … 1.
+/// Called from time to time with the share of the work that is done, 0 … 1.
 using GapProgress = std::function<void(double)>;
 
-/// Interpolates what `detail` asks for (cor: e alone; events: all outputs) over [start, periodStart + 1),
-/// the gap of `problem` being replaced. Pieces end where the order of events changes, found by bracketing to
+/// Interpolates the outputs of `detail` (cor: e only; events: all outputs) over [start, periodStart + 1),
+/// replacing the gap of `problem`. Pieces end where the order of events changes, found by bracketing to
 /// 1e-12, and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in
-/// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart. When the blows have had
-/// `mostPieces` wave pieces there is no answer for the rest.
+/// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart. After `mostPieces` wave pieces
+/// in all blows, the rest has no result.
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 

@@ -18,11 +18,11 @@ struct GapKink {
     int contactsAfter = 0;
 };
 
-/// Those of one period, ascending; one at its beginning is given at its end.
+/// Returns the kinks of one period, ascending; one at its beginning is given at its end.
 std::vector<GapKink> kinksOf(const GapCurve& curve);
 
-/// Whether the slope of an output whose values are of the size `scale` jumps at a gap of the period, clearly
-/// more than by the errors of the curve.
+/// Returns whether the slope of an output, whose values are of the size `scale`, jumps at a gap of the
+/// period, clearly more than by the errors of the curve.
 bool isKink(const GapCurve& curve, GapOutput output, double gap, double scale);
 
 }  // namespace drillwave

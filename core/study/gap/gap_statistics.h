@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a gap that nobody controls does to the result of a blow.
+// Effect of an uncontrolled gap on the result of a blow.
 #pragma once
 
 #include <array>

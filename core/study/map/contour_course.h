@@ -52,18 +52,18 @@ struct GridSquare {
     bool isSaddle() const { return count == 4; }
 };
 
-/// What a contour goes through.
+/// Edges, squares and saddles that a contour passes.
 struct ContourCourse {
     std::vector<GridEdge> edges;  ///< ascending, each once
     std::vector<GridSquare> squares;
     std::vector<std::size_t> saddles;  ///< of the squares
 
     std::size_t size() const { return edges.size() + saddles.size(); }
-    /// Of one of them.
+    /// Returns the number of an edge.
     std::size_t numberOf(const GridEdge& edge) const;
 };
 
-/// Of the contour of the level of the nodes. Squares with a node that has no value are left out.
+/// Returns the course of the contour of the level of the nodes. Leaves out squares with a node without value.
 ContourCourse courseOf(const GridNodes& nodes);
 
 }  // namespace drillwave

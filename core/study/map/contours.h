@@ -48,12 +48,12 @@ struct Contour {
 
     std::uint64_t pointCount() const;  ///< a closed line's first point counted once
     std::uint64_t jumpCount() const;
-    std::uint64_t irregularCount() const;  ///< likewise
+    std::uint64_t irregularCount() const;  ///< a closed line's first point counted once
     double worstResidual() const;          ///< of the points that are no jumps; 0 without any
     bool operator==(const Contour&) const = default;
 };
 
-/// Told on the calling thread how many of how many crossings are placed.
+/// Called on the calling thread with the number of placed crossings and of all crossings.
 using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;
 
 /// The contour of one level (finite, in the units of the map) through the points of `grid` that are there:

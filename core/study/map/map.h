@@ -18,30 +18,30 @@
 
 namespace drillwave {
 
-/// What to map.
+/// Settings of a map.
 struct MapStudy {
     Scenario base;
     SweepAxis x;          ///< SweepAxis::Kind::linear or logarithmic
-    SweepAxis y;          ///< likewise, of another quantity
+    SweepAxis y;          ///< the same, of another quantity
     OutputColumn output;  ///< in SI only for a scenario with units
     MethodChoice method = {};
-    long workLimit = defaultWorkLimit;  ///< most wave pieces of a point; beyond, it is not solved
+    long workLimit = defaultWorkLimit;  ///< maximum wave pieces of a point; with more, it is not solved
 };
 
-/// Most points of a map: they are all kept, nine bytes each.
+/// Maximum number of points of a map: all are kept, nine bytes each.
 inline constexpr std::uint64_t maximumMapPoints = 16'000'000;
 
-/// What makes a map unusable, each in a line: what makes the sweep of the same axes so (problemsOf(Sweep)),
-/// an axis without a range, too many points. Empty when it can be solved.
+/// Returns the problems of a map, each in a line: those of the sweep of the same axes (problemsOf(Sweep)), an
+/// axis without a range, too many points. Empty if it can be solved.
 std::vector<Message> problemsOf(const MapStudy& study);
 
-/// Told on the calling thread what there is so far, whenever some more points are there.
+/// Called on the calling thread with the map so far, whenever some more points are solved.
 using MapProgress = std::function<void(const MapGrid& soFar)>;
 
-/// Solves every point once: first a coarse grid of at most some hundred points, then those between, halving
-/// the distance until all are there. Takes a stop token at every point: what is there by then stays. The
-/// values do not depend on `jobs` (≥ 1), and each is that of the blow solved alone. Requires problemsOf() to
-/// be empty.
+/// Solves every point once: first a coarse grid of at most some hundred points, then those between,
+/// halving the distance until all are solved. Checks the stop token at every point: points solved by then
+/// stay. Values do not depend on `jobs` (≥ 1), and are those of single blows. Requires problemsOf() to be
+/// empty.
 MapGrid solveMap(const MapStudy& study, int jobs, std::stop_token stop = {},
                  const MapProgress& progress = {});
 

@@ -14,10 +14,10 @@
 
 namespace drillwave {
 
-/// Most reasons that are told apart; those that come later are told as one.
+/// Maximum number of different reasons; all later ones are reported as a single one.
 inline constexpr std::size_t maximumMapReasons = 100;
 
-/// At most so many points are solved before any other: with slow blows of 40 µs they take some 40 ms.
+/// Maximum number of points solved before any other: with slow blows of 40 µs they take some 40 ms.
 inline constexpr std::size_t coarsestMapPoints = 1024;
 
 /// Values over two axes. Point (column, row) is at the column-th value of x and the row-th of y.

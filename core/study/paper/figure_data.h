@@ -18,9 +18,9 @@ struct FigureCurve {
         solid,
         dotted,
         dashed,
-        none,  ///< in the table alone
+        none,  ///< in the table only
     } line = Line::solid;
-    int colour = 0;  ///< alike for what belongs together
+    int colour = 0;  ///< the same for lines that belong together
 };
 
 /// One diagram.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of the paper that show results, computed anew.
+// Figures of the paper that show results, computed by this program.
 #pragma once
 
 #include <stop_token>
@@ -27,10 +27,10 @@ Figure figure7();
 /// COR over one period of the gap, with the reference case in both normalisations.
 Figure figure8();
 
-/// That of a number, 3 … 8.
+/// Returns the figure of a number, 3 … 8.
 Figure paperFigure(int number);
 
-/// All of them; fewer when a stop is requested.
+/// Returns all figures; fewer if a stop is requested.
 std::vector<Figure> paperFigures(std::stop_token stop = {});
 
 }  // namespace drillwave

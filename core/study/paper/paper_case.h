@@ -26,10 +26,10 @@ Impact solvePaperCase(const Groups& groups, Detail detail, PulseShape shape = Pu
 /// e of the rectangular blow; NaN if it could not be solved.
 double paperCor(const Groups& groups);
 
-/// The same of no gap, over β.
+/// Returns e without a gap, over β.
 double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau);
 
-/// What β = 1 stands for in the reference case, whose result depends on βτ alone.
+/// Meaning of β = 1 in the reference case, whose result depends only on βτ.
 enum class ReferenceStiffness {
     roundTrip,  ///< k0 = Z/(2T): the paper's reference curves, its condition of equal work, τ = 1/2
     pulse,      ///< k0 = Z/t0 as in the paper's section 5.1, here at τ = 10

@@ -31,13 +31,13 @@ struct AccuracyRow {
     long events = 0;
     int contacts = 0;
 
-    RunTime time;              ///< of a solve for e alone, without estimate of the error
+    RunTime time;              ///< of a solve for e only, without estimate of the error
     double speed = 0;          ///< median time of the paper's choice over that of this row
     double observedOrder = 0;  ///< of the error in e, from the row before it on the ladder
     bool sameAsMoved = true;   ///< ring: every number is the same, to the last bit, as with moved waves
 };
 
-/// What there is to know about one scenario.
+/// Accuracy of all methods for one scenario.
 struct Accuracy {
     Groups groups;
     std::vector<AccuracyRow> rows;  ///< exact, closed form, lattice in a ring, lattice as in the paper
@@ -56,14 +56,14 @@ struct Accuracy {
 std::vector<int> latticeLadder();
 inline constexpr int paperSegments = 10'000;
 
-/// What the lattices of a ladder take, in moves of a wave by a segment, each row solved once for a blow of
-/// one t0 and one transit time: about 3e7 a second of the whole study. The sum over latticeLadder() is 5.3e8.
+/// Returns the work of the lattices of a ladder, in moves of a wave by a segment, each row solved once for a
+/// blow of one t0 and one transit time: about 3e7 a second of the whole study. 5.3e8 for latticeLadder().
 double latticeMoves(const std::vector<int>& ladder);
 
-/// Told how much of the work is done, 0 … 1.
+/// Called with the share of the work that is done, 0 … 1.
 using AccuracyProgress = std::function<void(double done)>;
 
-/// Told what there is whenever a row is done; what follows from several rows is missing.
+/// Called with the rows so far whenever one is done; values that need several rows are missing.
 using AccuracyRows = std::function<void(const Accuracy& soFar)>;
 
 /// Solves, compares and measures. `scenario` must be valid; `ladder` holds numbers of segments in growing

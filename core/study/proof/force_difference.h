@@ -15,7 +15,7 @@ struct ForceDifference {
     double inMiddles = 0;
 };
 
-/// Of two impacts solved with Detail::histories; `reference` must be continuous, as the exact force is.
+/// Requires impacts solved with Detail::histories; `reference` must be continuous, as the exact force is.
 ForceDifference forceDifference(const Impact& impact, const Impact& reference);
 
 }  // namespace drillwave

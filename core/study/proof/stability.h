@@ -15,8 +15,8 @@
 
 namespace drillwave {
 
-/// What a case must keep to, each mark with what the worst value in use is due to. A mark is within ten times
-/// that worst value: a solver ten times worse fails.
+/// Limits that a case must not exceed, each with the cause of the worst value in use. A limit is within ten
+/// times that worst value: a solver ten times worse fails.
 struct StabilityMarks {
     double momentum = 3e-13;  ///< sums of 1e6 pieces round: 3e-14
     double energy = 4e-10;    ///< of soft rock, with joined pieces of wave: 7e-11
@@ -66,7 +66,7 @@ struct StabilityReport {
     std::size_t failed() const;  ///< solved, but a check failed
 };
 
-/// Told on the calling thread what there is, whenever a row is done.
+/// Called on the calling thread with the report so far, whenever a row is done.
 using StabilityProgress = std::function<void(const StabilityReport& soFar)>;
 
 /// Solves and checks every case on `jobs` threads.

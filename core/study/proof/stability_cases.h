@@ -18,10 +18,10 @@ struct StabilityCase {
     bool operator==(const StabilityCase&) const = default;
 };
 
-/// The case as a scenario of its groups, named by it.
+/// Returns the case as a scenario of its groups, with its name.
 Scenario scenarioOf(const StabilityCase& stabilityCase);
 
-/// What is to be solved in a case.
+/// Returns the problem to solve in a case.
 Problem problemOf(const StabilityCase& stabilityCase);
 
 /// The published cases; the known traps (forceless contact, tangential events, equal and nearly equal rates,

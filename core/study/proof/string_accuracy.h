@@ -27,9 +27,9 @@ std::string_view name(StringMethod method);
 struct StringAccuracyRow {
     StringMethod method = StringMethod::quick;
     double cell = 0;          ///< Δ of the round trip [s]
-    double error = 0;         ///< |efficiency − that of the reference|
-    double stated = 0;        ///< what the method says of it; not a number: nothing
-    double impulseError = 0;  ///< of the impulse on the rock, likewise [p0]
+    double error = 0;         ///< difference of the efficiency from that of the reference
+    double stated = 0;        ///< error stated by the method; NaN: none
+    double impulseError = 0;  ///< difference of the impulse on the rock from that of the reference [p0]
     long cells = 0;           ///< times nodes
     RunTime time;
 };
@@ -42,7 +42,7 @@ struct StringAccuracy {
     bool isStopped = false;  ///< rows are missing
 };
 
-/// Told what there is whenever a row is done, and how much of the work that is, 0 … 1.
+/// Called with the rows so far whenever one is done, and the share of the work that is done, 0 … 1.
 using StringAccuracyRows = std::function<void(const StringAccuracy& soFar, double done)>;
 
 /// Solves a drill string, and measures; the plain lattice where all lengths share a cell. Takes seconds. A

@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// What the axes set, each numbered as it is there.
+/// Returns the parameters that the axes set, numbered like the axes.
 Assignments assignmentsOf(std::span<const SweepAxis> axes);
 
 /// Calls `visit(point)` with every combination of extreme values of the axes, as indices.

@@ -36,23 +36,23 @@ class CaseSolver {
     /// known.
     const Message& lack() const { return m_lack; }
 
-    /// Whether many blows of the case last solved do not repeat: their means scatter.
+    /// Returns whether many blows of the case last solved do not repeat: their means scatter.
     bool isIrregular() const { return m_drill && m_drill->period == 0.0; }
 
-    /// Of the case last solved; nothing where all columns are of many blows and no more was asked for.
+    /// Returns the impact of the case last solved; nothing if only columns of many blows were requested.
     const Impact& impact() const { return m_impact; }
-    /// By how much e of neighbouring blows may scatter: what a curve need not resolve. Of a string less than
-    /// its stated error, most of which is the same from blow to blow.
+    /// Returns the scatter of e of neighbouring blows, which a curve need not resolve. For strings it is less
+    /// than the stated error, most of which is the same from blow to blow.
     double scatter() const { return m_scatter; }
     const Problem& problem() const { return m_problem; }
 
   private:
     Message solveDrillString(const Scenario& scenario, std::span<double> outputs,
                              const std::stop_token& stop);
-    /// Of the uniform rod last solved.
+    /// Fills in the outputs of the uniform rod last solved.
     Message fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
                      const std::stop_token& stop);
-    /// Marches where a column is of many blows. Returns why that has no answer.
+    /// Marches if a column is of many blows. Returns why that has no result.
     Message march(const Scenario& scenario, const std::stop_token& stop);
     /// Returns why the numbers are no result, and puts none then.
     Message fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);

@@ -40,23 +40,23 @@ struct OutputChoice {
     Message problem;
 };
 
-/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), those
-/// too that a scenario may not have; drillOutputs() are there by name alone.
+/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), including
+/// those that a scenario may not have; drillOutputs() must be named.
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
 
-/// All outputs that such a scenario has.
+/// Returns all outputs of such a scenario.
 std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits units);
 
-/// What the solver must be asked for.
+/// Returns the detail required from the solver.
 Detail detailFor(std::span<const OutputColumn> columns);
 
-/// What must be found in the waves.
+/// Returns the numbers required from the waves.
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
 
-/// What must be marched.
+/// Returns the numbers required from a march.
 DrillWishes drillWishesFor(std::span<const OutputColumn> columns);
 
-/// Why a column would be empty for every such scenario and what to do; empty when none would.
+/// Returns why a column would be empty for every such scenario and what to do; empty if none would be.
 Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 
 /// The names that chooseOutputs() knows, in order.

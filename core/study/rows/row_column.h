@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one column of numbers of a sweep or a table holds.
+// Contents of one column of numbers of a sweep or a table.
 #pragma once
 
 #include <span>

@@ -12,10 +12,10 @@
 
 namespace drillwave {
 
-/// Most reasons that are told apart over all rows; those that come later count in `failed` alone.
+/// Maximum number of different reasons over all rows; later ones only count in `failed`.
 inline constexpr std::size_t maximumRowReasons = 3;
 
-/// How far a run of rows has come, or got.
+/// Progress or end of a run of rows.
 struct RowCounts {
     std::uint64_t rows = 0;            ///< delivered
     std::uint64_t failed = 0;          ///< of these, not solved: they have no outputs
@@ -34,7 +34,7 @@ struct RowCounts {
     }
 };
 
-/// Told now and then how far it is.
+/// Called from time to time with the progress.
 using RowProgress = std::function<void(const RowCounts&)>;
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// What all chunks of rows have; those who make rows add where theirs come from.
+/// Common part of all chunks of rows; makers of rows add the origin of theirs.
 struct RowChunk {
     RowBlock rows;
     std::string prepared;

@@ -15,7 +15,7 @@ class RowSink {
   public:
     virtual ~RowSink() = default;
 
-    /// Told once, before the rows, what is in them. False stops the run.
+    /// Receives the description of the rows once, before them. False stops the run.
     virtual bool begin(const RowHeader& header) = 0;
 
     /// Work that can be done before the turn of these rows has come: it runs on the threads that solve them,

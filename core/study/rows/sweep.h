@@ -18,7 +18,7 @@
 
 namespace drillwave {
 
-/// What to sweep: every combination of the values of the axes, later axes fastest.
+/// Settings of a sweep: every combination of the values of the axes, later axes fastest.
 struct Sweep {
     Scenario base;
     std::vector<SweepAxis> axes;  ///< at least one

@@ -49,27 +49,27 @@ struct SweepAxis {
 /// Most values that one axis may have, and most points of a grid.
 inline constexpr std::uint64_t maximumSweepPoints = 1'000'000'000'000;
 
-/// An axis read from text, or why not.
+/// Axis read from text, or why not.
 struct ParsedAxis {
-    /// What was wrong: the words, or a value that the parameter cannot take.
+    /// Kind of problem: in the words, or a value that the parameter cannot take.
     enum class Kind { badText, badValue } kind = Kind::badText;
     SweepAxis axis;
     Message problem;
 };
 
 /// Reads "KEY=START:STOP" or "KEY=START:STOP:log", a range to be followed from START up to STOP: an axis of
-/// two values. What it refuses besides is a range that is too narrow to tell its values apart.
+/// two values. Refuses ranges so narrow that their values cannot be distinguished, besides the usual errors.
 ParsedAxis parseRange(std::string_view text);
 
-/// Why no curve can follow the axis from `start` up to `stop`, whatever made it: what parseRange() refuses of
-/// an axis whose ends are values of its parameter. Empty when one can.
+/// Returns why no curve can follow the axis from `start` up to `stop`, however it was made: the reasons of
+/// parseRange() for an axis whose ends are values of its parameter. Empty if one can.
 Message followProblem(const SweepAxis& axis);
 
 /// That its range has to end above its beginning, which is not so.
 Message mustRise(const SweepAxis& axis);
 
-/// How many even steps from `start` to `stop` give values of a parameter where `most` (≥ 2) are wanted: so
-/// many, but of whole numbers as many as meet whole numbers alone.
+/// Returns how many even steps from `start` to `stop` give values of a parameter if `most` (≥ 2) are wanted:
+/// that many, but for whole numbers only as many as hit whole numbers.
 std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most);
 
 /// Reads "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C"; units on the values where the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a sweep unusable, found before anything is computed.
+// Problems of a sweep, found before anything is computed.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace drillwave {
 
-/// What makes a sweep unusable, each a line: two axes of one quantity, too many axes or points, outputs that
-/// such scenarios have not, no corner of the grid that is a scenario (AxisScenario). Empty when it can run; a
-/// point that is none has no answer then.
+/// Returns the problems of a sweep, each a line: two axes of one quantity, too many axes or points, outputs
+/// that such scenarios do not have, no corner of the grid that is a scenario (AxisScenario). Empty if it can
+/// run; points that are no scenario then have no result.
 std::vector<Message> problemsOf(const Sweep& sweep);
 
 }  // namespace drillwave

@@ -18,7 +18,7 @@
 
 namespace drillwave {
 
-/// What to do with every row: its cells set the parameters that the header names, on top of `base`; an empty
+/// Settings for every row: its cells set the parameters that the header names, on top of `base`; an empty
 /// cell leaves the value of `base`.
 struct Table {
     Scenario base;
@@ -27,10 +27,10 @@ struct Table {
     Shard shard;
     std::uint64_t done = 0;  ///< rows of the part that are there already and are left out
     MethodChoice method = {};
-    long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
+    long workLimit = defaultWorkLimit;  ///< maximum wave pieces of a row; with more, it is not solved
 };
 
-/// What a table is like, found before anything is computed.
+/// Check of a table before anything is computed.
 struct TableCheck {
     std::uint64_t rows = 0;
     std::vector<Message> problems;  ///< "cases.csv:7:3: bit_rock.gamma = 1.3 (…)", the first twenty

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the header of a table of cases says about its columns.
+// Header of a table of cases: the contents of its columns.
 #pragma once
 
 #include <span>
@@ -40,11 +40,11 @@ struct TableHeader {
     /// Columns that name neither a parameter nor an output, or an output that is appended as well.
     std::vector<HeaderRemark> warnings;
 
-    /// What the columns set, each numbered as it is there.
+    /// Returns the parameters that the columns set, numbered like the columns.
     Assignments assignments() const;
 };
 
-/// `outputs` are those that are appended.
+/// Reads a header; `outputs` are those that are appended.
 TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs);
 
 }  // namespace drillwave

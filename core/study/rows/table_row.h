@@ -11,20 +11,20 @@
 
 namespace drillwave {
 
-/// Of a row that has not as many cells as there are columns.
+/// Returns the message on a row whose number of cells differs from the number of columns.
 Message cellCountProblem(std::size_t cells, std::size_t columns);
 
-/// Sets the cells of one row after another on top of a scenario. One for each thread.
+/// Sets the cells of one row after another on top of a scenario. One object per thread.
 class TableRowAssigner {
   public:
     /// `source` names the file, for messages; all three must outlive this.
     TableRowAssigner(const Scenario& base, const std::string& source, const TableHeader& header);
 
-    /// The scenario of the row last assigned.
+    /// Returns the scenario of the row last assigned.
     const Scenario& scenario() const { return m_scenario; }
 
-    /// What is wrong with the row on that line (from 1), each with its place,
-    /// "cases.csv:7:3: bit_rock.gamma = 1.3 (…)"; empty when scenario() is its valid scenario.
+    /// Assigns a row; returns its problems on that line (from 1), each with its place, "cases.csv:7:3:
+    /// bit_rock.gamma = 1.3 (…)"; empty if scenario() is its valid scenario.
     std::vector<Message> assign(const CsvRecord& row, int line);
 
   private:

@@ -48,11 +48,11 @@ struct DrillingScanWork {
 std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
                                   const DrillingSettings& settings);
 
-/// What a value takes at most, in cells times nodes, with λ.
+/// Returns the maximum work of a value [cells × nodes], including λ.
 double scanWork(const Scenario& scenario, const DrillingSettings& settings);
 
-/// Values are marched side by side; what comes out does not depend
-/// on the number of threads. After a stop it is not to be used.
+/// Marches values side by side; results do not depend on the number of threads. After a stop they must not be
+/// used.
 DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
                           const DrillingScanWork& work);
 

@@ -22,10 +22,10 @@ struct GapRebound {
     bool known() const { return !stopped && reason.isEmpty(); }
 };
 
-/// The two e of theory §10 that no single blow has. They depend on the hammer force, β, γ and τ alone.
+/// The two e of theory §10 that no single blow has. They only depend on the hammer force, β, γ and τ.
 struct GapRebounds {
     GapRebound quantile;  ///< not exceeded at 95 % of all gaps, in this rock
-    GapRebound worst;     ///< the largest of all gaps, were the rock elastic (γ = 1)
+    GapRebound worst;     ///< the largest of all gaps if the rock were elastic (γ = 1)
 
     /// Both, where they are.
     std::optional<ReboundsOverGaps> known() const {
@@ -48,12 +48,12 @@ GapRebound worstOf(const GapCurve& elastic);
 /// thread; what it returns does not depend on what it was asked before.
 class GapReboundFinder {
   public:
-    /// A curve of more wave pieces than that has no answer.
+    /// Limits the wave pieces of a curve: with more, it has no result.
     explicit GapReboundFinder(long mostPieces = anyNumberOfPieces) : m_mostPieces(mostPieces) {}
 
-    /// Of the problem, whatever its gap.
+    /// Returns the rebounds of the problem, whatever its gap.
     GapRebounds of(const Problem& problem, const std::stop_token& stop);
-    /// Remembers what of() would find.
+    /// Remembers the result that of() would find.
     void remember(const Problem& problem, const GapRebounds& rebounds);
 
   private:

@@ -31,7 +31,7 @@ class ThrustMargins {
     /// on the stop token. `problem` is that of the scenario.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
-    /// All four cases, likewise.
+    /// Estimates all four cases in the same way.
     std::optional<FeedEstimate> estimate(const Scenario& scenario, const Problem& problem,
                                          const Estimate& cor, const std::stop_token& stop);
 

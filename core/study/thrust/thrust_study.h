@@ -14,12 +14,12 @@ namespace drillwave {
 
 struct ThrustStudy {
     FeedEstimate feed;
-    GapRebounds rebounds;             ///< that they are from; of a uniform rod
-    double transferred = 1;           ///< what the hammer hands on, in I0 (ImpactSummary::transferred())
+    GapRebounds rebounds;             ///< for the cases of all gaps; of a uniform rod
+    double transferred = 1;           ///< impulse transferred by the hammer [I0] (ImpactSummary::transferred)
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
-    Message reason;                   ///< why there is no result; empty when there is
-    Hindrance hindrance = Hindrance::other;  ///< where the scenario's own blow is the reason
-    bool stopped = false;                    ///< on the stop token: no result
+    Message reason;                   ///< why there is no result; empty if there is one
+    Hindrance hindrance = Hindrance::other;  ///< if the scenario's own blow is the reason
+    bool stopped = false;                    ///< by the stop token: no result
 
     const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
     const ThrustNeed& largestNeed() const { return feed.largest(); }
