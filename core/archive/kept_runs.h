@@ -20,7 +20,7 @@ std::string runLetter(int number);
 /// "A.yaml" for 0.
 std::string runFileName(int number);
 
-/// What is kept of a run: enough to solve it again.
+/// Kept run: everything needed to solve it again.
 struct KeptRun {
     int number = 0;             ///< 0 … mostRuns − 1, of its letter
     std::string name;           ///< "k 300 MN/m"
@@ -31,10 +31,10 @@ struct KeptRun {
     std::string version = {};   ///< of the program that solved it; empty where the index does not say
 };
 
-/// What a folder holds.
+/// Contents of a folder of runs.
 struct KeptRuns {
     std::vector<KeptRun> runs;
-    std::vector<std::string> problems;  ///< one line each, of what could not be taken
+    std::vector<std::string> problems;  ///< one line each, on runs that could not be taken
     std::vector<int> foreign;           ///< numbers whose files are there, but not among `runs`: not to be
                                         ///< written over
 };
@@ -59,16 +59,16 @@ class RunsFolder {
     RunsFolder() = default;
     explicit RunsFolder(std::string path) : m_path(std::move(path)) {}
 
-    /// Empty where there is no scenario file, beside which it would be.
+    /// Empty if there is no scenario file to put the folder beside.
     const std::string& path() const { return m_path; }
-    /// What is there under the names of these files is ours, as it is.
+    /// Takes the files of these names as ours, as they are on the disk.
     void adopt(const std::vector<NamedFile>& named);
     bool hasFiles() const { return !m_files.empty(); }
-    /// Whether these are the files that were read or written, as far as is known here.
+    /// Returns whether these files are the ones read or written, as far as known here.
     bool holds(const std::vector<NamedFile>& files) const;
-    /// The path of the first foreign file that writing these would replace or remove; empty where none is.
+    /// Returns the path of the first foreign file that writing these would replace or remove; empty if none.
     std::string foreignFile(const std::vector<NamedFile>& files) const;
-    /// The numbers of runs whose files are there and not ours.
+    /// Returns the numbers of runs whose files exist and are not ours.
     std::vector<int> foreignNumbers() const;
 
     /// Writes the files, the index of them last, whole or not at all, and removes those of ours that are not

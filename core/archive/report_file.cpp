@@ -75,7 +75,7 @@ class ScenarioRemarks {
         return at;
     }
 
-    /// Of a map by its key, of a list by its number from 0.
+    /// Returns the child of a map by its key, or of a list by its number from 0.
     static const YamlNode* child(const YamlNode& map, std::string_view key) {
         if (map.kind == YamlKind::sequence) {
             std::size_t index = map.children.size();
@@ -85,7 +85,7 @@ class ScenarioRemarks {
         return map.valueOf(key);
     }
 
-    /// What stands behind values in braces is about all of them.
+    /// Returns the end of values in braces: a remark after the brace applies to all of them.
     std::size_t behindBrace(const YamlNode& map) const {
         const std::size_t brace = m_text.find('}', map.children.back().offset);
         return brace == std::string_view::npos ? m_text.size() : brace + 1;
@@ -197,8 +197,8 @@ Message presetSource(const Section& section) {
     return {};
 }
 
-/// What stands behind the values of a section, each remark once; else behind the list that it is in, else the
-/// preset that it is.
+/// Returns the remarks after the values of a section, each once; without any, the remark after its list, or
+/// else its preset.
 Message sourceOf(const Section& section, const std::string& path, const std::vector<std::string>& remarks,
                  const ScenarioRemarks& text) {
     std::string source;

@@ -21,8 +21,8 @@ BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& sto
 /// value that the text leaves out.
 std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text);
 
-/// The sections of a hammer and a string, likewise; none of a uniform rod. Their source is also what is
-/// remarked behind the list that they are in.
+/// Returns the sections of a hammer and a string in the same way; none for a uniform rod. Their source also
+/// includes remarks after the list that they are in.
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text);
 
 }  // namespace drillwave

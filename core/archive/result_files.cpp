@@ -25,12 +25,12 @@ constexpr char summaryName[] = "summary.json";
 constexpr char historiesName[] = "histories.csv";
 constexpr char eventsName[] = "events.csv";
 
-/// Files of these names that are no run's may be there too: those are left alone.
+/// Returns whether the folder holds a run; files of the same names that are no run's are not touched.
 bool holdsRun(const std::string& folder) {
     return readStart(folder + "/" + historiesName, csvRemarksBegin.size()).bytes == csvRemarksBegin;
 }
 
-/// With other formats the pictures of an earlier run would stay beside the new numbers.
+/// Returns the files to remove: in other formats, pictures of an earlier run would stay with the new numbers.
 std::vector<std::string> filesOfEarlierRun(const std::string& folder) {
     return holdsRun(folder) ? runFilesThere(folder) : std::vector<std::string>();
 }

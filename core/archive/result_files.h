@@ -14,13 +14,13 @@
 
 namespace drillwave {
 
-// The formats in which pictures are written, and what a command asks for.
+// Formats in which pictures are written, and orders for pictures.
 
-/// The endings of their files.
+/// File extensions of the formats.
 inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
 
-/// What pictures beside the file of a study say of themselves, figures of the paper, and reports: by this and
-/// their names a later run knows them for what an earlier one left.
+/// Marks in the properties of pictures beside the file of a study, of figures of the paper, and of reports:
+/// with the names, a later run recognises files of an earlier one by these.
 inline constexpr std::string_view studyPictureMark = "Drillwave study";
 inline constexpr std::string_view figureMark = "Drillwave figure";
 inline constexpr std::string_view reportMark = "Drillwave report";
@@ -30,47 +30,47 @@ struct PictureOrder {
     std::string stem;                  ///< of their names: "t38" for t38.png
     std::vector<std::string> formats;  ///< of pictureFormats
     std::stop_token stop;              ///< ends the drawing between two pictures
-    std::string mark = "Drillwave";    ///< who made them, in their properties
+    std::string mark = "Drillwave";    ///< creator, in their properties
 };
 
-// The files of one blow: what `drillwave run -o` and the window's export write, in one place.
+// Files of one blow, as written by `drillwave run -o` and by the export of the window.
 
-/// A blow with what its files say beside it.
+/// Blow with additional data for its files.
 struct SolvedRun {
     Blow blow;                 ///< solved with Detail::histories
     std::string scenarioText;  ///< gives its scenario again (completeScenarioText())
     OutputUnits units = OutputUnits::dimensionless;
 };
 
-/// Those in which the files of a run are written where nothing else is asked for: SI where the scenario has
+/// Returns the default units for the files of a run: SI if the scenario has
 /// units.
 OutputUnits customaryUnits(const Scenario& scenario);
 
-/// The lines at the top of every CSV file: the whole scenario and how it was solved.
+/// Returns the lines at the top of every CSV file: the whole scenario and how it was solved.
 std::string runHeader(const SolvedRun& run);
 
 /// histories.csv: the header with the whole scenario, then the curves; of a string with those in the middle
 /// of its longest section. Requires Impact::hasHistories().
 std::string historiesFile(const SolvedRun& run);
 
-/// events.csv, likewise.
+/// Returns events.csv in the same way.
 std::string eventsFile(const SolvedRun& run);
 
 /// scenario.yaml: the scenario that was solved, complete in itself, behind who solved it and how.
 std::string scenarioFile(const SolvedRun& run);
 
-/// The names of the files of a run with pictures in these formats.
+/// Returns the names of the files of a run with pictures in these formats.
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
 
-/// Those of a run with pictures in every format that are in the folder already.
+/// Returns those files of a run, with pictures in every format, that exist in the folder.
 std::vector<std::string> runFilesThere(const std::string& folder);
 
-/// The folder of a run, with pictures of it. Those that an earlier run left there in formats not asked for
+/// Returns the folder of a run, with pictures of it. Pictures of an earlier run in formats not requested
 /// would show another blow and are removed. A folder with a summary.json is complete. The same run gives the
-/// same bytes wherever it is written from, but for `run_time` in summary.json and the creation date in PDF.
+/// same bytes wherever it is written from, except `run_time` in summary.json and the creation date in PDF.
 FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures);
 
-// The files that belong together: what stands beside the rows of a study, and the two files of a report.
+// Files that belong together: those beside the rows of a study, and the two files of a report.
 
 /// "map" of "map.csv", to which pictures and contours append; another ending stays.
 std::string studyStem(std::string_view file);
@@ -84,11 +84,11 @@ std::string contoursName(std::string_view file);
 /// "curve_goal.csv" of "curve.csv".
 std::string goalName(std::string_view file);
 
-/// The names of what stands in the folder beside FILE and is an earlier study's, by name and content: its
-/// record, contours, goal and pictures. Whatever else has such a name is left alone.
+/// Returns the names of files in the folder beside FILE that an earlier study wrote, by name and content: its
+/// record, contours, goal and pictures. Other files with such a name are not touched.
 std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file);
 
-/// The names of the pictures STEM.png, .svg and .pdf in the folder that say `mark` of themselves.
+/// Returns the names of the pictures STEM.png, .svg and .pdf in the folder with `mark` in their properties.
 std::vector<std::string> picturesThere(const std::string& folder, const std::string& stem,
                                        std::string_view mark);
 

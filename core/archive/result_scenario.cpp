@@ -45,7 +45,7 @@ bool endsWith(std::string_view path, std::string_view suffix) {
     throw ScenarioError(ScenarioError::Kind::invalid, source, {valueProblem(key, shortened(value), reason)});
 }
 
-/// What a result says of itself is how it is solved again: nothing of it is passed over.
+/// Checks the record of a result, which says how to solve it again: refuses anything it does not know.
 void checkRecord(const Node& record, const std::string& source) {
     for (const std::string_view key :
          {rowRecordFormatKey, std::string_view("version"), std::string_view("method"),
@@ -264,7 +264,7 @@ std::string completeScenarioText(ScenarioDocument document) {
         document.scenario.pulse.tableFile = std::filesystem::absolute(folder / table).string();
         text = writeScenario(document);
     }
-    // Of a result that was made a file: a new result says for itself what it is.
+    // without the remarks of the result: a new result has its own
     return text.substr(remarksLength(text));
 }
 

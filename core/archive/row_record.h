@@ -28,12 +28,12 @@ struct RecordedAxis {
     std::uint64_t count = 0;  ///< 0 where every line has its own
 };
 
-/// What a record says beside the version of the program.
+/// Contents of a record besides the version of the program.
 struct RowRecord {
-    std::string command;                 ///< that gives the same rows
-    std::optional<MethodChoice> method;  ///< nothing of what has only one
+    std::string command;                 ///< command that gives the same rows
+    std::optional<MethodChoice> method;  ///< empty for studies with only one
     std::uint64_t rows = 0;
-    std::optional<std::uint64_t> unsolved = {};  ///< of these, without outputs; nothing of what has none
+    std::optional<std::uint64_t> unsolved = {};  ///< of these, without outputs; nothing if not counted
     std::optional<FileSum> file = {};            ///< of the file of the rows; nothing before it is written
     Shard shard;
     std::vector<RecordedAxis> axes;  ///< of a sweep
@@ -61,9 +61,9 @@ std::string sealed(std::string entries);
 /// Entries without that line; nothing where it is missing or another text was sealed.
 std::optional<std::string_view> unsealed(std::string_view record);
 
-// One of the parts that rows were written in, as its record tells.
+// A part of the rows that were written in several, as in its record.
 
-/// What the record beside a part says.
+/// Contents of the record beside a part.
 struct RowPart {
     std::string file;     ///< of the rows
     std::string command;  ///< with its --shard
@@ -82,11 +82,11 @@ RowPart parseRowPart(std::string_view record, const std::string& file);
 /// unsolved, bytes, crc32, part and command; empty where they agree.
 std::string differingKey(const RowPart& one, const RowPart& other);
 
-/// What keeps parts that agree with each other from being a whole, each a line that names the part: missing
-/// ones, doubled ones, ones with other rows than are theirs. Empty for a whole.
+/// Returns why parts that agree with each other are not a whole, each a line that names the part: missing
+/// parts, doubled parts, parts with other rows than their own. Empty for a whole.
 std::vector<Message> wholeProblems(std::span<const RowPart> parts);
 
-/// The rows of all parts together.
+/// Rows of all parts together.
 struct WholeRows {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;

@@ -29,7 +29,7 @@ FileBytes readStart(const std::string& path, std::size_t bytes) {
     std::ifstream in(path, std::ios::binary);
     if (!in) return {{}, cannotBeOpened(std::generic_category().message(errno))};
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    // One byte more than it should have, in case the file grows or its size was not told right.
+    // One byte more than it should have, in case the file grows or its reported size was wrong.
     std::string start(error ? bytes : std::min<std::uintmax_t>(size + 1, bytes), '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));
     if (in.bad()) return {{}, {translatable("cannot be read: %1"), {std::generic_category().message(errno)}}};

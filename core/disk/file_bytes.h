@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// What was read, or why not ("cannot be opened: No such file or directory").
+/// Bytes of a file, or why it could not be read ("cannot be opened: No such file or directory").
 struct FileBytes {
     std::string bytes;
     Message problem;

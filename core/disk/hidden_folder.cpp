@@ -58,7 +58,7 @@ std::vector<std::string> filesIn(const std::string& folder) {
     return names;
 }
 
-/// What other runs have hidden there, dead or alive.
+/// Returns the folders that other runs, alive or dead, have hidden there.
 std::vector<std::string> hiddenIn(const std::string& folder) {
     std::vector<std::string> paths;
     std::error_code ignored;
@@ -68,19 +68,19 @@ std::vector<std::string> hiddenIn(const std::string& folder) {
     return paths;
 }
 
-/// As it was before the exchange. Can be interrupted and done again.
+/// Restores the state before the exchange. Can be interrupted and repeated.
 void takeBack(const std::string& folder, const std::string& hidden) {
     const std::string come = hidden + "/new", gone = hidden + "/old";
     for (const std::string& name : namesIn(hidden))
         if (!isThere(pathInside(come, name)))
             std::rename(pathInside(folder, name).c_str(), pathInside(come, name).c_str());
-    // Whoever has put a file of that name there meanwhile knows better.
+    // Files of that name put there meanwhile are kept.
     for (const std::string& name : filesIn(gone))
         if (!isThere(pathInside(folder, name)))
             std::rename(pathInside(gone, name).c_str(), pathInside(folder, name).c_str());
 }
 
-/// All but the lock: without it a mending run would see what is half gone.
+/// Removes everything but the lock: without it another run could begin to restore what is half removed.
 void removeContents(const std::string& hidden) {
     std::error_code ignored;
     fs::remove(listIn(hidden), ignored);
@@ -95,7 +95,7 @@ void mend(const std::string& folder, const std::string& hidden) {
         if (!filesIn(hidden + "/new").empty()) takeBack(folder, hidden);
         removeContents(hidden);
     }
-    // Stays where the run that is just making it has come to lock it.
+    // Stays if the run that is just making it has already locked it.
     ::rmdir(hidden.c_str());
 }
 
@@ -104,7 +104,7 @@ void mend(const std::string& folder, const std::string& hidden) {
 int makeLocked(const std::string& path, std::unique_ptr<FolderLock>& lock) {
     lock = std::make_unique<FolderLock>(path);
     int error = lock->tryLock();
-    // On a disk without locks it works as well, but for being mended.
+    // On a disk without locks it also works, but is not repaired after a failure.
     if (areLocksUnknown(error)) error = 0;
     for (const char* part : {"/new", "/old"}) {
         std::error_code problem;
@@ -132,14 +132,14 @@ int FolderLock::tryLock() {
     constexpr int flags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     int descriptor = ::open(m_path.c_str(), O_CREAT | O_RDWR | flags, 0666);
     if (descriptor < 0) {
-        // What another user has left, in a folder for all, cannot be written to but locked all the same.
+        // A lock file of another user, in a folder for all, cannot be written to but can be locked.
         const int reason = errno;
         if (reason == EACCES) descriptor = ::open(m_path.c_str(), O_RDONLY | flags);
         if (descriptor < 0) return reason;
     }
     int error = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == 0 && !isStill(descriptor, m_path)) error = EWOULDBLOCK;
-    // On a disk without locks nobody holds this one: it would be left behind.
+    // On a disk without locks nobody holds this one: it would be left there.
     if (areLocksUnknown(error) && isStill(descriptor, m_path)) ::unlink(m_path.c_str());
     if (error == 0)
         m_descriptor = descriptor;

@@ -37,9 +37,9 @@ class FolderLock {
 /// Whether an error of tryLock() says that there are no locks on that disk, rather than that one is held.
 bool areLocksUnknown(int error);
 
-/// A folder with a name that nobody knows, in another one: `new` holds what is to come, `old` what had to
-/// give way. It goes with all that is still in it. While its run lives it holds a lock; what a run that died
-/// leaves is recognised by that, and mended by the next one (mendFolder()).
+/// A folder with an unused name in another one: `new` holds new files, `old` the replaced ones. It is removed
+/// with all that is still in it. Its run holds a lock while it lives; a folder left by a run that died is
+/// recognised by its missing lock, and the next run repairs the exchange (mendFolder()).
 class HiddenFolder {
   public:
     HiddenFolder() = default;
@@ -55,10 +55,10 @@ class HiddenFolder {
     std::string newFile(const std::string& name) const { return newFolder() + "/" + name; }
     std::string oldFile(const std::string& name) const { return m_path + "/old/" + name; }
 
-    /// Before the first file changes places: the names of those in `new`. Until endExchange() the folder
-    /// around is mended if this run dies.
+    /// Writes the list of names in `new`, before the first file is moved. Until endExchange() the next run
+    /// repairs the folder around it if this run dies.
     WriteFailure beginExchange(const std::vector<std::string>& names);
-    /// All have changed places, or none has.
+    /// Ends an exchange in which all files were moved, or none.
     void endExchange();
 
   private:
@@ -68,10 +68,10 @@ class HiddenFolder {
 
 /// Brings the files back that runs which died in the middle of an exchange had put aside in this folder,
 /// takes theirs away, and what else they left hidden. An exchange that was done but for cleaning stays done.
-/// The caller holds the lock of the folder.
+/// Requires the lock of the folder.
 void mendLockedFolder(const std::string& folder);
 
-/// The same under the lock, if there is anything to be mended and nobody else is at it.
+/// Does the same under the lock, if there is anything to repair and nobody else holds the lock.
 void mendFolder(const std::string& folder);
 
 }  // namespace drillwave

@@ -114,10 +114,10 @@ WriteFailure WholeFile::write(std::string_view bytes) {
 WriteFailure WholeFile::commitAs(const std::string& path) {
     assert(m_descriptor >= 0);
     if (m_failure) return m_failure;
-    // Some disks cannot be told to: then the file is as safe as it can be.
+    // Some disks do not support it: then the file is as safe as it can be.
     ::fsync(m_descriptor);
     if (const WriteFailure failure = giveName(path)) return failure;
-    // Disks of other machines may tell only here that there was no room.
+    // Disks of other machines may only report here that there was no room.
     if (::close(std::exchange(m_descriptor, -1)) != 0) return writeFailure(errno);
     if (std::rename(m_beside.c_str(), path.c_str()) != 0) return writeFailure(errno);
     m_beside.clear();

@@ -84,7 +84,7 @@ std::string withoutTrailingSlashes(std::string path) {
     return path;
 }
 
-/// Of the file, without its folder.
+/// Returns the name of the file without its folder.
 std::string nameOf(const WholeFile& file) {
     return fs::path(file.path()).filename();
 }
@@ -233,7 +233,7 @@ class Delivery {
         return exchange();
     }
 
-    /// What gives way, the last first.
+    /// Returns the names of files to be replaced or removed, the last first.
     std::vector<std::string> leavingNames() const {
         std::vector<std::string> leaving = m_files.names();
         std::ranges::reverse(leaving);
@@ -243,7 +243,7 @@ class Delivery {
         return leaving;
     }
 
-    /// Under the lock.
+    /// Requires the lock.
     FolderEnd exchange() {
         const std::vector<std::string> names = m_files.names();
         const std::vector<std::string> leaving = leavingNames();
@@ -258,7 +258,7 @@ class Delivery {
         return end;
     }
 
-    /// What is replaced is put aside first, so that a failure can bring it back.
+    /// Moves replaced files aside first, so that a failure can restore them.
     FolderEnd moveAll(Moves& moves, const std::vector<std::string>& leaving,
                       const std::vector<std::string>& names) const {
         for (const std::string& name : leaving) {

@@ -19,7 +19,7 @@ struct NamedFile {
     std::string bytes;
 };
 
-/// What a folder is to hold.
+/// Files to be written into a folder.
 struct FolderFiles {
     /// In the order of appearance: the last one goes first and comes last, so that even after a power failure
     /// a folder that has it is complete.
@@ -60,7 +60,7 @@ using OnLongWait = std::function<void(const std::string& lockPath)>;
 FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
                            const std::stop_token& stop = {}, const OnLongWait& onLongWait = {});
 
-/// Why writeWholeFolder() would fail, as far as that can be told without writing; empty when it should not.
+/// Returns why writeWholeFolder() would fail, as far as known without writing; empty if it should not.
 Message folderProblem(const std::string& folder, const std::vector<std::string>& names,
                       ExistingFiles existing);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view beforeReferences = "commands";
 constexpr std::string_view parameterChapter = "parameters", outputChapter = "outputs";
 
-// Of a page, in that language where there is such a one: "de/tutorial".
+// Returns the text of a page in that language if it is translated ("de/tutorial"), else in English.
 std::string_view pageIn(std::string_view language, const ManualText& page) {
     const std::string translated = std::string(language) + "/" + std::string(page.name);
     const auto* const found = std::ranges::find(translatedTexts, translated, &ManualText::name);

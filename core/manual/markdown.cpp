@@ -21,7 +21,7 @@ bool marks(std::string_view line, std::size_t at, std::size_t length) {
     return !(afterBlank && beforeBlank);
 }
 
-// Of "[words](target)" that begins at `at`: where the words end, and behind all of it; `npos` for no link.
+// Ends of "[words](target)" that begins at `at`: of the words, and of the whole; `npos` for no link.
 struct LinkEnds {
     std::size_t words = std::string_view::npos;
     std::size_t behind = std::string_view::npos;

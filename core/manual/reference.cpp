@@ -16,7 +16,7 @@ namespace drillwave {
 
 namespace {
 
-// More different values than these are told by their ends.
+// Maximum number of values listed one by one; more are given as a range.
 constexpr std::size_t mostPresetValues = 5;
 
 std::string withUnit(const std::string& number, const Unit& unit) {
@@ -156,14 +156,14 @@ std::string entry(const ParameterFacts& facts, const std::vector<std::string>& v
            item(translatable("in files"), facts.presence, style);
 }
 
-// What has a word, or true and false, for its value.
+// Returns the entry of a parameter whose value is a word, or true or false.
 std::string wordEntry(std::string_view key, const Message& meaning, std::string_view values,
                       const ReadingStyle& style) {
     return heading(key, style.said(translatable("a word"))) + style.said(meaning) + ".\n\n" +
            item(translatable("one of"), values, style);
 }
 
-// Of the key of a parameter, as files have it.
+// Returns the title of the section of a parameter, from its key in files.
 Message sectionTitle(std::string_view section) {
     if (section == "rod") return translatable("Rod");
     if (section == "pulse") return translatable("Hammer force");
@@ -198,7 +198,7 @@ Message ownersOf(const Output& output) {
     return {};
 }
 
-// What is told by its key in every scenario, with those that words set.
+// Returns entries of keys that exist in every scenario, including those set by words.
 std::string lawEntries(const ReadingStyle& style) {
     std::string text;
     for (const std::string_view key : {"bit_rock.corner.1.force", "bit_rock.corner.1.slope"})

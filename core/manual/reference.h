@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-// What the tables say of a number of a scenario, in the words of a reader: for the reference and `help`.
+// Descriptions of the numbers of a scenario, in the words of a reader: for the reference and `help`.
 
 /// One row of a table of numbers.
 struct ParameterFacts {
@@ -24,9 +24,9 @@ struct ParameterFacts {
     std::string meaning;    ///< a sentence without its end
     std::string unit;       ///< customary, may be empty
     std::string range;      ///< "greater than 0", "in (0, 1]"
-    std::string usual;      ///< "1 – 10000 MN/m"; outside of it a value is remarked on
-    std::string presence;   ///< whether it may be left out, a sentence without its end
-    std::string condition;  ///< of which scenarios it is, likewise; empty where of all
+    std::string usual;      ///< "1 – 10000 MN/m"; other values get an alert
+    std::string presence;   ///< whether it may be left out, a sentence without its full stop
+    std::string condition;  ///< scenarios that have it, a sentence without its full stop; empty: all
 };
 
 ParameterFacts factsOf(const Parameter& parameter, const ReadingStyle& style);
@@ -36,12 +36,12 @@ ParameterFacts factsOf(const SectionField& field, const ReadingStyle& style);
 /// where where they are many; empty where none gives it.
 std::vector<std::string> presetValues(const Parameter& parameter, const ReadingStyle& style);
 
-/// The chapter of all parameters, in Markdown: a section for each, whose heading begins with its key.
+/// Returns the chapter of all parameters, in Markdown: a section for each, whose heading begins with its key.
 std::string parameterReference(const ReadingStyle& style);
-/// That of all outputs.
+/// Returns the chapter of all outputs.
 std::string outputReference(const ReadingStyle& style);
 
-/// The section of one of them alone, its heading first.
+/// Returns the section of only one of them, its heading first.
 std::string referenceOf(const Parameter& parameter, const ReadingStyle& style);
 std::string referenceOf(const SectionField& field, const ReadingStyle& style);
 std::string referenceOf(const WordParameter& parameter, const ReadingStyle& style);

@@ -35,7 +35,7 @@ struct LocalPolynomial {
     std::array<Real, capacity> c;
 
     void moveBy(Real u) { drillwave::moveBy(c.data(), count, u); }
-    /// The same over [0, 1] in place of [0, width].
+    /// Returns the same polynomial over [0, 1] instead of [0, width].
     LocalPolynomial over(Real width) const {
         LocalPolynomial p;
         p.count = count;
@@ -91,7 +91,7 @@ Real stepOver(Real value, Real slope, Real bend) {
 
 /// Marches from u towards `end` with steps that −bend ≤ p'' ≤ rise, both ≥ 0, on the way allow: no zero is
 /// stepped over, and a zero is approached quadratically. p(u) must not be negative. Counts its steps in
-/// `step`. Of each search: a call costs 1.5 % of a solve.
+/// `step`. Used in each search: a call costs 1.5 % of a solve.
 template <class Real>
 [[gnu::always_inline]] inline MarchEnd marchToZero(const Real* c, int count, Real end, Real bend, Real rise,
                                                    Real noise, Real& u, int& step) {

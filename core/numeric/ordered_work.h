@@ -15,24 +15,24 @@
 
 namespace drillwave {
 
-/// What ended a run over rows.
+/// Reason why a run over rows ended.
 enum class WorkEnd {
     finished,  ///< every chunk was delivered
     stopped,   ///< on the stop token, or because `deliver` returned false
 };
 
 /// Calls `fill(chunk)` for one chunk after another until it returns false, works on the chunks with one
-/// worker per thread, and calls `deliver(chunk)` in the order in which they were filled. What is delivered
-/// does not depend on the number of threads.
+/// worker per thread, and calls `deliver(chunk)` in the order in which they were filled. Delivered chunks do
+/// not depend on the number of threads.
 ///
 /// - `fill(Chunk&) -> bool` runs on any thread, one call at a time.
 /// - `makeWorker()` runs once on each thread; the result is called as `worker(Chunk&, std::stop_token)`.
 ///   Once a stop is requested it may leave its chunk unfinished: such a chunk is not delivered.
 /// - `deliver(Chunk&) -> bool` runs on the calling thread; false stops the run.
 ///
-/// Chunks are reused, at most four for each thread are in work at once. An exception of any of the three ends
-/// the run and leaves this function. Where the system has fewer threads left, those do all the work; where it
-/// has none, the calling thread does.
+/// Chunks are reused; at most four per thread are in work at once. An exception of any of the three ends the
+/// run and leaves this function. If the system provides fewer threads, these do all the work; if it provides
+/// none, the calling thread does.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
     jobs = std::max(jobs, 1);
@@ -113,7 +113,7 @@ WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
     {
         std::vector<std::jthread> threads;
         const std::stop_callback relay(stop, [&ending] { ending.request_stop(); });
-        // Declared after the threads: they are told to end before they are joined, also on an exception.
+        // Declared after the threads, to make them stop before they are joined, also on an exception.
         struct EndThreads {
             std::stop_source& ending;
             ~EndThreads() { ending.request_stop(); }

@@ -62,7 +62,7 @@ class Builder {
     PiecewiseFit buildConstant(double start, double end);
 
   private:
-    /// What the nodes of an interval tell.
+    /// Properties of an interval found from its nodes.
     struct Finding {
         enum Kind {
             smooth,  ///< all nodes taken, and polynomials through them will do

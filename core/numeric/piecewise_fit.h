@@ -54,10 +54,10 @@ struct FitSample {
     double x = 0;
     std::array<double, mostFitFunctions> values{};
     double error = 0;         ///< bound on the error of the values
-    std::uint64_t order = 0;  ///< while it stays the same, the functions are smooth
-    int label = 0;            ///< whatever pieces are to be told by
-    bool solved = false;      ///< false: there are no values here
-    long effort = 0;          ///< what it has cost, in the units of mostEffort and mostFailedEffort
+    std::uint64_t order = 0;  ///< the functions are smooth while it stays the same
+    int label = 0;            ///< distinguishes pieces in any way the caller likes
+    bool solved = false;      ///< false: no values here
+    long effort = 0;          ///< cost, in the units of mostEffort and mostFailedEffort
 };
 
 /// A stretch over which all functions are smooth.
@@ -69,15 +69,15 @@ struct FitPiece {
     int label = 0;                   ///< that of a sample inside
     bool resolved = true;  ///< the error is within the tolerance; else this is a sliver around a kink,
                            ///< or more work than was permitted
-    bool solved = true;    ///< false: there is no answer here, and there are no numbers
+    bool solved = true;    ///< false: no result here, and no numbers
 };
 
-/// What is fitted, how well, and how much work that may be.
+/// Functions to fit, accuracy, and limits of the work.
 struct FitSettings {
     std::size_t count = 1;  ///< of functions, 1 … mostFitFunctions
-    /// What the tolerance is relative to, for each function.
+    /// Size that the tolerance is relative to, for each function.
     std::array<double, mostFitFunctions> scale{1, 1, 1};
-    /// Whether larger values take the place of `scale` as they are seen.
+    /// Whether larger values replace `scale` when seen.
     std::array<bool, mostFitFunctions> scaleGrows{};
     double tolerance = 1e-10;
     double kinkWidth = 1e-12;   ///< of the bracket around a change of the order
@@ -103,9 +103,9 @@ struct PiecewiseFit {
     double unsolved = 0;           ///< length without values
 };
 
-/// Takes a sample at x. What it answers after a stop is not used.
+/// Takes a sample at x. Results after a stop are not used.
 using FitFunction = std::function<FitSample(double x)>;
-/// Told now and then up to which x the pieces are there.
+/// Called from time to time with the x up to which there are pieces.
 using FitProgress = std::function<void(double x)>;
 
 /// Interpolates over the cells between ascending `cuts` (at least two). Pieces end where the order of samples

@@ -38,8 +38,8 @@ inline double threadSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Times work(), which has been run once already and took about `estimate` seconds. What is quick is repeated
-/// within a run until the clock can tell. onRun() is called after each run; a stop ends it early.
+/// Times work(), which has been run once already and took about `estimate` seconds. Quick work is repeated
+/// within a run until the clock can resolve it. onRun() is called after each run; a stop ends it early.
 template <class Work, class OnRun>
 RunTime measureRunTime(Work work, double estimate, const std::stop_token& stop, OnRun onRun) {
     constexpr double resolved = 1e-3;  // s

@@ -31,13 +31,13 @@ struct MeasuredSignal {
 // Measured points are at least two of increasing times [s], joined by straight lines. The computed force is a
 // function of time [s], looked at from 0 to `end` > 0.
 
-/// What to add to the times of the measured points [s] so that their product with the computed force,
-/// integrated over time, is largest; either counts as 0 outside of its own times. To a 2000th of the longer
-/// of both, and between by a parabola. Nothing where the product never is positive.
+/// Returns the shift of the times of the measured points [s] for which their product with the computed force,
+/// integrated over time, is largest; either counts as 0 outside its own times. To a 2000th of the longer of
+/// both, and between by a parabola. Nothing if the product never is positive.
 std::optional<double> bestShift(const TablePoints& measured,
                                 const std::function<double(double time)>& computed, double end);
 
-/// How far a measured force is from a computed one over the time that both have.
+/// Difference of a measured force from a computed one over the time that both have.
 struct Misfit {
     double rms = 0;             ///< root of the mean square of their difference [N]
     double computedPeak = 0;    ///< size of the largest computed force, be it tension or compression [N]

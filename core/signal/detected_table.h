@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the first lines of a table of samples tell about it.
+// Format of a table of samples, detected from its first lines.
 #pragma once
 
 #include <cstddef>

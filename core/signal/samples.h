@@ -18,10 +18,10 @@
 
 namespace drillwave {
 
-/// What to do with a row whose cells are no numbers.
+/// Treatment of rows whose cells are no numbers.
 enum class WrongRows { refused, skipped };
 
-/// Where in a table the samples are.
+/// Place of the samples in a table.
 struct SampleSource {
     RowFormat format;
     std::size_t firstLine = 1;               ///< with samples, from 1
@@ -71,7 +71,7 @@ double estimatedRate(double first, double last, std::size_t samples, double firs
 Samples readSamples(std::istream& in, const SampleSource& source, const std::stop_token& stop = {},
                     const std::function<void(std::uint64_t bytes)>& tell = {});
 
-// What the columns of a table probably are, to begin with.
+// Probable contents of the columns of a table, as a start.
 
 struct SampleGuess {
     SampleSource source;                  ///< times in s where their unit is not stated

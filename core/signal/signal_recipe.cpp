@@ -20,7 +20,7 @@ namespace {
 /// proportional to the number of samples.
 constexpr std::size_t lookAhead = 64;
 
-/// Of the bisection: the deviation is known to 20.7/2^12 = 0.5 % of itself.
+/// Steps of the bisection: the deviation is known to 20.7/2^12 = 0.5 % of itself.
 constexpr int halvings = 12;
 constexpr double smallestDeviation = 1e-9;  // of the range of the values
 

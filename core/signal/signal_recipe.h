@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of recorded samples: a force over time, as a blow of the hammer or as a curve to compare with.
+// Recipe from recorded samples to a force over time, for a blow of the hammer or a curve to compare with.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ std::vector<std::size_t> thinnedCurve(std::span<const double> time, std::span<co
 /// have to be moved by more than twice the deviation for it; a curve keeps its times.
 enum class SignalUse { blow, curve };
 
-/// What is taken off all samples.
+/// Value subtracted from all samples.
 enum class ZeroLine {
     asRecorded,      ///< nothing
     ofFirstSamples,  ///< their mean over the first `zeroSpan`
@@ -44,8 +44,8 @@ struct SignalRecipe {
     double zeroSpan = 0;              ///< of the record, from its beginning [s]
     double zeroValue = 0;             ///< as in the table
     double forcePerNumber = 1;        ///< N; negative where the table has the other sign
-    std::optional<double> from = {};  ///< [s] as in the table: what is before is left out
-    std::optional<double> to = {};    ///< [s] likewise
+    std::optional<double> from = {};  ///< [s] as in the table: earlier samples are left out
+    std::optional<double> to = {};    ///< [s] as in the table: later samples are left out
     Negatives negatives = Negatives::kept;
     Scaling scaling = Scaling::none;
     double factor = 1;          ///< of Scaling::byFactor
@@ -74,7 +74,7 @@ struct ShapedSignal {
 ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
                           const std::stop_token& stop = {});
 
-/// What is taken off all samples, as in the table.
+/// Returns the value subtracted from all samples, as in the table.
 double zeroOf(const Samples& samples, const SignalRecipe& recipe);
 
 /// From the beginning to the end of the stretch around the largest value: where the signal has fallen to 2 %

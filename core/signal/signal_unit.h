@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the numbers of a recorded signal are: a force, a strain, or the output of a bridge of strain gauges.
+// Units of recorded signals: a force, a strain, or the output of a bridge of strain gauges.
 #pragma once
 
 #include <optional>
@@ -59,12 +59,12 @@ struct GaugedBar {
     bool operator==(const GaugedBar&) const = default;
 };
 
-/// N of normal force that one number of the file stands for.
+/// Returns the normal force [N] for the number 1 in the file.
 double forcePerNumber(SignalKind kind, double unitFactor, const GaugedBar& bar);
 
-// What the cell above a column of samples says of it.
+// Headings of columns of samples.
 
-/// One column; name and unit are empty where no header gives them.
+/// One column; name and unit are empty if no header gives them.
 struct TableColumn {
     std::string name;
     std::string unit;
@@ -74,12 +74,12 @@ struct TableColumn {
     bool operator==(const TableColumn&) const = default;
 };
 
-/// "time [us]", "Time (us)", "t / us", "t/us", "t in us", "t us", "t, us", "time_us" in their parts, and "F
-/// [kN] filtered", where the last brackets with a unit that is known stand inside. What stands in brackets at
-/// the end, behind " / " or behind " in " is a unit, known or not; the others need one that is known.
+/// Splits "time [us]", "Time (us)", "t / us", "t/us", "t in us", "t us", "t, us", "time_us" into their parts,
+/// and "F [kN] filtered", where the last brackets with a known unit are inside. A text in brackets at the
+/// end, after " / " or after " in " is a unit, known or not; the others require a known unit.
 TableColumn columnOf(std::string_view heading);
 
-/// Whether a word is a unit of time or of a signal.
+/// Returns whether a word is a unit of time or of a signal.
 bool isKnownUnit(std::string_view word);
 
 /// Whether a column of this name holds times: "t", "Time", "Zeit".

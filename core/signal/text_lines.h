@@ -33,11 +33,11 @@ class TextLines {
     /// Instead of lines: moves all that is read ahead into `block`, where it is ASCII with LF only and so
     /// needs no decoding. False where next() is to be asked, also at the end. Does not count lines.
     bool takePlainBlock(std::string& block);
-    /// Of the last line, from 1.
+    /// Returns the number of the last line, from 1.
     std::size_t number() const { return m_number; }
-    /// Bytes taken from the stream so far.
+    /// Returns the number of bytes taken from the stream so far.
     std::uint64_t bytesRead() const { return m_bytesRead; }
-    /// The encoding as far as it was read: UTF-8 until a line is something else.
+    /// Returns the encoding as far as it was read: UTF-8 until a line is something else.
     TextEncoding encoding() const;
     /// Whether NUL bytes stood where the text ended.
     bool hasNulTail() const { return m_hasNulTail; }

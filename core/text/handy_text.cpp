@@ -61,7 +61,7 @@ std::string ReadingStyle::said(const Message& message) const {
 }
 
 ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
-    // Of each quantity from the smallest on.
+    // Units of all quantities, for each from the smallest on.
     constexpr std::array<std::string_view, 21> handy{"us",  "ms",  "s",   "um",  "mm",   "m",    "mm^2",
                                                      "N s", "N",   "kN",  "J",   "kJ",   "W",    "kW",
                                                      "kg",  "MPa", "GPa", "N/m", "kN/m", "MN/m", "GN/m"};
@@ -117,7 +117,7 @@ std::string ReadingStyle::name(std::string_view name) const {
     std::string words(name);
     std::ranges::replace(words, '_', ' ');
     std::string here = said(Message::ofTable(words));
-    // What is not in another language is what files have, but for the signs.
+    // A name without a translation stays as in files, except on printed pages.
     return here == words && !isPrinted() ? std::string(name) : here;
 }
 

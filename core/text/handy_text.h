@@ -49,33 +49,33 @@ class ReadingStyle {
 
     /// With so many significant digits.
     virtual std::string number(double value, int digits = 6) const { return rounded(value, digits); }
-    /// The unit of its customary family that needs the fewest zeros.
+    /// Returns the unit of its usual family that needs the fewest zeros.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;
-    /// The same of a rate of penetration, which drillers count in a minute.
+    /// Returns the same for a penetration rate, which drillers count per minute.
     virtual ReadUnit rateUnit(double si) const;
-    /// Whether texts stand in a window or on a page, for people alone: with the signs of print, and with
-    /// pages of the window where a terminal has commands.
+    /// Returns whether texts are only for people, in a window or on a page: with the signs of print, and with
+    /// pages of the window instead of commands.
     virtual bool isPrinted() const { return false; }
-    /// Whether values that a file gives stand in a table as the file has them.
+    /// Returns whether tables show values as a file gives them.
     virtual bool keepsUnitsOfFile() const { return true; }
-    /// Over a column of values with their units.
+    /// Returns the title of a column of values with their units.
     virtual Message unitsTitle() const { return translatable("in SI"); }
-    /// The pattern of a Message in the language of the reader.
+    /// Returns the pattern of a Message in the language of the reader.
     virtual std::string patternFor(const std::string& english) const { return english; }
-    /// That language, ISO 639.
+    /// Returns that language, ISO 639.
     virtual std::string language() const { return "en"; }
 
-    /// The sentence in the language of the reader.
+    /// Returns the sentence in the language of the reader.
     std::string said(const Message& message) const;
-    /// An SI value in the unit that suits it: "71.7 kN", "3.2 mm", "105 MN/m"; a ratio as the bare number.
-    /// It is rounded in that unit.
+    /// Returns an SI value in the unit that suits it, rounded: "71.7 kN", "3.2 mm", "105 MN/m"; a ratio as
+    /// the bare number.
     std::string quantity(double si, Quantity quantity, int digits = 6,
                          Rounding rounding = Rounding::nearest) const;
-    /// A rate of penetration likewise.
+    /// Returns a penetration rate in the same way.
     std::string rate(double si, int digits = 6) const;
-    /// A bound in two digits that are not less than it.
+    /// Returns a bound in two digits, not below its value.
     std::string bound(double bound) const;
-    /// Numbers that are written in the C locale, with the decimal sign of the reader.
+    /// Returns numbers written in the C locale with the decimal sign of the reader.
     std::string withDecimalSign(std::string cText) const;
     /// A share as "+10.3 %" or "-5 %".
     std::string signedPercent(double share) const;
@@ -86,10 +86,10 @@ class ReadingStyle {
     std::string inUnit(double si, const ReadUnit& read, int digits, Rounding rounding) const;
 };
 
-/// That of the commands.
+/// Returns the style of the commands.
 const ReadingStyle& plainStyle();
 
-/// An SI value in that style.
+/// Returns an SI value in that style.
 std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
 
 }  // namespace drillwave

@@ -22,7 +22,7 @@ void appendLine(std::string& text, int level) {
     text.append(static_cast<std::size_t>(4 * level), ' ');
 }
 
-/// What stands for a byte that may not stand for itself.
+/// Appends the escape sequence of a byte.
 void appendEscaped(std::string& text, char byte) {
     constexpr std::string_view named = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
     constexpr std::string_view digits = "0123456789abcdef";

@@ -15,7 +15,7 @@ namespace {
 
 using Texts = std::map<std::string, std::string, std::less<>>;
 
-/// Of two contexts that have a text the first counts.
+/// Reads a catalogue; of two contexts that have a text the first counts.
 Texts readCatalogue(std::string_view xml) {
     std::istringstream stream{std::string(xml)};
     boost::property_tree::ptree tree;

@@ -32,19 +32,19 @@ constexpr const Language* findLanguage(std::string_view code) {
     return found == std::end(languages) ? nullptr : found;
 }
 
-// The texts of the core and the commands in the languages of the program, where there is no Qt to say them.
+// Texts of the core and the commands in the languages of the program, without Qt.
 
-/// What the catalogue of the language has for an English text; the text itself in English, and where it has
-/// none. The first text of a language reads its catalogue, which takes some 40 ms. Not for several threads.
+/// Returns the translation of an English text in the catalogue of the language; the text itself for English
+/// or without a translation. The first text of a language reads its catalogue in some 40 ms. Not thread-safe.
 std::string inLanguage(const Language& language, const std::string& english);
 
-/// All English texts of that catalogue, each with what it has for it; none of English. Read likewise.
+/// Returns all English texts of that catalogue with their translations; none for English. Not thread-safe.
 const std::map<std::string, std::string, std::less<>>& textsOf(const Language& language);
 
 // The style of the commands in each of the languages.
 
-/// Sentences from the catalogue of the language, numbers with its decimal comma, units in SI; in English it
-/// is plainStyle(). Not for several threads.
+/// Returns the style of a language: sentences from its catalogue, numbers with its decimal sign, units in SI;
+/// for English, plainStyle(). Not thread-safe.
 const ReadingStyle& styleOf(const Language& language);
 
 }  // namespace drillwave

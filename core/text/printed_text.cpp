@@ -17,7 +17,7 @@ void replaceSign(std::string& text, const PrintedSign& sign) {
         text.replace(at, plain.size(), printed);
 }
 
-/// Of a word or of a name with underscores or dots in it.
+/// Returns whether a character may be in a word, or in a name with underscores or dots.
 bool isOfWord(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '.' || static_cast<unsigned char>(c) >= 0x80;

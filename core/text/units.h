@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// What kind of physical quantity a number is; `ratio` is dimensionless.
+/// Physical quantity of a number; `ratio` is dimensionless.
 enum class Quantity {
     ratio,
     length,

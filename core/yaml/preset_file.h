@@ -23,7 +23,7 @@ inline constexpr std::size_t maximumPresetBytes = std::size_t{1} << 20;
 /// The first key of such a file.
 inline constexpr std::string_view presetKey = "drillwave_presets:";
 
-/// What such a file holds, each kind in the order of the file.
+/// Contents of such a file, each kind in the order of the file.
 struct PresetFile {
     std::vector<Preset> presets;                ///< of rods, hammers and rocks
     std::vector<SectionPreset> sectionPresets;  ///< of pieces of drill strings
@@ -41,9 +41,9 @@ const PresetFile& builtInPresetFile();
 std::span<const Preset> builtInPresets();
 std::span<const SectionPreset> builtInSectionPresets();
 
-// Where the values of a preset are from, told by the file that has taken them.
+// Source of the values of a preset, in the file that uses it.
 
-/// Where the preset says that the value is from; empty for values that are not of it.
+/// Returns the source of a value according to the preset; empty for values that are not of it.
 std::string presetSource(const Preset& preset, const SavedValue& saved);
 
 /// The file of a scenario that has just taken the preset, as writeScenario() writes it, with that remark as a

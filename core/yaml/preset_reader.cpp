@@ -295,7 +295,7 @@ bool PresetReader::readShape(Preset& preset, const YamlEntries& values, const Ya
 }
 
 bool PresetReader::readCurve(Preset& preset, const YamlEntries& values, const YamlEntries& entries) {
-    // What has no source is reported already.
+    // A value without source is reported already.
     const auto isLeftOut = [&](std::string_view key) {
         return entries.contains(key) && !values.contains(key);
     };

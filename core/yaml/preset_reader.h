@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-// What all lists of a file of presets have in common: items that are maps, each with a name of its own.
+// Common part of all lists of a file of presets: items that are maps, each with a name of its own.
 
 /// One list while it is read; problems go to the reader, which must outlive it.
 class PresetList {
@@ -51,7 +51,7 @@ class PresetReader {
 
     /// Good for nothing if there are problems.
     std::vector<Preset> read(const YamlNode& root);
-    /// Those of sections; after read().
+    /// Returns the presets of sections; after read().
     std::vector<SectionPreset> takeSectionPresets() { return std::move(m_sectionPresets); }
     std::vector<InputProblem> takeProblems() { return m_reader.problems().take(); }
 

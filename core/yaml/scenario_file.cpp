@@ -38,7 +38,7 @@ bool says(std::string_view text, const Scenario& scenario, const DesignSetup& de
     return read.problems.empty() && read.scenario == scenario && read.design == design;
 }
 
-/// The comments in front of the first key: they explain the scenario and survive a file written anew.
+/// Returns the comments before the first key: they explain the scenario and stay when the file is rewritten.
 std::string_view leadingComments(std::string_view text) {
     std::size_t at = 0;
     while (at < text.size() && (text[at] == '#' || text[at] == '\n' || text[at] == '\r')) {

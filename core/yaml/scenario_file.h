@@ -54,15 +54,15 @@ ScenarioDocument loadScenario(const std::string& path);
 /// The same for text in memory; `source` names it in messages.
 ScenarioDocument parseScenario(std::string_view text, const std::string& source);
 
-/// The document's scenario and design as YAML text. Byte for byte `document.text` if it still says both;
-/// otherwise the changed values are patched in place where that is possible, or the file is written anew.
-/// Reading the result gives the same scenario, but for what its form and shape do not use (see
-/// withoutUnusedValues()). Throws ScenarioError where that would be larger than 1 MiB. Requires a valid
+/// Returns the document's scenario and design as YAML text. Byte for byte `document.text` if it still has
+/// both; otherwise the changed values are patched in place where that is possible, or the file is rewritten.
+/// Reading the result gives the same scenario, except values that its form and shape do not use (see
+/// withoutUnusedValues()). Throws ScenarioError if the text would be larger than 1 MiB. Requires a valid
 /// scenario.
 std::string writeScenario(const ScenarioDocument& document);
 
-// The comment lines at the top of a scenario's text that tell of a result: who wrote it, and how it was
-// solved.
+// The comment lines at the top of a scenario's text that describe a result: the program that wrote it, and
+// how it was solved.
 
 /// How they begin, in this order; all but the first may be absent.
 inline constexpr std::string_view writtenRemark = "# Written by Drillwave ";

@@ -19,10 +19,10 @@ namespace {
 
 using Extent = TextExtent;
 
-/// Thrown inside this file where the text would have to be written anew.
+/// Thrown inside this file if the text has to be rewritten.
 struct NotPatchable {};
 
-/// Where a scalar stands, with its quotes. Only scalars that stand there literally.
+/// Returns the place of a scalar, with its quotes. Only for scalars that are there literally.
 Extent literalExtent(std::string_view text, const YamlNode& scalar) {
     const std::optional<Extent> extent = extentOf(text, scalar);
     if (!extent) throw NotPatchable();
@@ -96,8 +96,8 @@ class Patcher {
                                                                      : ScenarioForm::dimensional;
     }
 
-    /// A file that is one map in braces, in which values and keys are exchanged and no section is written
-    /// anew.
+    /// Patches a file that is one map in braces: replaces values and keys, and rewrites no
+    /// section.
     std::string patchedBraces(const YamlNode& root) {
         if (m_scenario.form != formOf(root) || m_isOfSections) throw NotPatchable();
         patchMap(root, "");

@@ -93,8 +93,8 @@ void readTitle(SectionReader& reader, const YamlEntries& file) {
     reader.scenario().title = found->second.value->text;
 }
 
-/// Reports keys that belong to a file of the other format. False where there are none of its own, so that
-/// what is missing need not be told.
+/// Reports keys that belong to a file of the other format. Returns false if there are none of its own; then
+/// missing keys need no report.
 bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int format) {
     const auto refuse = [&](std::span<const std::string_view> keys, const char* reason) {
         for (const std::string_view key : keys)
@@ -240,7 +240,7 @@ bool readScenario(SectionReader& reader, const YamlNode& root, int format, const
                   DesignSetup& design) {
     std::vector<std::string_view> known(std::begin(commonKeys), std::end(commonKeys));
     known.insert(known.end(), keysOf(format).begin(), keysOf(format).end());
-    // Those of the other format are told of as such where they stand.
+    // Keys of the other format are reported as such at their place.
     for (const std::string_view key : keysOf(format == rodFormat ? stringFormat : rodFormat))
         if (indexOf(root, key) < root.children.size()) known.push_back(key);
     const YamlEntries file = reader.entriesOf(root, "", known);

@@ -127,7 +127,7 @@ void addLaw(std::vector<SavedValue>& values, const Scenario& scenario) {
     }
 }
 
-/// What of the drill is a word; nothing of one of which nothing is told.
+/// Adds the indexing of the rock; not if the scenario has no data of the drill.
 void addIndexing(std::vector<SavedValue>& values, const Scenario& scenario) {
     if (scenario.drill == Drill()) return;
     SavedValue indexing = savedText("drill", "indexing", name(scenario.drill.indexing));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a scenario is kept in a file, and that file written anew.
+// Values of a scenario that a file keeps, and writing such a file.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// What a saved number is measured in.
+/// Unit of a saved number.
 struct SavedUnit {
     Quantity quantity = Quantity::ratio;
     const Unit* customary = nullptr;
@@ -34,13 +34,13 @@ struct SavedValue {
 /// Everything a file must say, in the order of a file. The points of an inline table are not among them.
 std::vector<SavedValue> savedValues(const Scenario& scenario);
 
-/// The scenario without what its form and shape do not use, which no file keeps.
+/// Returns the scenario without values that its form and shape do not use, which no file keeps.
 Scenario withoutUnusedValues(const Scenario& scenario);
 
-/// The value as it stands behind its key, in the customary unit or the given one.
+/// Returns the value as it stands after its key, in the default unit or the given one.
 std::string valueText(const SavedValue& value, const Unit* unit = nullptr);
 
-/// A text as a YAML scalar, quoted where it needs to be.
+/// Returns a text as a YAML scalar, quoted if necessary.
 std::string yamlScalar(std::string_view text);
 
 /// The whole file in its customary form.

@@ -87,11 +87,11 @@ class SectionReader {
     /// Reports what is missing from a section, of the parameters of the group that apply to the scenario, and
     /// what stands beside its rival.
     void requireParameters(const YamlEntries& entries, std::string_view group);
-    /// Reports the parameter where it is missing from its section.
+    /// Reports the parameter if it is missing from its section.
     void require(const YamlEntries& entries, const Parameter& parameter);
-    /// Likewise the shape of the pulse.
+    /// Reports the shape of the pulse if it is missing.
     void requireShape(const YamlEntries& entries);
-    /// Reports it unless exactly one of the two keys is there.
+    /// Reports it unless exactly one of the two keys is present.
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
     void reportMissing(std::string_view section, std::string_view key, const Message& reason);

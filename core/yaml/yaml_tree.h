@@ -22,10 +22,10 @@ struct YamlNode {
     /// Items of a sequence; key, value, key, value … of a map.
     std::vector<YamlNode> children;
 
-    /// What stands behind a key of a map, the first where it is given more than once; nullptr where there is
-    /// none.
+    /// Returns the value of a key of a map, of the first one if it is given more than once; nullptr if there
+    /// is none.
     const YamlNode* valueOf(std::string_view key) const;
-    /// Its text, where it is a scalar.
+    /// Returns the text of that value, if it is a scalar.
     const std::string* textOf(std::string_view key) const;
 };
 
