@@ -17,19 +17,19 @@ namespace {
 constexpr std::size_t leastCells = 16;
 constexpr std::size_t mostCells = 256;
 constexpr double cellsOfPeriod = 8;
-/// Refusals cost nothing, and where they end is bracketed: enough for four brackets of a cell.
+/// Maximum refusals in a cell: they cost nothing, and this is enough for four brackets of their ends.
 constexpr std::uint64_t mostFailuresOfCell = 200;
-/// Of blows at the work limit, for each output of a cell.
+/// Work for each output of a cell, in blows at the work limit.
 constexpr long mostBlowsAtLimit = 2;
-/// Of all blows, likewise. Nearly all cells take less than a hundredth.
+/// Work for all outputs of a cell, in blows at the work limit. Nearly all cells take less than a hundredth.
 constexpr long mostEffortAtLimit = 5;
-/// What outputs that are no ratio are known to where they vanish, of the unit that they have.
+/// Accuracy near zero of outputs that are no ratio, in their unit.
 constexpr double smallOfUnit = 1e-4;
-/// Of drill strings, whose blows take longer: all blows of a cell for one output together as much as so many
-/// at the work limit, but at least some.
+/// Work for drill strings, whose blows take longer: all blows of a cell for one output, in blows at the work
+/// limit; and at least this number of blows.
 constexpr long blowsOfStringCell = 40;
 constexpr long leastStringBlows = 150;
-/// A kink is bracketed by half of so many.
+/// Half of this number of blows brackets a kink.
 constexpr std::uint64_t blowsOfKink = 80;
 constexpr const char* notSmooth = translatable("not smooth within the work permitted");
 constexpr const char* isRounding = translatable("errors do not vary smoothly");

@@ -231,7 +231,7 @@ class Finder {
         if (!turn.isJump && std::ranges::any_of(m_features, [&](const CurveFeature& f) {
                 return f.shape == Shape::cusp && isOf(turn, f);
             }))
-            return;  // told with the extreme
+            return;  // reported with the extreme
         CurveFeature feature{.kind = turn.isJump ? Kind::jump : Kind::kink};
         feature.x = placeOf(turn.place);
         feature.value = {turn.before, turn.error};

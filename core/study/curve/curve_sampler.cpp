@@ -16,13 +16,13 @@ namespace {
 
 constexpr double lastDigits = 64 * std::numeric_limits<double>::epsilon();
 
-/// What is smooth while it stays the same. The lattice has the events only to a step.
+/// Returns a number that stays the same while outputs are smooth. The lattice has events only to a step.
 std::uint64_t orderOf(const Impact& impact, const Problem& problem, Method method) {
     const bool exactTimes = method != Method::lattice && problem.isForced() && impact.hasEvents();
     return exactTimes ? eventOrder(impact, problem.force()) : static_cast<std::uint64_t>(impact.contacts);
 }
 
-/// Of what blow after blow brings.
+/// Returns the unit of rates, which are outputs times the blow frequency.
 double unitPerSecond(Measure measure, const Scenario& scenario) {
     const Scales scales = scalesOf(scenario);
     const double ofBlow = measure == Measure::watt    ? scales.energy

@@ -21,7 +21,7 @@ bool isBetweenPoints(const FitPiece& piece) {
     return !piece.resolved && piece.end - piece.start > leastSlopeWidth;
 }
 
-/// How far the ends of a segment may be off. Of such a line all that it rises is called its error.
+/// Returns the error at the ends of a segment; the error of a line between points also includes its rise.
 double marginOf(const MonotoneSegment& segment, double goal) {
     const double rise = isBetweenPoints(*segment.piece) ? std::abs(segment.last - segment.first) : 0;
     return std::max(0.0, segment.error() - rise) + lastDigitsOfGoal * std::abs(goal);

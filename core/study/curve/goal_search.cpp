@@ -118,7 +118,7 @@ class PlaceFinder {
         return {m_isWhole ? std::round(x) : x, share.error * m_range.slopeAt(x)};
     }
 
-    /// By the curve alone.
+    /// Returns the place from the curve only, without solving.
     GoalPlace unsolved(const GoalBracket& bracket) const {
         GoalPlace place{.rising = bracket.after > bracket.before};
         if (!bracket.isPassed()) {
@@ -172,7 +172,7 @@ class PlaceFinder {
         return place;
     }
 
-    /// Of whole numbers there are none between.
+    /// Returns a place between two points; for whole numbers a jump, since there are none between.
     GoalPlace betweenPoints(const GoalBracket& bracket) const {
         const double share = std::clamp(bracket.share.value, bracket.from, bracket.to);
         const double x = m_range.at(share);
@@ -208,7 +208,7 @@ double sizeOf(std::span<const MonotoneSegment> segments, double goal) {
     return std::max(std::abs(goal), largest - least);
 }
 
-/// What all lines are asked for.
+/// Search on all lines.
 class Search {
   public:
     Search(const CurveQuestion& question, std::vector<CurveLine>& lines)

@@ -18,9 +18,9 @@ namespace drillwave {
 
 namespace {
 
-/// Points of the first lines that are shown lie so far apart, those of each further ones half as far.
+/// Distance of the points in the first lines shown; that of each further one is half as large.
 constexpr std::size_t coarsest = 8;
-/// Nothing is told from a value that differs by less.
+/// Share of the size below which values do not differ.
 constexpr double sameShare = 1e-9;
 
 struct SampleTask {
@@ -29,13 +29,13 @@ struct SampleTask {
     Message reason = {};
 };
 
-/// What is known of one line.
+/// Samples of one line.
 struct Samples {
     std::vector<std::vector<double>> values;  // of each point, empty before it is solved
-    std::vector<Message> reasons;             // likewise; empty where it has an answer
+    std::vector<Message> reasons;             // of each point; empty if it has a result
 };
 
-/// Solves points; one for each thread.
+/// Solves points; one object per thread.
 class PointSampler {
   public:
     PointSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes)

@@ -138,7 +138,7 @@ void checkOutputs(const DesignStudy& study, Lines& lines) {
     }
 }
 
-/// Of a design, by its choices.
+/// Returns a problem of a design together with the choices of the design.
 Message at(const DesignStudy& study, std::uint64_t design, const Message& problem) {
     if (study.choices.empty()) return problem;
     const std::vector<double> values = study.choice(design);

@@ -136,8 +136,8 @@ class Searcher {
         for (std::size_t i = 0; i < d; ++i)
             for (const double by : {-step, step})
                 if (m_solver.canMove(i)) attempt(moved(search.place, i, by));
-        // Along a kink no coordinate may lead on alone, but two, or other directions at every step, in the
-        // end dense.
+        // Along a kink no single coordinate may lead on, but two together may, or other directions at every
+        // step, dense in the end.
         for (std::size_t i = 0; i < d && best == search.place; ++i)
             for (std::size_t j = i + 1; j < d; ++j)
                 for (const double a : {-step, step})

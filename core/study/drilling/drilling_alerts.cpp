@@ -13,17 +13,17 @@ namespace {
 /// A share of the momentum of a hammer that passes after it has separated is in the way.
 constexpr double mostLateShare = 0.02;
 
-/// The place of the shank at a blow departs from its mean by that much: the stroke would be another one [m].
+/// Departure of the shank from its mean place at a blow above which the stroke would be another one [m].
 constexpr double mostShankOffset = 5e-3;
 
-/// A frequency that is rounded by more is told.
+/// Relative rounding of the frequency above which there is an alert.
 constexpr double toldRounding = 1e-5;
 
-/// An energy residual above that, over the hammer work, is told: 1 of 1050 random rods and 5 of 400
+/// Energy residual over the hammer work above which there is an alert: 1 of 1050 random rods and 5 of 400
 /// strings had one.
 constexpr double toldResidual = 1e-3;
 
-/// λ above that is chaotic.
+/// λ above which motion is chaotic.
 constexpr double chaotic = 0.05;
 
 void addShankOffset(const DrillingResult& result, std::vector<Alert>& alerts) {

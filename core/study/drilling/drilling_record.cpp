@@ -38,10 +38,10 @@ constexpr double judgedWork = 5e7;
 /// some 0.1 GB.
 constexpr double mostKeptCells = 2e6;
 
-/// Takes the blows of a march on a thread of its own, one whenever it is told.
+/// Takes the blows of a march on a thread of its own, one per request.
 class MarchBeside {
   public:
-    /// Both must outlive it.
+    /// Requires march and stop token to outlive it.
     MarchBeside(DrillingMarch& march, const std::stop_token& stop)
         : m_thread([this, &march, &stop] {
               for (m_begun.acquire(); !m_ends; m_begun.acquire()) {
@@ -77,7 +77,7 @@ bool fliesAway(const DrillingProblem& problem, double interval, const std::vecto
     return problem.feedForce * interval <= meanImpulse(blows, growingBlows);
 }
 
-/// What was watched, from one time to another.
+/// Returns the recorded instants from one time to another.
 std::vector<DrillingInstant> instantsOf(const DrillingSamples& samples, double from, double to) {
     std::vector<DrillingInstant> instants;
     std::size_t next = 0;

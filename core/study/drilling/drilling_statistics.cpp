@@ -23,11 +23,11 @@ constexpr std::array<double, batches - 1> studentOfBatches{12.706, 4.303, 3.182,
                                                            2.306,  2.262, 2.228, 2.201, 2.179, 2.160, 2.145,
                                                            2.131,  2.120, 2.110, 2.101, 2.093};
 
-/// What repeats to this share of d0 and v0 over three periods has a period, and the longest one looked for.
+/// Motions repeat if they agree to this share of d0 and v0 over three periods; longest period searched for.
 constexpr double sameMotion = 1e-6;
 constexpr int longestPeriod = 16;
 
-/// A share of blows in contact from which the bit rests.
+/// Share of blows in contact above which the bit rests.
 constexpr double restShare = 0.95;
 
 double quantile(const std::vector<double>& sorted, double share) {

@@ -17,7 +17,7 @@
 namespace drillwave {
 namespace {
 
-/// What of a curve is from a time on at which one of its pieces begins.
+/// Returns the rest of a curve from a time at which one of its pieces begins.
 PiecewisePolynomial since(const PiecewisePolynomial& curve, double start, double rounding) {
     PiecewisePolynomial rest;
     rest.clear(start);
@@ -61,7 +61,7 @@ Impact impactOf(const MarchedWaves& kept, const DrillingBlow& blow, double hamme
     impact.hammerWork = kept.hammerWork;
     impact.rockWork = kept.rockWork;
     impact.contactDuration = blow.contactTime;
-    // the rock of this blow is there when its wave comes to it
+    // the rock is that of this blow from when its wave arrives there
     impact.incident = since(kept.waves->bitWave(), kept.transitTime, kept.waves->rounding());
     impact.force = since(kept.waves->bitForce(), kept.transitTime, kept.waves->rounding());
     impact.peakTime = timeOfPeak(impact.force);

@@ -18,16 +18,16 @@ namespace drillwave {
 namespace {
 
 constexpr int firstCells = 8;  // to begin with
-/// Of a period over which all is smooth: the nodes of each cell.
+/// Minimum solves for a period over which everything is smooth: the nodes of each cell.
 constexpr long leastSolves = firstCells * static_cast<long>(Chebyshev::mostNodes);
 constexpr std::size_t mostHammerCuts = 64;
 constexpr double nearestCuts = 1e-11;
 constexpr double negligibleImpulse = 1e-13;
-/// Of all failed blows: two of those that are beyond the solver. Where a blow nearly stops the rod, it drifts
-/// through any number of periods, and the contacts that follow change with every one of them.
+/// Maximum wave pieces of all failed blows: two of those that are beyond the solver. A blow that nearly stops
+/// the rod lets it drift through any number of periods, and the contacts that follow change with every one.
 constexpr long mostFailedPieces = 50'000'000;
 
-/// One blow after another, each at another gap.
+/// Solves one blow after another, each at another gap.
 class GapSampler {
   public:
     GapSampler(const Problem& problem, Detail detail, std::stop_token stop, long mostPieces)
@@ -108,7 +108,7 @@ void addPeriods(std::vector<double>& borders, double start, double end) {
 double gapPeriodStart(const Problem& problem) {
     const PulseForce& pulse = problem.force();
     if (pulse.isRigidBody()) return 0;
-    // What is still to come of a pulse with a long tail when it makes no difference any more.
+    // Remaining impulse of a pulse with a long tail, less the share that makes no difference.
     const auto left = [&](double t) { return 1 - pulse.impulseUntil(t) - negligibleImpulse; };
     const double end = brentRoot(left, 0, left(0), pulse.end, left(pulse.end));
     // The free front end has moved G(s) d0 at time s, G(s) = A(s) + G(s − 2τ), A the impulse of the hammer

@@ -150,7 +150,7 @@ std::vector<GapCrossing> crossingsOfOne(Segments segments) {
     return crossings;
 }
 
-/// Of segments in ascending order, those inside the period.
+/// Returns those of ascending segments that are inside the period.
 Segments inPeriod(const std::vector<MonotoneSegment>& segments, const GapCurve& curve) {
     const auto first = std::ranges::lower_bound(segments, curve.periodStart, {}, &MonotoneSegment::start);
     return {first, segments.end()};

@@ -21,7 +21,7 @@ namespace {
 /// as far as double precision tells; where it is not, the output jumps.
 constexpr double coarsestAccuracy = 1e-9;
 
-/// What was found out about one crossing, or about the middle of a saddle.
+/// Result for one crossing, or for the middle of a saddle.
 struct Finding {
     std::optional<ContourPoint> point;
     bool isMiddleAbove = false;

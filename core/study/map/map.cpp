@@ -49,7 +49,7 @@ class PlaceCounter {
     }
 
   private:
-    /// Of a row that the grid of twice the stride has too, half of the points are there already.
+    /// Begins a row; in rows of the grid with twice the stride, half of the points exist already.
     void beginRow() {
         const bool isNew = m_stride == m_coarsest || m_stride == 0 || m_place.row % (2 * m_stride) != 0;
         m_place.column = isNew ? 0 : m_stride;

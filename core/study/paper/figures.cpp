@@ -25,7 +25,7 @@ struct Look {
     int colour = 0;
 };
 
-/// Of Fig. 4: four transit times.
+/// End of Fig. 4: four transit times.
 const double lastTime = 4 * paperElastic.tau;
 
 FigureCurve curve(std::string key, std::string label, const std::vector<double>& x,

@@ -23,7 +23,7 @@ MethodChoice lattice(int segments, LatticeWaves waves) {
             .lattice = {.segments = segments, .waves = waves, .estimate = ErrorEstimate::none}};
 }
 
-/// What is to be measured, in order.
+/// Returns the methods to be measured, in order.
 std::vector<MethodChoice> plan(const Problem& problem, const std::vector<int>& ladder) {
     std::vector<MethodChoice> choices{{.method = Method::exact, .lattice = {}}};
     if (methodRefusal(Method::closedForm, problem).isEmpty())
@@ -131,7 +131,7 @@ class Study {
         row.time = measureRunTime(solve, warmUp, m_stop, onRun);
     }
 
-    /// What follows from several rows.
+    /// Fills in values that need several rows.
     void relate() {
         m_result.isRelated = true;
         const AccuracyRow* paper = moved(paperSegments);

@@ -90,7 +90,7 @@ class Checker {
     const EquationResiduals& found() const { return m_found; }
 
   private:
-    /// The points of a shorter piece cannot be told from its ends 2τ later.
+    /// Returns whether the points of a piece can be distinguished from its ends 2τ later.
     bool isResolved(const Piece& piece) const {
         return piece.length > 1e4 * std::numeric_limits<double>::epsilon() * (piece.start + m_roundTrip);
     }

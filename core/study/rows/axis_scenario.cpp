@@ -65,9 +65,9 @@ bool AxisScenario::hasImpossibleCorner() {
 
 const Scenario& AxisScenario::set(std::span<const double> values) {
     assert(values.size() == m_axes.size());
-    // What one axis sets may depend on the others in a dimensional scenario (tau moves the length, which
-    // moves nothing else, but a duration moves the impulse of a given force), so that each point starts from
-    // the base.
+    // The value set by one axis may depend on the others in a dimensional scenario (tau moves the length,
+    // which moves nothing else, but a duration moves the impulse of a given force), so that each point starts
+    // from the base.
     if (hasUnits(m_scenario) || m_changesLaw) restore();
     m_obstacle.reset();
     for (const std::size_t a : m_assignments.order())

@@ -23,8 +23,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-/// What is measured in scales of the blow in a dimensionless scenario has no unit there: the first value
-/// tells.
+/// Takes the form of the first value: numbers in scales of the blow have no unit in a dimensionless
+/// scenario.
 void takeForm(SweepAxis& axis, std::string_view text) {
     if (axis.unit) return;
     const KeptParameter other = inScales(*axis.parameter);

@@ -39,7 +39,7 @@ std::string meantKey(std::string_view name) {
     const auto found =
         std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
     if (found != parameters().end()) return std::string(found->key);
-    // Of a section: names keep their blanks.
+    // For sections: names keep their blanks.
     std::string small(name);
     for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return findParameter(small) ? small : std::string();

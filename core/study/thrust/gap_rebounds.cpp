@@ -12,7 +12,7 @@ GapRebound missing(const GapCurve& curve) {
     return {.cor = {}, .reason = curve.reason, .stopped = curve.stopped};
 }
 
-/// What is remembered for `key`, or else what `find` finds now.
+/// Returns the remembered value for `key`; otherwise finds and remembers it.
 template <typename Key, typename Find>
 GapRebound remembered(std::map<Key, GapRebound>& memory, const Key& key, const Find& find) {
     if (const auto known = memory.find(key); known != memory.end()) return known->second;
