@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # drillwave_embed_texts(VARIABLE FOLDER ENDING NAME…): the initializers {"NAME", R"…"}, of the files resources/FOLDER/NAME.ENDING,
-# which a template of a header then takes in; whoever edits one of them has the header made anew.
+# which a template of a header then takes in; editing one of them makes the header again.
 function(drillwave_embed_texts variable folder ending)
   set(initializers "")
   foreach(name ${ARGN})

@@ -21,23 +21,23 @@
 
 namespace drillwave {
 
-/// Where a blow of many under a feed began: waves and motions are those that the blows before it have left.
+/// Start of one of many blows under a feed, with the waves and motions that earlier blows have left.
 struct MarchedStart {
     long number = 1;             ///< of the blow, from 1
     double rememberedForce = 0;  ///< largest that its rock has felt before [F0]
 };
 
-/// One blow with everything that is shown, written or reported about it.
+/// Blow with everything that is shown, written or reported about it.
 struct Blow {
     Scenario scenario;
     MethodChoice method;
     Groups groups;
     Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
     Problem problem;
-    Impact impact;          ///< its `reason` says why there is no result
-    ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
-    /// The feed that it requires; nothing where thrustProblem() says why. The cases of all gaps are known
-    /// where a study of them was made: core/study/thrust.
+    Impact impact;          ///< with the `reason` if there is no result
+    ImpactSummary summary;  ///< not valid without a result; nor is `feed`
+    /// Feed that the blow requires; nothing where thrustProblem() says why. The cases of all gaps are known
+    /// only after a study of them: core/study/thrust.
     std::optional<FeedEstimate> feed;
     std::vector<Alert> alerts;  ///< of the scenario, followed by those of the result
     double runTime = 0;         ///< of the solver only [s]
@@ -55,16 +55,16 @@ struct Blow {
 /// Whether the largest forces in the rod are wanted of a blow, for which waves are recorded.
 enum class Stresses {
     asNeeded,  ///< for its alerts, where the rod has a strength
-    wanted,    ///< wherever they can be had
+    wanted,    ///< whenever they can be computed
 };
 
-/// Solves a scenario with `detail` or more; one that is not valid is not solved, and why is the reason. Waves
-/// that are too many to be kept are looked at in passing unless `detail` is Detail::histories; by the lattice
-/// they are solved without stresses. A stop leaves a blow unsolved.
+/// Solves a scenario with `detail` or more; an invalid one is not solved, with the reason. Waves that are too
+/// many to be kept are read in passing unless `detail` is Detail::histories; the lattice solves them without
+/// stresses. A stop leaves a blow unsolved.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 
-/// The same with a solver that keeps its workspace from blow to blow, and a drill string as exact as wanted.
+/// Does the same with a solver that keeps its workspace, and solves drill strings as exactly as requested.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
                NetworkAccuracy ofString = NetworkAccuracy::sure);
@@ -79,7 +79,7 @@ struct SolverWords {
     Message name;        ///< "lattice of 1000 segments"
     Message asked;       ///< in prose: "method lattice, 1000 segments", "polynomial cells"
     std::string remark;  ///< in files, as remarksOf() reads it again: "method polynomial_cells"
-    Message pieces;      ///< what Impact::pieces counts: "11 cells"
+    Message pieces;      ///< number and unit of Impact::pieces: "11 cells"
 };
 SolverWords solverWords(const Blow& blow);
 

@@ -28,7 +28,7 @@ struct StringPlace {
     bool operator==(const StringPlace&) const = default;
 };
 
-/// Where the rear of the hammer is, in lengths of the string from the shank: below 0, of one with a hammer.
+/// Returns the place of the hammer's rear, in lengths of the string from the shank: below 0 with a hammer.
 double hammerRear(const DrillString& drillString);
 
 /// The place at a share of the length of the string, 0 at the shank … 1 at the bit, below 0 in the hammer.
@@ -40,14 +40,14 @@ double shareOfString(const DrillString& drillString, const StringPlace& place);
 /// The middle of the longest section of the string, of the first where several are as long; of a rod.
 StringPlace middleOfLongest(const DrillString& drillString);
 
-/// Reads a blow whose waves were kept; it must outlive this.
+/// Reads a blow whose waves were kept; the blow must outlive it.
 class StringHistory {
   public:
     StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place);
 
     RodState at(double time, TimeSide side = TimeSide::after) const;
     double end() const { return m_waves->end(); }
-    /// From 0 to end(), a time twice where something jumps; chords follow the curves to about 1e-4 F0.
+    /// Returns states from 0 to end(), two at a time with a jump; chords follow the curves to about 1e-4 F0.
     std::vector<RodState> sampled() const;
 
   private:
@@ -59,8 +59,8 @@ class StringHistory {
     StringPlace m_place;
 };
 
-/// Where the sections of hammer and string begin and the last one ends, in lengths of the string from the
-/// shank: the hammer is below 0, the bit at 1.
+/// Returns the places where the sections of hammer and string begin and the last one ends, in lengths of the
+/// string from the shank: the hammer is below 0, the bit at 1.
 std::vector<double> sectionJoints(const DrillString& drillString);
 
 /// Access to the waves of rods and strings for pictures. Places x/L are 0 at the struck end (the shank of a
@@ -86,7 +86,7 @@ class BlowWaves {
     /// Returns the span from the first touch of hammer and string, or the start of the pulse, to a round trip
     /// after the last separation of bit and rock; at most a dozen round trips.
     TimeSpan interesting() const;
-    /// When the first wave reaches the bit, and how long one takes from there to the struck end and back.
+    /// Return the arrival time of the first wave at the bit, and the time for a round trip from there.
     double arrival() const;
     double roundTrip() const;
     /// Returns the times at which fronts start at the struck end; frontRuns() follows one between two times.

@@ -15,11 +15,11 @@ struct ChainSolution {
     Impact impact;
 };
 
-/// Solves a blow on a string. Sections that are not uniform become more pieces until half as many make no
-/// difference to e and efficiency that is worth it, as far as the work that is permitted allows. The error of
-/// the pieces falls with the square of their lengths; the stated errors contain twice the last change, or
-/// more where the changes before were larger. Where the largest forces take too much work for so many pieces,
-/// the result is that of fewer; where the waves are more than can be kept, they are those of fewer.
+/// Solves a blow on a string. Sections that are not uniform are split into more pieces until half as many
+/// give nearly the same e and efficiency, as far as the permitted work allows. The error of the pieces falls
+/// with the square of their lengths; the stated errors contain twice the last change, or more where the
+/// changes before were larger. Where the largest forces of so many pieces take too much work, the result has
+/// fewer pieces; where the waves are more than can be kept, they are those of fewer pieces.
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                          const std::stop_token& stop = {});
 

@@ -41,8 +41,8 @@ struct DrillWishes {
     bool penetrationError = false;
 };
 
-/// Blows of a study of many values, of which each is marched, and how many of them settle, where the scenario
-/// says nothing of either.
+/// Default number of blows that are marched for each value of a study of many values, and of transient blows
+/// among them.
 inline constexpr long scanBlows = 300, scanSettle = 100;
 
 /// Number of blows that are followed, and of transient blows at the start that are excluded from statistics.

@@ -18,7 +18,7 @@ namespace drillwave {
 
 // Cases for which the required feed force is estimated.
 
-/// From the case at hand to the worst.
+/// Cases from the blow at hand to the worst one.
 enum class ThrustCase {
     scenario,      ///< the blow as given
     gapQuantile,   ///< 95 % of all gaps of a period, in this rock
@@ -84,35 +84,35 @@ struct UndampedMotion {
     enum class Kind {
         pushedBack,  ///< φ ≤ 1: the blows push the machine back, and no steady motion is left
         bouncing,  ///< 1 < φ < (1+e)/(1−e): one impact per blow, the bit off the rock when the hammer strikes
-        resting,  ///< beyond: it has come to rest on the rock before every blow
+        resting,  ///< beyond: at rest on the rock before every blow
     };
     Kind kind = Kind::pushedBack;
     double impactVelocity = 0;  ///< V [v0] (T36), of Kind::bouncing
     double delay = 0;           ///< a, from a blow to the impact [1/f] (T36), of Kind::bouncing
     double gap = 0;             ///< y ≥ 0, between bit and rock when the hammer strikes [v0/f] (T36)
-    /// Whether the motion comes back to this one when it is disturbed: not where it bounces with e ≥ 1.
+    /// Whether the motion returns to this one after a disturbance: not if it bounces with e ≥ 1.
     bool stable = false;
     bool operator==(const UndampedMotion&) const = default;
 };
 
-/// For the feed φ = F/(f I0) and e ≥ 0.
+/// Returns the motion for the feed φ = F/(f I0) and e ≥ 0.
 UndampedMotion undampedMotion(double feed, double cor);
 
-/// φ = (1+e)/(1−e), from which on the rod rests before every blow; infinite for e ≥ 1.
+/// Returns φ = (1+e)/(1−e), from which on the rod rests before every blow; infinite for e ≥ 1.
 double restingFeed(double cor);
 
-/// Where the bit is when the hammer strikes, if nothing damps the rebound.
+/// Place of the bit when the hammer strikes, if nothing damps the rebound.
 struct GapAtBlow {
     UndampedMotion motion;
     double feed = 0;        ///< φ = F/(f I0)
     double roundTrips = 0;  ///< n_b = 1/(2 T f)
-    double gap = 0;         ///< y v0/f [m] (T37), 0 but where it bounces
-    double inD0 = 0;        ///< the same, y n_b of a uniform rod [d0]
+    double gap = 0;         ///< y v0/f [m] (T37); 0 unless it bounces
+    double inD0 = 0;        ///< y n_b of a uniform rod [d0]
     bool operator==(const GapAtBlow&) const = default;
 };
 
-/// nullopt without an installed thrust, or where thrustProblem() says why. A drill string moves as a rigid
-/// body.
+/// Returns the gap; nullopt without an installed thrust, or where thrustProblem() says why. A drill string
+/// counts as a rigid body.
 std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
 
 /// The required force of one case, by its own e. Margin and frequency limit are about `thrust`.
@@ -123,16 +123,16 @@ struct ThrustNeed {
     double thrust = 0;             ///< f I0 (1+e): the mean force that balances a blow from rest [N]
     double thrustUndamped = 0;     ///< f I0 (1+2e): an undamped rigid rod is back before the next blow [N]
     std::optional<double> margin;  ///< effective force over `thrust`, less 1, with an installed thrust
-    /// Up to which blow frequency the effective force is at least `thrust` [Hz].
+    /// Blow frequency up to which the effective force is at least `thrust` [Hz].
     std::optional<double> frequencyLimit;
     std::optional<GapAtBlow> gapAtBlow;  ///< at the effective force, by this e
     bool operator==(const ThrustNeed&) const = default;
 };
 
-/// In the order of ThrustCase.
+/// Required forces, in the order of ThrustCase.
 using ThrustNeeds = std::array<ThrustNeed, thrustCaseCount>;
 
-/// The one with the largest `thrust` of those that are known.
+/// Returns the known case with the largest `thrust`.
 const ThrustNeed& largestOf(const ThrustNeeds& needs);
 
 /// The effective feed force among the estimates of single blows.
@@ -141,8 +141,8 @@ enum class FeedState {
     belowRequired,      ///< below what this blow requires
     requiredAtThisGap,  ///< this blow is covered, the largest examined case is not
     requiredMet,        ///< the largest examined case is covered
-    returnMet,          ///< the same with return in time
-    notApplicable,      ///< the waves of a blow are still there when the next one comes, n_b < 1
+    returnMet,          ///< the largest examined case is covered with return in time
+    notApplicable,      ///< waves of a blow are still present at the next one, n_b < 1
 };
 
 /// "pushed_back", "below_required", "required_at_this_gap", "required_met", "return_met", "not_applicable".
@@ -168,14 +168,14 @@ struct FeedEstimate {
     std::optional<double> effective() const;
     /// F over the largest of the four cases, less 1; nothing where one of them is not known.
     std::optional<double> margin() const;
-    /// Nothing where no thrust is installed and the estimates apply.
+    /// Returns the state; nothing if no thrust is installed and the estimates apply.
     std::optional<FeedState> state() const;
-    /// Whether a warning is due: the machine is pushed back, or the feed is below what this blow requires.
+    /// Returns whether a warning is due: machine pushed back, or feed below the required force of this blow.
     bool isTooLittle() const;
-    /// The thrust to install for such a need: what the weight along the hole does not bring [N], ≥ 0.
+    /// Returns the thrust to install for a required force: the part not provided by the weight [N], ≥ 0.
     double thrustFor(double needed) const;
-    /// Up to which blow frequency what is installed covers such a need [Hz]; 0 where nothing presses to the
-    /// rock.
+    /// Returns the blow frequency up to which the installed force covers a required one [Hz]; 0 if nothing
+    /// presses to the rock.
     double frequencyFor(double needed) const;
     bool operator==(const FeedEstimate&) const = default;
 };
@@ -186,8 +186,8 @@ struct ReboundsOverGaps {
     Estimate worst;     ///< of elastic rock
 };
 
-/// Estimates by the e of the blow itself; the hammer of a drill string transfers `transferred` of its
-/// momentum. nullopt where thrustProblem() says why.
+/// Estimates the feed from the e of the blow itself; the hammer of a drill string transfers `transferred` of
+/// its momentum. nullopt where thrustProblem() says why.
 std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor,
                                          double transferred = 1,
                                          const std::optional<ReboundsOverGaps>& overGaps = {});

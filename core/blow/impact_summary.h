@@ -45,7 +45,7 @@ struct ImpactSummary {
     double growth = 1;                        ///< Impact::growth
     int contacts = 0;                         ///< separate contacts
     std::optional<int> forcePeaks = {};       ///< forcePeaks(), where the histories were kept
-    std::optional<RodForces> rodForces = {};  ///< [F0] of a uniform rod, where they were asked for
+    std::optional<RodForces> rodForces = {};  ///< [F0] of a uniform rod, if requested
 
     double transferred = 1;      ///< momentum that the drive transfers to rod or string [I0; p0]
     double loadingWork = 0;      ///< A(Fm), work on the rock up to the largest force, of the hammer work
@@ -64,8 +64,8 @@ struct ImpactSummary {
     double faceSeparationTime = Impact::never;  ///< when hammer and string first part [t0]
     double endTime = 0;                         ///< to when a string was followed [t0]
 
-    /// Largest stresses over all sections of hammer and string [F0/A of the rod], where they were asked for:
-    /// while the blow lasts, and later where it was followed so long.
+    /// Largest stresses over all sections of hammer and string [F0/A of the rod], if requested: while the
+    /// blow lasts, and later if it was followed that long.
     OfLoads<std::optional<double>> largest = {};
 
     double efficiencyRecovered() const { return energy.rockWork + hammerReboundEnergy; }
@@ -88,20 +88,20 @@ struct WaveNumbers {
     RodForceChoice forces = {};
 };
 
-/// The same with the peaks of the impact force and the largest forces in the rod that are wanted where the
-/// impact was solved with Detail::histories.
+/// Summarises with the requested peaks of the impact force and largest forces in the rod, if the impact was
+/// solved with Detail::histories.
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
                                  const WaveNumbers& wanted = {});
 
 // The numbers of a blow that follow from its waves, in memory that does not grow with the blow.
 
-/// Finds out by the exact solver whether the histories of a blow are too long to be kept for some numbers;
-/// `solve` keeps what it solves. Leaves the ledger of such a blow, and of any other the least there is, which
-/// took a few percent of the time of its histories.
+/// Returns whether the histories of a blow are too long to be kept for some numbers, by the exact solver;
+/// `solve` keeps its solution. For such a blow this is the one with Detail::ledger, otherwise with
+/// Detail::cor, which takes a few percent of the time of its histories.
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
-/// As summarizeWithWaves(), of such a blow: solves it once more. After a stop without the numbers of the
-/// waves.
+/// Summarises such a blow as summarizeWithWaves() does, solving it again. After a stop, without the numbers
+/// of the waves.
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop);
 

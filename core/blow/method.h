@@ -17,7 +17,7 @@
 
 namespace drillwave {
 
-/// How a blow is solved.
+/// Method of solving a blow.
 enum class Method {
     exact,       ///< from event to event (ExactSolver)
     lattice,     ///< the paper's algorithm (LatticeSolver)
@@ -48,15 +48,15 @@ struct MethodChoice {
     bool operator==(const MethodChoice&) const = default;
 };
 
-/// "method exact", "method lattice, 1000 segments": how to ask for it again.
+/// Returns "method exact", "method lattice, 1000 segments": the settings to repeat it.
 Message methodMessage(const MethodChoice& choice);
-/// The same in English, as files have it.
+/// Returns the same in English, as in files.
 std::string describe(const MethodChoice& choice);
 
 /// Returns why a method cannot solve a blow that others can; empty if it can.
 Message methodRefusal(Method method, const Problem& problem);
 
-/// A wave piece of the exact solver is worth so many cells of a string.
+/// Work of a wave piece of the exact solver, in cells of a string.
 inline constexpr long cellsOfPiece = 30;
 
 /// Limits of the work of one blow; a blow that needs more is not solved.

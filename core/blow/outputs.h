@@ -59,39 +59,39 @@ struct OutputSource {
     const DrillNumbers* drill = nullptr;      ///< of many blows, where they were marched
 };
 
-/// One named output: JSON key, CSV column, name for --outputs, and row of the window.
+/// Named output: JSON key, CSV column, name for --outputs, and row of the window.
 struct Output {
     std::string_view name;     ///< "peak_force"
     std::string_view meaning;  ///< one line
     Measure measure;
-    Detail detail;  ///< what the solver must be asked for
+    Detail detail;  ///< required from the solver
     /// Returns the value in units of `measure`; nullopt without the waves or where problem() says why.
     std::optional<double> (*number)(const OutputSource&);
     std::string_view title;  ///< in reports: "peak force"
     OutputOf of = OutputOf::anyBlow;
     OutputGroup group = OutputGroup::none;
-    std::string_view note = {};           ///< in the window, what it is in a sentence without its end
-    std::optional<EnergyPart> part = {};  ///< what it belongs to, or is
+    std::string_view note = {};           ///< in the window, a description without its full stop
+    std::optional<EnergyPart> part = {};  ///< the part that it belongs to, or is
     std::optional<Load> load = {};        ///< which one, where it is a largest force in the rod
     /// Returns why a scenario for which the output is defined has no value; nullptr if every one has a value.
     Message (*lack)(const Scenario&) = nullptr;
     std::string_view shortTitle = {};  ///< in the window, where it is another one
-    int order = 0;                     ///< of its group: what stays before what is largest for a moment
+    int order = 0;                     ///< in its group: lasting values before momentary maxima
 
-    /// Why such a scenario has none and what to do; empty when it has.
+    /// Returns why such a scenario has no value and what to do; empty if it has one.
     Message problem(const Scenario& scenario) const;
-    /// In the measure; nothing where there is none: without the waves, or where problem() says why.
+    /// Returns the value in `measure`; nothing without the waves, or where problem() says why.
     std::optional<double> value(const OutputSource& source) const {
         return concerns(source.scenario) ? number(source) : std::nullopt;
     }
-    /// Whether it is a number of such scenarios at all, be it given or not: a uniform rod has no energy lost
-    /// in joints.
+    /// Returns whether it is defined for such scenarios, whether its value is known or not: a uniform rod has
+    /// no energy lost in joints.
     bool concerns(const Scenario& scenario) const;
     std::string_view label() const;  ///< in the window: "peak force"; empty where it lists none
     bool isOnlySi() const;           ///< there is no dimensionless number
     bool needsThrustStudy() const;   ///< whether OutputSource::thrustMargin must be there
-    bool needsDrilling() const;      ///< whether OutputSource::drill must be: those of drillOutputs()
-    /// `ratio` where SI is the same number, and of a share of the energy.
+    bool needsDrilling() const;      ///< whether OutputSource::drill must be set: for drillOutputs()
+    /// Returns `ratio` if SI is the same number, and for a share of the energy.
     Quantity quantity() const;
     /// The quantity of inSi(): energy for a share of the energy, else quantity().
     Quantity siQuantity() const;
@@ -101,7 +101,7 @@ struct Output {
     double inSi(double value, const OutputSource& source, const Scales& scales) const;
 };
 
-/// All outputs of one blow, in the order of files §4.
+/// Returns all outputs of one blow, in the order of files §4.
 std::span<const Output> outputs();
 
 /// Returns the outputs of many blows under a feed, `drill_…`: the rows of the table after those of one blow.

@@ -10,15 +10,15 @@
 
 namespace drillwave {
 
-/// Alerts of a solved blow, to be listed behind alertsFor(scenario):
-/// `thrust_below_needed` when the feed is below what this blow requires (feed_estimate.h),
-/// `super_rebound` when e > 1 by more than its error, `several_contacts` when the bit comes back to the rock,
-/// `closed_form_invalid` for a rectangular blow on elastic rock that the paper's closed form is not for, with
-/// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9, `input_decides`
-/// in its place when that is so because the bit chatters.
+/// Returns the alerts of a solved blow, to be listed after alertsFor(scenario): `thrust_below_needed` when
+/// the feed is below the required force of this blow (feed_estimate.h), `super_rebound` when e > 1 by more
+/// than its error, `several_contacts` when the bit returns to the rock, `closed_form_invalid` for a
+/// rectangular blow on elastic rock outside the range of the paper's closed form, with the error that it
+/// would make, `reduced_accuracy` when the error bound of e exceeds 1e-9, or `input_decides` instead if the
+/// bit chatters.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
 
-/// Whether stressAlerts() needs to be asked, for which the largest forces must be known.
+/// Returns whether stressAlerts() has anything to check, for which the largest forces must be known.
 bool hasStrength(const Rod& rod);
 
 }  // namespace drillwave

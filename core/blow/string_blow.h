@@ -36,17 +36,17 @@ struct StringPeak {
 /// Returns the largest stress of a load over all sections, the first if several are equal. Requires sections.
 StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
-/// Writes the largest stresses of all sections and their stated error into the summary, where the forces were
-/// asked for; `pieces` as in the problem that was solved.
+/// Writes the largest stresses of all sections and their stated error into the summary, if forces were
+/// requested; `pieces` as in the problem that was solved.
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
                  const std::vector<int>& pieces);
 
 /// Returns whether the blow was followed beyond its end, so that there are stresses after it.
 bool hasStressesAfter(const Impact& impact);
 
-/// `stress_above_yield` when the largest stress in a section exceeds its yield strength,
+/// Returns `stress_above_yield` when the largest stress in a section exceeds its yield strength,
 /// `stress_above_fatigue` when the largest tension exceeds its fatigue strength: a warning while the blow
-/// lasts, a remark where only the waves left do. Each says where and when. None without strengths.
+/// lasts, a remark if only residual waves do. Each has place and time. None without strengths.
 std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
 
 /// Returns the alerts of solutions on cells: lengths that were rounded, a blow that was not over, stresses
@@ -71,7 +71,7 @@ std::optional<StrengthUse> strengthUse(const SectionStress& stress,
                                        const std::optional<double>& yieldStrength,
                                        const std::optional<double>& fatigueStrength);
 
-/// Returns that of every section of sectionStresses(). A uniform rod is one section.
+/// Returns the use of strength of every section of sectionStresses(). A uniform rod is one section.
 std::vector<std::optional<StrengthUse>> strengthUses(const Scenario& scenario,
                                                      const std::vector<SectionStress>& stresses);
 

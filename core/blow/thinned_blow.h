@@ -42,7 +42,7 @@ struct ThinnedBlow {
 };
 
 /// Makes a blow of samples with as few points as keep impulse and e to `thinningError`, up to recipe.points.
-/// The e of a string is that of uniformRodOf() it, which takes its time. Requires samples without a problem.
+/// The e of a string is that of its uniformRodOf(), which takes time. Requires samples without a problem.
 ThinnedBlow thinnedBlow(const Scenario& scenario, const Samples& samples, const SignalRecipe& recipe,
                         const std::stop_token& stop = {});
 

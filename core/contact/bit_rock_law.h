@@ -11,14 +11,14 @@ namespace drillwave {
 
 /// A corner of the loading curve: from this force on it has another slope.
 struct LawCorner {
-    double force = 0;  ///< F_j [F0]; > 0, and no less than that of the corner before
+    double force = 0;  ///< F_j [F0]; > 0, and no less than that of the previous corner
     double slope = 1;  ///< s_j, as a multiple of the slope of the first line; 0 < s_j ≤ 1/γ
     bool operator==(const LawCorner&) const = default;
 };
 
-/// The numbers of the law: F(U) rises with slope s_0 β from zero, with s_j β from corner j on, and goes down
-/// and up again below the largest force so far with slope β/γ, whatever line that was on. Without corners the
-/// law is bilinear.
+/// Numbers of the law: F(U) rises with slope s_0 β from zero, with s_j β from corner j on, and falls and
+/// rises again below the largest force so far with slope β/γ, on any line. Without corners the law is
+/// bilinear.
 struct BitRockLaw {
     double beta = 0.5;                    ///< β = k t0/Z, stiffness of primary loading [Z/t0]; > 0
     double gamma = 1;                     ///< γ, elasticity of the rock, 0 < γ ≤ 1; 1 is elastic
@@ -49,7 +49,7 @@ struct ContactRates {
 void setLines(BitRockLaw& law, const Scenario& scenario);
 
 /// Gives the law the lines of F = βU (U/U1)^(p − 1), U1 = `reference` > 0 in I0/Z, 0.3 ≤ p ≤ 3: straight
-/// between the nodes U1 2^(i/4), i = −32 … 31, from zero to the first and on behind the last, and nowhere
+/// between the nodes U1 2^(i/4), i = −32 … 31, from zero to the first and on after the last, and nowhere
 /// steeper than β/γ (theory §1.1). So every solver follows the same law; the force is the power's to 0.38 %
 /// of |p (p − 1)| and at U1 exactly. For p = 1 the law is bilinear.
 void setPowerLines(BitRockLaw& law, double exponent, double reference);

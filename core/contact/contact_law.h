@@ -13,26 +13,26 @@
 
 namespace drillwave {
 
-/// I0/Z, the unit of penetrations in the law, in d0 = 2 I0/Z, that of results (T7).
+/// Unit of penetrations in the law, I0/Z, in units of results, d0 = 2 I0/Z (T7).
 inline constexpr double lawUnitOfPenetration = 0.5;
 
 /// State of the force, between two corners of the law.
 enum class ContactLine {
     apart,    ///< no force
-    primary,  ///< first loading, of slope β, behind a corner s_j β
+    primary,  ///< first loading, of slope β, or s_j β after a corner
     elastic,  ///< below the largest force so far, of slope β/γ, up and down
 };
 
-/// The law and what the rock remembers (T4) (T5), dimensionless: forces F ≥ 0 in F0, penetrations U into the
-/// rock positive in I0/Z (half of d0), slopes in F0/(I0/Z) = k0, work on the rock in I0²/(Z t0).
+/// Law with the memory of the rock (T4) (T5), dimensionless: forces F ≥ 0 in F0, penetrations U into the rock
+/// positive in I0/Z (half of d0), slopes in F0/(I0/Z) = k0, work on the rock in I0²/(Z t0).
 ///
 ///     U(F) = Σ ΔF_j/(s_j β),   A(F) = Σ Δ(F²)_j/(2 s_j β)    over the lines up to F               (T40)
 ///     F = max(0, Fm − (β/γ)(Um − U)) below Um = U(Fm), on the loading curve above it              (T41)
 ///
 /// The largest force so far, Fm, is the whole memory. It survives separation, so that a second contact begins
-/// at the residual penetration Ur. With γ = 1, and while the force has stayed on the first line, both ways
-/// are one, and nothing that is remembered matters. Along any path ∫F dU is worked(F): the law dissipates
-/// only where Fm grows.
+/// at the residual penetration Ur. With γ = 1, and while the force has stayed on the first line, both lines
+/// are one and the memory has no effect. Along any path ∫F dU is worked(F): the law dissipates only where Fm
+/// grows.
 template <class Real = double>
 class ContactLaw {
   public:
@@ -42,14 +42,14 @@ class ContactLaw {
         assert(beta > 0 && gamma > 0 && gamma <= 1);
     }
     explicit ContactLaw(const BitRockLaw& law) : ContactLaw(law, Real(law.beta)) {}
-    /// With another β.
+    /// Takes another β.
     ContactLaw(const BitRockLaw& law, Real beta) : ContactLaw(beta, Real(law.gamma)) {
         if (!law.isBilinear()) [[unlikely]]
             addLines(law);
     }
 
-    /// The same lines, none steeper than `steepest`. For the rates of a solver: penetrations are no longer
-    /// those of β.
+    /// Returns the law with no line steeper than `steepest`. For the rates of a solver: penetrations are no
+    /// longer those of β.
     ContactLaw limitedTo(Real steepest) const {
         ContactLaw limited = *this;
         if (m_slopes.elastic <= steepest) return limited;
@@ -63,9 +63,9 @@ class ContactLaw {
         return limited;
     }
 
-    /// β, or s_j β behind a corner, and β/γ. As U' = 2g − F they are the rates of F' = a(2g − F) (T16).
+    /// Returns β, or s_j β after a corner, and β/γ. As U' = 2g − F, these are rates of F' = a(2g − F) (T16).
     const ContactRates<Real>& slopes() const { return m_slopes; }
-    /// No memory: as long as the loading lines have been as steep as the elastic one.
+    /// Returns whether it has no memory: as long as the loading lines have been as steep as the elastic one.
     bool isElastic() const { return m_isElastic; }
 
     Real largestForce() const { return m_largest; }  ///< Fm
@@ -73,7 +73,7 @@ class ContactLaw {
     void remember(Real force) {
         if (force > m_largest) m_largest = std::min(force, m_cornerForce);
     }
-    /// The force has been as large as that, whatever corners are on the way.
+    /// Remembers that the force has been that large, across any corners.
     void rememberAcross(Real force) {
         while (force >= m_cornerForce) passCorner();
         remember(force);
@@ -81,12 +81,12 @@ class ContactLaw {
 
     // The lines and their corners
 
-    /// Where the force rises from zero: on the primary line in untouched rock, else from the bottom of the
-    /// crater.
+    /// Returns the line on which the force rises from zero: the primary one in untouched rock, else the
+    /// elastic one from the bottom of the crater.
     ContactLine lineAtContact() const {
         return isElastic() || m_largest == 0 ? ContactLine::primary : ContactLine::elastic;
     }
-    /// Whether that line is left as soon as the bit turns back: the primary one, but for γ = 1.
+    /// Returns whether that line is left as soon as the bit turns back: the primary one, except for γ = 1.
     bool isOneWay(ContactLine line) const { return line == ContactLine::primary && !isElastic(); }
     /// Returns the slope of a line in contact.
     Real slope(ContactLine line) const {
@@ -102,7 +102,7 @@ class ContactLaw {
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
     /// Returns the force at which that line ends; infinite if it never ends.
     Real cornerForce() const { return m_cornerForce; }
-    /// The loading goes on behind the next corner, which must be there.
+    /// Continues the loading after the next corner, which must exist.
     void passCorner() {
         assert(hasCorner());
         m_from = (*m_lines)[++m_line];
@@ -118,7 +118,7 @@ class ContactLaw {
     Real largestPenetration() const {
         return m_from.penetration + (m_largest - m_from.force) / m_slopes.primary;
     }
-    /// Ur = Um − γFm/β, what stays when the force is gone.
+    /// Returns Ur = Um − γFm/β, the penetration left at zero force.
     Real residualPenetration() const {
         if (m_isBilinear) [[likely]]
             return (1 - m_gamma) * largestPenetration();
@@ -223,9 +223,9 @@ class ContactLaw {
     Real m_gamma;
     Real m_largest = 0;  ///< Fm
     Real m_cornerForce = std::numeric_limits<Real>::infinity();
-    std::size_t m_line = 0;                            ///< of the loading lines, that of Fm
+    std::size_t m_line = 0;                            ///< loading line of Fm
     Line m_from;                                       ///< where it begins
-    bool m_isBilinear = true;                          ///< it goes on the line of slope β from zero
+    bool m_isBilinear = true;                          ///< still on the line of slope β from zero
     bool m_isElastic;                                  ///< all so far were as steep as the elastic one
     std::shared_ptr<const std::vector<Line>> m_lines;  ///< where there are corners
 };

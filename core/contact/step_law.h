@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Gap, force and memory of a contact under the bilinear law, advanced step by step.
+/// Gap, force and memory of a contact under the law of bit and rock, advanced step by step.
 ///
 /// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
 /// is the work of the law over that increment (T32),
@@ -29,7 +29,7 @@ class StepLaw {
         none = 0,
         contact = 1,         ///< the gap closed
         unloading = 2,       ///< the force turned down from the primary line, at the beginning of the step
-        primaryLoading = 4,  ///< the force came back to the primary line
+        primaryLoading = 4,  ///< the force returned to the primary line
         separation = 8,      ///< the force vanished
         corner = 16,         ///< the force passed corners of the loading curve
     };
@@ -53,19 +53,19 @@ class StepLaw {
     }
 
     unsigned changes() const { return m_changes; }  ///< of the last step
-    /// When in the last step the gap closed, the primary line was reached, the force vanished; 0 … 1.
+    /// Times in the last step when the gap closed, the primary line was reached, the force vanished; 0 … 1.
     double contactFraction() const { return m_contactFraction; }
     double primaryFraction() const { return m_primaryFraction; }
     double separationFraction() const { return m_separationFraction; }
-    /// When the corners were passed.
+    /// Returns the times when the corners were passed.
     const std::vector<double>& cornerFractions() const { return m_cornerFractions; }
 
-    /// Not in contact; contact by exactly zero force is one.
+    /// Returns whether it is not in contact; contact by exactly zero force counts as contact.
     bool isApart() const { return !m_touches; }
     double gap() const { return m_gap; }                  ///< still to close, I0/Z
     double force() const { return m_force; }              ///< at the end of the last step
     double peak() const { return m_law.largestForce(); }  ///< Fm
-    /// Closes the gap of parts that are apart to what free flight leaves of it.
+    /// Sets the gap that is left after free flight.
     void setGap(double gap) { m_gap = gap; }
 
   private:

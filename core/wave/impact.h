@@ -16,11 +16,11 @@
 
 namespace drillwave {
 
-/// How much a solver is asked for; each level includes those before it.
+/// Amount of results from a solver; each level includes those before it.
 enum class Detail {
     cor,        ///< e and its error only: no history kept
-    summary,    ///< peak force, times, work of the hammer and on the rock: hardly more work than e alone
-    events,     ///< what happened when, too
+    summary,    ///< peak force, times, work of the hammer and on the rock: hardly more work than only e
+    events,     ///< also the events and their times
     ledger,     ///< sums over the waves that balance momentum and energy independently
     histories,  ///< g(s) and F(s), from which every wave field follows by delays
 };
@@ -30,11 +30,11 @@ enum class Outcome {
     rebounded,  ///< proven: no contact can follow (theory §3; strings §8)
     endTime,    ///< followed to the end time that was set
     nextBlow,   ///< followed to the next blow without proof that it is over: not final
-    notSolved,  ///< work limit reached or undecidable; `reason` says why, numbers are not to be used
+    notSolved,  ///< work limit reached or undecidable; `reason` says why, do not use the numbers
 };
 
-/// Why a blow is not solved, as far as a program may do something about it; `Impact::reason` says it to
-/// people.
+/// Reason why a blow is not solved, as far as a program may do something about it; for people see
+/// `Impact::reason`.
 enum class Hindrance {
     other,      ///< of the blow, the method or the numbers
     workLimit,  ///< more wave pieces than were permitted
@@ -91,7 +91,7 @@ struct Impact {
     /// W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19); E0 of a hammer that is followed.
     double hammerWork = 0;
     double hammerImpulse = 1;  ///< ∫Fa dt [I0]; p0 of a hammer that is followed
-    double rockWork = 0;       ///< ∫F dU = A(Fm) − γFm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
+    double rockWork = 0;       ///< ∫F dU = A(Fm) − γFm²/(2β) [I0²/(Z t0)]: left in the law (T6)
 
     // Detail::ledger and above; NaN from the exact solver with less
     double finalMomentum = 0;  ///< of rod or string, towards the rock, independent of `impulse`: ∫g; −e
@@ -117,8 +117,8 @@ struct Impact {
     double forcesEnd = 0;  ///< until when they count: a round trip of the string after endOfBlow, or less
     std::vector<double> jointReflection;  ///< share of hammerWork per joint of two sections, where wanted
     std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
-    /// Where those are more than can be kept, `waves` are of a coarser string, whose e and efficiency differ
-    /// by this at most.
+    /// Greatest difference of e and efficiency of the coarser string that `waves` are from, where those of
+    /// this one are too many to be kept.
     std::optional<double> wavesDifference;
 
     /// Takes the waves of another run, of a coarser string.
@@ -134,16 +134,16 @@ struct Impact {
     double frontArrival = 0;        ///< global time of s = 0: τ, or 0 for the reference case
     double roundTrip = 0;           ///< 2τ
     PiecewisePolynomial incident;   ///< g(s) = −Np at the front end; use incidentWave() to read it of a rod
-    PiecewisePolynomial force;      ///< F(s) on the same pieces; use impactForce() to read it of a rod
+    PiecewisePolynomial force;      ///< F(s) on the same pieces; for a rod use impactForce()
     std::vector<PeriodSkip> skips;  ///< where the recorded time leaves out periods of free flight
 
     // How much work it was
     long pieces = 0;     ///< smooth pieces solved (steps for the lattice)
     int contacts = 0;    ///< separate contacts
-    long searches = 0;   ///< for events: those that bounds alone did not answer; none by the lattice
+    long searches = 0;   ///< for events that bounds could not exclude; none by the lattice
     long samples = 0;    ///< points at which these searches looked
-    long abandoned = 0;  ///< pieces solved in a representation that did not come to its end, besides `pieces`
-    long cellsLookedInto = 0;  ///< for the largest forces: those that bounds did not rule out
+    long abandoned = 0;  ///< pieces solved in a representation that did not reach its end, besides `pieces`
+    long cellsLookedInto = 0;  ///< for the largest forces: those that bounds could not exclude
     double cell = 0;           ///< Δ of a lattice of cells [t0]
     double rounding = 0;       ///< of the round trips on it, largest [t0]
     double sharedCell = 0;  ///< where they were rounded although they share one: it takes too much work [t0]
@@ -159,7 +159,7 @@ struct Impact {
     double energyResidual() const {
         return (hammerWork - rockWork - energyLeft()) / std::max(hammerWork, 1e-3);
     }
-    /// Returns the error of the momentum balance, as a share of what the hammer gives.
+    /// Returns the error of the momentum balance, as a share of the impulse of the hammer.
     double momentumResidual() const {
         return (hammerImpulse - impulse - hammerMomentum - finalMomentum - externalMomentum) / hammerImpulse;
     }

@@ -17,21 +17,21 @@ namespace drillwave {
 struct UniformSection {
     double impedance = 1;    ///< ζ = Z/Zr; > 0
     double transitTime = 1;  ///< τ = T/t0, one way; > 0
-    double decay = 0;        ///< αL, what the logarithm of an amplitude loses on one way; ≥ 0
+    double decay = 0;        ///< αL, decrease of the logarithm of an amplitude over one way; ≥ 0
     double massAfter = 0;    ///< μ = M/(Zr t0), lumped at its far end; ≥ 0
     double loss = 0;  ///< η, share of the energy of a wave lost in the joint at its far end; 0 ≤ η < 1
     double mass() const { return impedance * transitTime; }
     bool operator==(const UniformSection&) const = default;
 };
 
-/// How hammer and string meet (strings §4).
+/// Contact of hammer and string (strings §4).
 struct HammerFace {
     std::optional<double> stiffness;  ///< κc = kc t0/Zr of the faces; rigid without it
     bool restrike = true;             ///< whether the faces may meet again after their first separation
     bool operator==(const HammerFace&) const = default;
 };
 
-/// A hammer of sections that strikes the string: at t = 0 all of them move towards it and touch it.
+/// Hammer of sections that strikes the string: at t = 0 all of them move towards it and touch it.
 struct ElasticHammer {
     std::size_t sections = 1;  ///< how many of Problem::sections are its own; > 0
     double velocity = 2;       ///< v0 Zr/F0, the impact velocity: F0 is half of Zr v0
@@ -39,8 +39,8 @@ struct ElasticHammer {
     bool operator==(const ElasticHammer&) const = default;
 };
 
-/// One blow as every solver takes it (strings §9): impedances in that of the rod Zr, times in t0, forces in
-/// F0, impulses in I0 = F0 t0, velocities in F0/Zr, displacements in I0/Zr, energies in I0²/(Zr t0). A solver
+/// One blow for all solvers (strings §9): impedances in that of the rod Zr, times in t0, forces in F0,
+/// impulses in I0 = F0 t0, velocities in F0/Zr, displacements in I0/Zr, energies in I0²/(Zr t0). A solver
 /// takes a problem or refuses it with a reason.
 struct Problem {
     /// Force Fa(t)/F0 on the rear end of the first section, or the hammer that strikes it.

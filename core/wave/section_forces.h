@@ -40,16 +40,16 @@ auto eachOf(const OfLoads<T>& from, const auto& map) -> OfLoads<decltype(map(fro
     return {map(from.compression), map(from.tension), map(from.compressionAfter), map(from.tensionAfter)};
 }
 
-/// The largest force of one sign in a section, and where; in a cone that of the largest stress.
+/// Largest force of one sign in a section, and its place; in a cone that of the largest stress.
 struct SectionPeak {
     double force = 0;  ///< [F0], of either sign ≥ 0
     double place = 0;  ///< ξ in the section, 0 at its rear end … 1
     double time = 0;   ///< [t0]
 };
 
-/// Compression and tension of one section of hammer or string, as RodForces has those of a rod: while the
-/// blow lasts, to one transit of the string after the last separation of bit and rock, and later: at least
-/// while waves run to and fro once in the string, unless an end time or the next blow come before.
+/// Compression and tension of one section of hammer or string, as RodForces for a rod: while the blow lasts,
+/// to one transit of the string after the last separation of bit and rock; and later, for at least a round
+/// trip of the string, unless an end time or the next blow is earlier.
 using SectionForces = OfLoads<SectionPeak>;
 
 }  // namespace drillwave

@@ -16,7 +16,7 @@ using Segments = std::span<const MonotoneSegment>;
 
 constexpr double lastDigitsOfGoal = 4 * std::numeric_limits<double>::epsilon();
 
-/// A straight line between two points, which are known while what is between them is not.
+/// Returns whether a piece is a straight line between two known points.
 bool isBetweenPoints(const FitPiece& piece) {
     return !piece.resolved && piece.end - piece.start > leastSlopeWidth;
 }

@@ -16,7 +16,7 @@ namespace drillwave {
 /// F1, the first pulse of the impact force [paper (11)]; its impulse I1 is 2.
 double firstForcePulse(double beta, double t);
 
-/// F3, the second pulse, from the wave that comes back; 0 from ts on [paper (12)] [paper (14)].
+/// Returns F3, the second pulse, due to the returning wave; 0 from ts on [paper (12)] [paper (14)].
 double secondForcePulse(double beta, double t);
 
 /// ts, the end of the second pulse [paper (12)] [paper (14)].
@@ -28,10 +28,10 @@ double secondPulseImpulse(double beta);
 /// e = 1 + I3 [paper (10)]; 4e^(−1/2) − 1 for β → 0. Accurate to rounding for every β.
 double closedFormRestitution(double beta);
 
-/// ∫ of what the closed form leaves out, from the end of the second pulse on: the tail of the first,
-/// (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). Where overlapIsSmall(), 0 ≤ closed form − e ≤ this: the tail
-/// keeps the contact closed a little longer, in which the second pulse alone would pull and the tail pushes
-/// more.
+/// Returns the integral that the closed form leaves out, from the end of the second pulse on: the tail of the
+/// first, (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). Where overlapIsSmall(), 0 ≤ closed form − e ≤ this:
+/// the tail keeps the contact closed a little longer, while the second pulse by itself would pull and the
+/// tail pushes more.
 double neglectedOverlap(double beta, double tau);
 
 /// Whether the contact ends before the next wave arrives, and none follows.

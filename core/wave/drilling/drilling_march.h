@@ -49,7 +49,7 @@ class ReturnedLoss {
 
     double mean() const { return m_mean; }  ///< m
     void setMean(double mean) { m_mean = mean; }
-    double held() const { return (1 - m_passing) * m_mean / m_frequency; }  ///< ∫ of what is on its way back
+    double held() const { return (1 - m_passing) * m_mean / m_frequency; }  ///< momentum on its way back
     double square() const { return held() * m_mean; }                       ///< its energy times Z
     double lost() const { return m_lost; }                                  ///< times Z, since the beginning
 
@@ -67,7 +67,7 @@ struct RearSample {
     double bodyPlace = 0;  ///< x_b; that of the rear end under a constant force
 };
 
-/// The same at the bit, whose clock is behind by the transit time: here it is put right.
+/// State of the bit; its clock is one transit time late, which is corrected here.
 struct BitSample {
     double time = 0;
     double force = 0;
@@ -83,18 +83,18 @@ struct DrillingSamples {
 /// The waves of one blow of a march and of the cycle before it, in which they began; times since that blow.
 struct MarchedWaves {
     std::shared_ptr<StringWaves> waves;  ///< nothing where they are more than can be kept
-    std::vector<ImpactEvent> events;     ///< also those of the cycle before
+    std::vector<ImpactEvent> events;     ///< including those of the cycle before
     double place = 0;                    ///< of the bit from the bottom of the crater, negative while apart
     double rememberedForce = 0;          ///< largest that the rock of the blow has felt before
     double residual = 0;                 ///< penetration that stays of blows before
-    double hammerWork = 0;               ///< of the force, or what the piston has left
-    double rockWork = 0;                 ///< ∫F dU, less what went with the face
+    double hammerWork = 0;               ///< of the force, or transferred by the piston
+    double rockWork = 0;                 ///< ∫F dU, less the work lost with replaced rock
     double transitTime = 0;              ///< from the rear end to the bit, in whole cells
 };
 
-/// Takes one blow after another in the same memory: memory and work of a blow do not depend on how many there
-/// were. Every node has its own clock, as in CellLattice: the one of the bit is behind that of the rear end
-/// by the transit time of the string.
+/// Takes one blow after another in the same memory: memory and work of a blow do not depend on their number.
+/// Every node has its own clock, as in CellLattice: that of the bit is later than that of the rear end by the
+/// transit time of the string.
 class DrillingMarch {
   public:
     /// The problem must outlive it.
@@ -160,18 +160,18 @@ class DrillingMarch {
     std::vector<ReturnedLoss> m_downLosses, m_upLosses;  ///< at the rear end of each section
     bool m_isWeakened = false;                           ///< one of them takes something
     std::vector<WaveCell> m_arriving;                    ///< b of all lines over a part
-    std::vector<WaveCell> m_returning;                   ///< the same behind m_upLosses
+    std::vector<WaveCell> m_returning;                   ///< the same after m_upLosses
     std::mt19937 m_random;
 
     long m_count = 0;
     long m_cells = 0;           ///< whole cells since the first blow
     long m_nextInterval = 1;    ///< cells of the cycle
-    long m_gapCell = 0;         ///< counted from the blow: where the bit is when the next one comes
+    long m_gapCell = 0;         ///< cell from the blow in which the next one arrives
     std::size_t m_gapPart = 0;  ///< of it
     double m_gapShare = 0;      ///< of that part
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
-    double m_impulseToGap = 0;    ///< of the rock, in the cycle, until the next blow comes at the rear end
+    double m_impulseToGap = 0;    ///< of the rock, in the cycle, until the next blow at the rear end
     double m_momentumAtBlow = 0;  ///< of the string, at the physical time of the blow
     double m_owed = 0;            ///< impulse of the rock after that time, in the cycle before
     double m_lastImpulse = 0;     ///< J of the cycle before

@@ -19,7 +19,7 @@ struct MachineBody {
     bool operator==(const MachineBody&) const = default;
 };
 
-/// How waves and motions begin.
+/// State at the beginning.
 enum class DrillingStart {
     rest,      ///< nothing moves
     bouncing,  ///< rod or string moves with v0/2 towards the rock
@@ -61,15 +61,15 @@ struct DrillingBlow {
     bool operator==(const DrillingBlow&) const = default;
 };
 
-/// Where the energy of all cycles went [F0² t0/Zr]: hammer + feed = the others.
+/// Balance of the energy of all cycles [F0² t0/Zr]: hammer + feed = the others.
 struct DrillingLedger {
-    double hammer = 0;  ///< ∫Fa v_r dt, or what the pistons brought less what they took away
+    double hammer = 0;  ///< ∫Fa v_r dt, or the energy brought by the pistons less what they took away
     double feed = 0;    ///< ∫S v_b dt; of a constant force ∫S v_r dt
-    double rock = 0;    ///< ∫F dU, less what went with the faces
+    double rock = 0;    ///< ∫F dU, less the work lost with replaced rock
     double damper = 0;  ///< ∫D (v_b − v_r) dt
     double waves = 0;   ///< that the waves lost
-    double faces = 0;   ///< that went with the rock that was left behind
-    double stored = 0;  ///< change of what machine, waves and masses hold
+    double faces = 0;   ///< lost with replaced rock
+    double stored = 0;  ///< change in machine, waves and masses
     double residual() const { return hammer + feed - rock - damper - waves - faces - stored; }
     bool operator==(const DrillingLedger&) const = default;
 };
@@ -78,18 +78,18 @@ struct DrillingLedger {
 
 struct DrillingGrid {
     double cell = 0;                 ///< Δ [t0]
-    std::vector<double> roundTrips;  ///< 2 T of each section in cells; not all of them need be whole
+    std::vector<double> roundTrips;  ///< 2 T of each section in cells; need not be whole
     CellCuts cuts;                   ///< where a front of a force lies inside every cell
     long cellsOfInterval = 1;
-    /// Hammer and string are separate as soon as they part. Where round trips are not whole cells, the cubic
-    /// that stands for a front swings around it, and may open a gap that is none: then they have to be apart
-    /// for a cell.
+    /// Whether hammer and string are separate as soon as they part. If round trips are not whole cells, the
+    /// cubic that represents a front swings around it and may open a false gap: then they must be apart for a
+    /// cell.
     bool releasesAtOnce = true;
 
     double interval() const { return static_cast<double>(cellsOfInterval) * cell; }
-    /// By how much the frequency is another one, as a share of it.
+    /// Returns the change of the frequency by rounding, as a share of it.
     double rounding(const DrillingProblem& problem) const { return problem.interval / interval() - 1; }
-    /// The round trips of other sections in the same cells.
+    /// Sets the round trips of other sections in the same cells.
     void setSections(const std::vector<UniformSection>& sections);
     bool hasWholeTrips() const;
     /// Returns the first section whose round trip is shorter than a cell, which no march accepts.

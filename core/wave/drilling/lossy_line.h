@@ -16,9 +16,9 @@ namespace drillwave {
 
 // A wave read at an offset of a fraction of a cell: the least-squares projection of two stored cells.
 
-/// Two cells that follow each other, seen from `share` of the first one on over the width of a cell:
+/// Two consecutive cells, seen from `share` of the first one on over the width of a cell:
 ///
-///     s(u) = old(u + θ) for u < 1 − θ, next(u − 1 + θ) behind,   0 ≤ θ < 1
+///     s(u) = old(u + θ) for u < 1 − θ, next(u − 1 + θ) after,   0 ≤ θ < 1
 ///
 /// projected on the cubics: ∫s u^k du is kept for k = 0 … 3, and ∫s² du does not grow.
 class CellShift {
@@ -97,8 +97,8 @@ class CellShift {
 ///
 /// −B is the momentum of the section, B/Z its shortening: neither is changed by the loss.
 ///
-/// A round trip need not be whole cells: then what arrives over a cell lies in two of those stored, and is
-/// their projection. That keeps B, and its loss of energy is counted.
+/// A round trip need not be whole cells: then the wave that arrives over a cell lies in two stored ones, and
+/// is their projection. That keeps B, and its loss of energy is counted.
 class LossyLine {
   public:
     /// A round trip of `cells` ≥ 1 of size `cell` [t0]; not whole ones only where cells have one part. The
@@ -123,7 +123,7 @@ class LossyLine {
         }
         fill(0);
     }
-    /// All of it is the same, and steady.
+    /// Fills the line with a constant wave.
     void fill(double wave) {
         for (WaveCell& cell : m_line.content()) cell = WaveCell::constant(isLossy() ? 0 : wave);
         m_mean = m_next = wave;
@@ -161,7 +161,7 @@ class LossyLine {
         }
         pass(in.mean() - out.mean(), (in - out).meanProduct(in + out), part);
     }
-    /// b_in as what has arrived and `change` all along: then A does not wait for b_out.
+    /// Takes b_in as the arriving wave plus a constant `change`: then A does not wait for b_out.
     void turn(double change, const WaveCell& out, std::size_t part) {
         const WaveCell& oldest = *m_line.arriving();
         WaveCell& stored = *m_line.leaving();
@@ -172,7 +172,7 @@ class LossyLine {
 
     double held() const { return m_held; }                     ///< B = ∫ content
     double square() const { return m_square - headEnergy(); }  ///< Q = ∫ content²
-    /// ∫ 2λ(Q − B²/2T) dt since the filling, and what the projections lost.
+    /// Returns ∫ 2λ(Q − B²/2T) dt since the filling, plus the losses of the projections.
     double lost() const { return m_lost + headEnergy(); }
 
     // For what compares and moves states
@@ -180,7 +180,7 @@ class LossyLine {
     std::span<const WaveCell> stored() const { return m_line.content(); }
     std::span<WaveCell> stored() { return m_line.content(); }
     double mean() const { return m_mean; }  ///< A, which counts where there is a loss
-    /// c and A as share times the difference to another line, and B by what that is: so they stay together.
+    /// Moves c and A to `share` of the difference to another line, and B accordingly, for consistency.
     void approach(const LossyLine& other, double share, std::span<const double> widths) {
         const auto others = other.stored();
         const auto own = stored();
@@ -213,10 +213,10 @@ class LossyLine {
 
   private:
     DelayLine<WaveCell> m_line;
-    CellShift m_shift;          ///< by what a round trip is less than the cells that are stored
+    CellShift m_shift;          ///< by the difference of the stored cells to a round trip
     double m_oldestSquare = 0;  ///< of the oldest cell
     double m_headAtFilling = 0;
-    double m_projected = 0;  ///< squares of the oldest cell less those of what has arrived
+    double m_projected = 0;  ///< squares of the oldest cell less those that have arrived
     double m_roundTrip = 1;  ///< 2T
     double m_ofRoundTrip = 1;
     double m_kept = 1;  ///< 1 − η
@@ -255,7 +255,7 @@ class LossyLine {
     }
 
     std::vector<Part> m_parts;
-    double m_mean = 0, m_next = 0;    ///< A before and behind the part that comes
+    double m_mean = 0, m_next = 0;    ///< A before and after the next part
     double m_held = 0, m_square = 0;  ///< B, Q
     double m_lost = 0;
 };

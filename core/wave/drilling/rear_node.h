@@ -13,10 +13,10 @@
 
 namespace drillwave {
 
-/// Where machine, rear end and hammer are to each other.
+/// Relative motion of machine, rear end and hammer.
 struct RearState {
     double bodyVelocity = 0;  ///< v_b
-    double velocityRest = 0;  ///< what rounding took from it: a heavy body keeps its momentum
+    double velocityRest = 0;  ///< lost to its rounding: a heavy body keeps its momentum
     double stretch = 0;       ///< x_b − x_r
     double faceGap = 0;       ///< between hammer and rear end
     double faceForce = 0;     ///< P of faces with a stiffness
