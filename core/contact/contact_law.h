@@ -81,8 +81,8 @@ class ContactLaw {
 
     // The lines and their corners
 
-    /// Returns the line on which the force rises from zero: the primary one in untouched rock, else the
-    /// elastic one from the bottom of the crater.
+    /// Returns the line on which the force rises from zero: the primary one in untouched or elastic rock,
+    /// else the elastic one, from the bottom of the crater.
     ContactLine lineAtContact() const {
         return isElastic() || m_largest == 0 ? ContactLine::primary : ContactLine::elastic;
     }

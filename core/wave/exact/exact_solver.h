@@ -12,17 +12,17 @@
 
 namespace drillwave {
 
-/// Wave pieces that one blow may take: where nothing else is asked for, and at most. A piece takes 0.05 to
-/// 1.5 µs: the costliest blow is given up after one or two seconds, and nearly all take less than a thousand.
+/// Default and maximum number of wave pieces of one blow. A piece takes 0.05 to 1.5 µs: the costliest blow is
+/// given up after one or two seconds, and nearly all take less than a thousand pieces.
 inline constexpr long defaultWorkLimit = 1'000'000, mostWorkLimit = 30'000'000;
 
-/// Solves one blow after another, keeping its workspace: no heap allocation per solve once warm when
-/// Detail::cor is asked for. One solver per thread.
+/// Solves one blow after another, keeping its workspace: no heap allocation per solve once warm with
+/// Detail::cor. One solver per thread.
 ///
 /// Two representations of the waves: exponential sums, one piece from front to front (ExponentialBasis),
-/// where reflections are few; power series on short pieces (SeriesBasis) where those do not suit, lose digits
-/// or do not come to an end. One of them decides everything about a blow, whatever detail is asked for, and
-/// ends on the proof of theory §3. Detail::summary costs hardly more than Detail::cor.
+/// where reflections are few; power series on short pieces (SeriesBasis) where the sums do not suit, lose
+/// digits or do not reach an end. A single one solves the whole blow, for any detail, and ends on the proof
+/// of theory §3. Detail::summary costs hardly more than Detail::cor.
 ///
 /// Accuracy: |error of e| ≤ corError in at least 99 % of blows, for every number of contacts. It is of the
 /// order of 1e-15 to 1e-13. It grows to 1e-9 on soft rock, where a wave meets the rock hundreds of times in
@@ -46,7 +46,7 @@ class ExactSolver {
     /// ends it within milliseconds as notSolved.
     Impact solve(const Problem& problem, Detail detail = Detail::cor, const std::stop_token& stop = {});
 
-    /// From now on Detail::histories come without the sums of Detail::ledger, which take as long as they.
+    /// Omits the sums of Detail::ledger with Detail::histories from now on; they double the time.
     void leaveOutLedger() { m_ledger = false; }
 
   private:
@@ -62,7 +62,7 @@ class ExactSolver {
 /// and returns how many pieces they should have when it is called again.
 using HandOver = std::function<std::size_t(Impact&)>;
 
-/// Histories of more pieces are too long to be kept for some numbers: 90 MB. The closed form has no more.
+/// Pieces above which histories are too long to be kept for some numbers: 90 MB. Closed forms have fewer.
 inline constexpr long mostPiecesKept = 100'000;
 
 /// Number of pieces in the first hand-over.

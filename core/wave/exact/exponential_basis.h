@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-/// The representation of ContactMarch by exponential sums (theory §3.2), for pulses of every shape.
+/// Represents waves of ContactMarch by exponential sums (theory §3.2), for pulses of every shape.
 ///
 /// One term is added at each reflection in contact, and terms of other rates are divided by the differences
 /// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for lines
@@ -52,7 +52,7 @@ class ExponentialBasis {
     SearchCount searchCount() const { return m_count; }
     /// Events that repeat without progress in time hang on rounding here.
     void stall() { m_failed = true; }
-    /// The contact goes on along a line of that slope.
+    /// Continues the contact along a line of that slope.
     void turnTo(double rate) { m_failed |= lineOf(rate) == lines; }
     double negligibleForce() const { return m_negligible; }
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
@@ -65,7 +65,7 @@ class ExponentialBasis {
     /// Solves F' = a(2g − F), F(0) = force, over g [paper (5)] [paper (8)].
     Response& respond(Piece& g, double rate, double force);
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// The wave g − F that goes back, to be cut at the end of the stretch.
+    /// Writes the wave g − F that runs back, to be cut at the end of the stretch.
     void reflect(const Response& r, Piece& reflected) const;
     /// The drive 2g − F = U' = F'/a of a response, until the next.
     const Piece& drive(Response& r);
@@ -98,8 +98,8 @@ class ExponentialBasis {
         piece.trim(m_negligible);
     }
 
-    /// Largest F over [0, length], or the largest before if that is not exceeded; F at the ends must be among
-    /// those before.
+    /// Returns the largest F over [0, length], or the largest before if that is not exceeded; F at the ends
+    /// must be among those before.
     double largest(Response& r, double length, double before);
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;

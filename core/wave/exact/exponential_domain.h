@@ -6,11 +6,11 @@
 
 namespace drillwave {
 
-/// The corners of a law whose lines have rates of their own in ExponentialBasis; laws with more of them are
-/// left to power series.
+/// Maximum number of corners whose lines have rates of their own in ExponentialBasis; laws with more corners
+/// are left to power series.
 inline constexpr int mostCornersOfSums = 1;
 
-/// Whether ExponentialBasis is worth trying: few reflections, rates apart, and a rock that is not too soft.
+/// Returns whether ExponentialBasis suits: few reflections, distinct rates, and a rock that is not too soft.
 bool suitsExponentials(const Problem& problem);
 
 }  // namespace drillwave

@@ -27,7 +27,7 @@ class SeriesBasis {
     static constexpr Real roundingOfSums = 0;  ///< they are compensated
     static constexpr bool joinsPieces = true;
 
-    /// One solved stretch of contact: g and F on one scale.
+    /// Solved stretch of contact: g and F on one scale.
     struct Response {
         Real length = 0;
         const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response, or `cut`
@@ -35,7 +35,7 @@ class SeriesBasis {
         Piece force;
         Real alpha = 0;       ///< aℓ
         bool isSlow = false;  ///< F = 2g − F'/a without a layer: F' does not start from 2g − F
-        Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
+        Real size = 0;        ///< Σ|coefficients|, to which rounding is relative
     };
 
     void begin(const Problem& problem, const ContactLaw<Real>& law) {
@@ -49,17 +49,17 @@ class SeriesBasis {
         m_joiningError.begin(budget, law.slopes().elastic);
         m_negligible = std::ldexp(m_scale, negligibleExponent);
     }
-    /// How many pieces a round trip may have before joining them is worth the effort.
+    /// Pieces in a round trip from which joining them is worth the effort.
     static constexpr std::size_t manyPieces = 32;
 
     bool failed() const { return m_undecided; }
     /// The searches for events since begin().
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
-    /// The contact goes on along a line of that slope: any will do.
+    /// Continues the contact along a line of that slope, of any value.
     void turnTo(Real) const {}
     Real negligibleForce() const { return m_negligible; }
-    /// Rounding of a sum of impulses of order one, and what joined pieces do to it.
+    /// Returns the rounding of a sum of impulses of order one, and the error of joined pieces.
     Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }
 
     Piece constant(Real length, Real value) const {
@@ -156,7 +156,7 @@ class SeriesBasis {
     }
 
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// The wave g − F that goes back, to be cut at the end of the stretch.
+    /// Writes the wave g − F that runs back, to be cut at the end of the stretch.
     void reflect(const Response& r, Piece& reflected) const {
         const Piece &g = *r.incident, &force = r.force;
         reflected.length = force.length;
@@ -192,10 +192,10 @@ class SeriesBasis {
         return {r.force.value(length), r.force.integral(length),
                 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length};
     }
-    /// The rest of g behind that stretch.
+    /// Drops g before the end of that stretch.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
-    /// When ∫2g closes the gap.
+    /// Returns the time when ∫2g closes the gap.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
         if (gap > 2 * g.way().most) return {};
@@ -212,8 +212,8 @@ class SeriesBasis {
         return zeroOf(r.force, r);
     }
     Zero<Real> driveVanishes(const Response& r) { return zeroOf(drive(r), r); }
-    /// When F rises to `peak`; `tangential` at the start of unloading, where F = peak and F' = 0 by
-    /// construction.
+    /// Returns the time when F rises to `peak`; `tangential` at the start of unloading, where F = peak and F'
+    /// = 0 by construction.
     Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) {
         Real c[Piece::capacity];
         c[0] = tangential ? Real(0) : peak - r.force.startValue();
@@ -231,8 +231,8 @@ class SeriesBasis {
                       r.force.scale, r.length);
     }
 
-    /// Largest F over [0, length], or the largest before if that is not exceeded; F at the ends must be among
-    /// those before.
+    /// Returns the largest F over [0, length], or the largest before if that is not exceeded; F at the ends
+    /// must be among those before.
     Real largest(const Response& r, Real length, Real before) {
         if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
         Real most = before;
@@ -283,7 +283,7 @@ class SeriesBasis {
   private:
     /// Terms below that power of two of the largest wave force are dropped: 2^-10 and less of a rounding.
     static constexpr int negligibleExponent = std::numeric_limits<Real>::digits == 53 ? -62 : -80;
-    /// So much larger, the last coefficient would be of the order of a rounding.
+    /// Factor from the last coefficient to the order of a rounding.
     static constexpr Real seenByRounding = 1024;
     /// Coefficients that add up to so much more than any wave force cancel, and lose as many digits.
     static constexpr Real mostCancellation = 256;
@@ -378,7 +378,7 @@ class SeriesBasis {
     bool m_undecided = false;  ///< a search for an event ended without an answer
     SearchCount m_count;
     Real m_scale = 1;       ///< largest wave force of this blow
-    Real m_negligible = 0;  ///< what is dropped
+    Real m_negligible = 0;  ///< size of dropped terms
     Real m_layer = 0;       ///< distance of F from the slow solution
     SeriesJoiner<Real> m_joiner;
     JoiningError<Real> m_joiningError;

@@ -44,11 +44,11 @@ struct BitState {
     double gap = 0;          ///< to the bottom of the crater [d0], while apart
 };
 
-/// At the global time t/t0; `contacts` are contactIntervals() of the impact, `delta` the first gap δ [d0].
-/// Accurate to some 1e-15 of the displacement so far. Needs an impact solved with Detail::histories.
+/// Returns the state at the global time t/t0; `contacts` are contactIntervals() of the impact, `delta` the
+/// first gap δ [d0]. Accurate to 1e-15 of the displacement so far. Requires an impact with Detail::histories.
 BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t);
 
-/// The same of a bit that has come so far towards the rock at each time.
+/// Returns the same for a bit with this displacement towards the rock at each time.
 BitState bitState(const std::function<double(double)>& displacementAt,
                   std::span<const ContactInterval> contacts, double delta, double t);
 

@@ -17,7 +17,7 @@ namespace drillwave {
 /// Returns the recorded time at which g and F are those of time s; s itself before the recording begins.
 double recordedTime(const Impact& impact, double s);
 
-/// For how long after s the recording can be followed without a jump to another part of it.
+/// Returns how long after s the recording can be followed without a jump to another part of it.
 double uninterrupted(const Impact& impact, double s);
 
 /// Duration of the periods left out before a recorded time.
@@ -27,8 +27,8 @@ double unrecordedBefore(const Impact& impact, double recorded);
 /// blow arrives later.
 double waveBeforeArrival(const Impact& impact);
 
-/// Gives exactly what incidentWave() and impactForce() give, but walks from piece to piece instead of
-/// searching for each time. Needs an impact solved with Detail::histories, which must outlive the reader.
+/// Returns exactly what incidentWave() and impactForce() do, but walks from piece to piece instead of
+/// searching for each time. Requires an impact solved with Detail::histories, which must outlive the reader.
 class HistoryReader {
   public:
     explicit HistoryReader(const Impact& impact);

@@ -42,7 +42,7 @@ class UpperEdge {
     /// The least of the edge over a stretch of delays, or anything below `enough` where it is less than that.
     double leastOver(double begin, double end,
                      double enough = -std::numeric_limits<double>::infinity()) const;
-    /// By delay; one begins where the one before ends.
+    /// Returns the lines by delay; each begins where the one before ends.
     std::vector<MeetingLine> lines() const;
 
   private:
@@ -68,9 +68,9 @@ struct LargestMeetings {
     long steps = 0;     ///< pairs that were looked at
 };
 
-/// The largest incoming(a) + reflected(a − delay) for every delay. Pairs of stretches are tried in the order
-/// of the largest sum that they may have, whole groups of them at first, and those that cannot raise the edge
-/// by more than 2e-5 of the largest sum of all are left out: after `mostSteps`, or a stop, all others.
+/// Returns the largest incoming(a) + reflected(a − delay) for every delay. Pairs of stretches are tried in
+/// the order of their upper bounds, first in whole groups; those that cannot raise the edge by more than 2e-5
+/// of the largest sum are left out, and after `mostSteps`, or a stop, all others.
 LargestMeetings largestMeetings(std::span<const WaveStretch> incoming, std::span<const WaveStretch> reflected,
                                 const MeetingLimits& limits, long mostSteps, const std::stop_token& stop);
 

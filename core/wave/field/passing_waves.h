@@ -20,7 +20,7 @@ class ForcePeaks {
   public:
     explicit ForcePeaks(double largest);
     void add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece);
-    /// With the end of the force, behind which there may be no more pieces.
+    /// Counts the end of the force as well, after which there may be no more pieces.
     int count();
 
   private:
@@ -42,8 +42,8 @@ class PassingWaves {
     /// `solved` is the same impact, solved with Detail::summary or more.
     PassingWaves(const Impact& solved, const PulseForce& pulse, const RodForceChoice& choice);
 
-    /// Takes what has been recorded so far but for the last round trips. Returns how many pieces there should
-    /// be next time.
+    /// Takes everything recorded so far except the last round trips. Returns the number of pieces for the
+    /// next time.
     std::size_t take(Impact& recording);
     /// The rest: the blow is over.
     void takeLast(Impact& recording);

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// A largest normal force in the rod, and one place and time at which it occurs (others may have the same).
+/// Largest normal force in the rod, with one place and time at which it occurs (others may have the same).
 struct RodForce {
     double size = 0;     ///< |N|/F0, ≥ 0
     double section = 0;  ///< ξ = x/L: rear end 0, front end 1
@@ -47,8 +47,8 @@ RodForce meetingInRod(const Impact& impact, double size, double incident, double
 /// Returns the same for waves that repeat with 2τ: the first such meeting from the global time `begin` on.
 RodForce laterMeetingInRod(const Impact& impact, double size, double incident, double delay, double begin);
 
-/// From when on only the waves that are left run through the rod: one transit after the last separation and
-/// after the end of the hammer force, as global time.
+/// Returns the global time from which only the residual waves run through the rod: one transit after the last
+/// separation and after the end of the hammer force.
 double startOfWavesLeft(const Impact& impact, const PulseForce& pulse);
 
 /// The peak of the hammer force, which at the rear end is the force in the rod.

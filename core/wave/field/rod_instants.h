@@ -14,7 +14,7 @@ namespace drillwave {
 // For the files of this folder only; of an impact solved with Detail::histories. Times are recorded times
 // (history_reader.h) in t0, forces in F0.
 
-/// On which side of a breakpoint a value is taken.
+/// Side of a breakpoint on which a value is taken.
 enum class Side { start, inside, end };
 
 /// Both waves at one time of the front end.
@@ -39,10 +39,10 @@ struct PieceBends {
 };
 PieceBends bendsOfPiece(const Impact& impact, std::size_t index);
 
-/// Both waves in piece `index` at the distance x from its start.
+/// Returns both waves in piece `index` at the distance x from its start.
 Instant instantIn(const Impact& impact, std::size_t index, double x, Side side);
 
-/// The end of part number `part` of `parts` of piece `index`; the start of the piece is that of part 0.
+/// Returns the end of part number `part` of `parts` of piece `index`; for part 0 the start of the piece.
 inline double endOfPart(const Impact& impact, std::size_t index, int part, int parts) {
     const double length = impact.incident.pieces()[index].length;
     return part == parts ? length : length * part / parts;
@@ -85,10 +85,10 @@ void forEachInstant(const Impact& impact, double from, const std::vector<double>
 /// The recorded time of the front end at which the blow is over: one transit after the last separation.
 double recordedEndOfBlow(const Impact& impact);
 
-/// When waves meet at the recorded time `end`, one comes in as much later as the other has left before:
-/// the counterparts, from `first` to `last`, of all instants within half a round trip of `end`.
+/// Returns counterparts: when waves meet at the recorded time `end`, one arrives as much later as the other
+/// has left before. From `first` to `last`, of all instants within half a round trip of `end`.
 std::vector<double> counterparts(const Impact& impact, double end, double first, double last);
-/// All of them.
+/// Returns all counterparts.
 std::vector<double> counterparts(const Impact& impact, double end);
 
 /// Returns the state before the first front arrives, at a time ≤ 0: no waves, or a uniform motion.
@@ -97,7 +97,7 @@ Instant instantBeforeFront(const Impact& impact, double time);
 /// Returns the last period of the recording, which repeats for ever: instants of one round trip.
 std::vector<Instant> lastPeriod(const Impact& impact);
 
-/// By how much two times one round trip apart may differ from it: `time` is the later of them.
+/// Returns the possible error of two times one round trip apart: `time` is the later of them.
 double roundingOfTrip(double time, double roundTrip);
 
 // Stretches of both waves at the front end, and how large the waves are in them at most: where the largest
@@ -105,17 +105,17 @@ double roundingOfTrip(double time, double roundTrip);
 
 // For the files of this folder only; of an impact solved with Detail::histories.
 
-/// Where a span is cut in two.
+/// Place where a span is cut in two.
 enum class Cut {
     middle,
-    front,  ///< behind its first part
+    front,  ///< after its first part
     back,   ///< before its last part
 };
 
 /// Some neighbouring parts of a piece of both waves, between two instants.
 struct WaveSpan {
     std::size_t piece = 0;
-    int first = 0, last = 1;  ///< from the end of part number `first` to that of `last`
+    int first = 0, last = 1;  ///< from the end of part number `first` to that of part `last`
     PieceBends bends;         ///< of the piece, and into how many parts that is cut
     Instant begin, end;
     Cut cut = Cut::middle;
@@ -123,7 +123,7 @@ struct WaveSpan {
     bool isOnePart() const { return last - first == 1; }
 };
 
-/// Whether `next` begins where `span` ends, in the same piece.
+/// Returns whether `next` begins where `span` ends, in the same piece.
 inline bool follows(const WaveSpan& span, const WaveSpan& next) {
     return span.piece == next.piece && span.last == next.first;
 }
@@ -134,8 +134,8 @@ struct SpanBound {
 };
 SpanBound boundOf(const WaveSpan& span, double sign);
 
-/// Where to cut a span that is wanted for one of its waves, times `sign`: where that is largest at an end of
-/// the piece, and steep, all but the part there may soon be left out.
+/// Returns where to cut a span that matters for its incident wave, times `sign`: where that is steep and
+/// largest at an end of the piece, all but the part there may soon be left out.
 Cut cutForIncident(const WaveSpan& span, double sign);
 Cut cutForReflected(const WaveSpan& span, double sign);
 

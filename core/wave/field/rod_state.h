@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Momentum of the rod, p = ∫Fa dt − ∫F ds [I0] (T20), towards the rock positive, at the global time t/t0:
-/// what the hammer has given it less `taken`, the impulse of the impact force so far. In the reference case
-/// it is given before the first contact.
+/// Returns the momentum of the rod, p = ∫Fa dt − ∫F ds [I0] (T20), towards the rock positive, at the global
+/// time t/t0: the impulse of the hammer less `taken`, the impulse of the impact force so far. In the
+/// reference case the hammer gives it before the first contact.
 double rodMomentum(const PulseForce& pulse, double t, double taken);
 
 /// Returns the same, looking up the impulse of F. Requires an impact solved with Detail::histories.

@@ -13,13 +13,13 @@ namespace drillwave {
 // Everything here needs an impact solved with Detail::histories. Times are global, in t0, forces in F0,
 // impulses in I0. ξ = x/L: rear end 0, bit 1.
 
-/// A curve as points to be joined by straight lines; a time occurs twice where the curve jumps.
+/// Curve as points to be joined by straight lines; a time occurs twice where the curve jumps.
 struct SampledCurve {
     std::vector<double> time;  ///< [t0], not decreasing
     std::vector<double> value;
 };
 
-/// One of the waves N0p, N1n, N2p, N3n … at a section, over one round trip from its arrival (paper, Fig. 3).
+/// Wave N0p, N1n, N2p, N3n … at a section, over one round trip from its arrival (paper, Fig. 3).
 struct SectionWave {
     int number = 0;  ///< 0, 1, 2, 3: even ones run to +x, odd ones to −x
     SampledCurve curve;
@@ -28,7 +28,7 @@ struct SectionWave {
 /// The first `count` waves at the section ξ. The chords follow the curve to about 1e-4 of its pieces' size.
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
 
-/// One of them, without what is later than `end`.
+/// Returns one of them, until `end` at the latest.
 SectionWave sampledWave(const Impact& impact, double xi, int number,
                         double end = std::numeric_limits<double>::infinity());
 

@@ -25,8 +25,8 @@ class RodDelays {
     double roundTrip() const { return m_roundTrip; }        ///< 2τ
     double transitTime() const { return m_roundTrip / 2; }  ///< τ
 
-    /// When what is at ξ at time t gets to the bit, s = t + (1 − ξ)τ − arrival, or left it, t − (1 − ξ)τ −
-    /// arrival.
+    /// Returns the time when the wave at ξ at time t reaches the bit, s = t + (1 − ξ)τ − arrival, or left it,
+    /// t − (1 − ξ)τ − arrival.
     double atBit(Heading heading, double xi, double t) const {
         const double way = (1 - xi) * m_roundTrip / 2;
         return heading == Heading::toBit ? t - m_arrival + way : t - m_arrival - way;
@@ -40,8 +40,8 @@ class RodDelays {
     double m_arrival, m_roundTrip;
 };
 
-/// Looks up what the rod does. t is the global time in t0 from the beginning of the hammer force (from first
-/// contact in the reference case), any time; ξ = x/L, rear end 0 … bit 1. Forces in F0, impulses in I0.
+/// Waves and motion of the rod at any time: t is the global time in t0 from the beginning of the hammer force
+/// (from first contact in the reference case); ξ = x/L, rear end 0 … bit 1. Forces in F0, impulses in I0.
 ///
 /// Needs an impact solved with Detail::histories, which must outlive the field; arrival() and roundTrip() are
 /// known with Detail::summary.
@@ -49,9 +49,9 @@ class WaveField {
   public:
     explicit WaveField(const Impact& impact) : m_impact(&impact), m_delays(impact) {}
 
-    /// When the first wave reaches the bit; 0 in the reference case, which begins there.
+    /// Returns when the first wave reaches the bit; 0 in the reference case, which begins there.
     double arrival() const { return m_delays.arrival(); }
-    /// How long a wave takes there and back through the rod. Waves that are left alone repeat themselves.
+    /// Returns the round-trip time of a wave in the rod. Residual waves repeat themselves after it.
     double roundTrip() const { return m_delays.roundTrip(); }
 
     double impactForce(double t) const;    ///< F(t) ≥ 0 of bit and rock

@@ -15,7 +15,7 @@ namespace drillwave {
 /// end of a force that only fades away. The reference case has one, at its first contact.
 std::vector<double> pulseFronts(const PulseForce& pulse);
 
-/// One way of a front through the rod, or through a section of a string: a straight line in the x–t diagram.
+/// Path of a front through the rod, or through a section of a string: a straight line in the x–t diagram.
 struct FrontRun {
     long number = 0;  ///< of the wave that begins with it, as SectionWave::number
     Heading heading = Heading::toBit;
@@ -23,8 +23,8 @@ struct FrontRun {
     double transitTime = 0;      ///< [t0]
     double rear = 0, front = 1;  ///< where it begins and ends, x/L
 
-    /// When it passes the section ξ, and where it is at the global time t (beyond its ends before and after
-    /// it).
+    /// Return the time when it passes the section ξ, and its place at the global time t (beyond its ends
+    /// before and after it).
     double timeAt(double xi) const {
         return timeAtFront - direction() * (front - xi) / (front - rear) * transitTime;
     }
@@ -47,7 +47,7 @@ struct ContactInterval {
     bool operator==(const ContactInterval&) const = default;
 };
 
-/// In order of time. Needs an impact solved with Detail::events or more.
+/// Returns the contacts in order of time. Requires an impact solved with Detail::events or more.
 std::vector<ContactInterval> contactIntervals(const Impact& impact);
 
 }  // namespace drillwave

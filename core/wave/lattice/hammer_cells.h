@@ -8,18 +8,18 @@
 
 namespace drillwave {
 
-/// Means of Fa/F0 over [0, Δ), [Δ, 2Δ) …, one after the other. Whatever the pulse and the step, the steps
-/// together carry the impulse of the pulse.
+/// Means of Fa/F0 over [0, Δ), [Δ, 2Δ) …, one after the other. For any pulse and step, the steps together
+/// have the impulse of the pulse.
 class HammerCells {
   public:
-    /// Nothing acts.
+    /// Has no force.
     HammerCells() = default;
     /// `pulse` must outlive the cells; `step` is Δ in t0, > 0.
     HammerCells(const PulseForce& pulse, double step);
 
     /// The mean over the next step; 0 from the end of the pulse on.
     double next() { return m_ended ? 0.0 : nextMean(); }
-    /// Whether all steps to come are 0.
+    /// Returns whether all later steps are 0.
     bool ended() const { return m_ended; }
 
   private:

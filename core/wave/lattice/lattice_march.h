@@ -32,14 +32,14 @@ class StepHistory {
         m_pieces = 0;
     }
 
-    /// One more step with incident wave g and force F.
+    /// Adds a step with incident wave g and force F.
     void add(double g, double force, Impact& impact) {
         if (m_count > 0 && (g != m_incident || force != m_force)) flush(impact);
         m_incident = g;
         m_force = force;
         ++m_count;
     }
-    /// Hands over the steps not yet in the histories.
+    /// Passes on the steps not yet in the histories.
     void flush(Impact& impact) {
         if (m_count == 0) return;
         const double length = double(m_count) * m_step;
@@ -129,7 +129,7 @@ class LatticeMarch {
     CompensatedSum<double> m_forces;                      ///< ΣF; the impulse is Δ times that
     CompensatedSum<double> m_hammerPowers, m_rockPowers;  ///< ΣFa (2g − Fa), ΣF (2g − F)
     double m_contactStart = 0, m_impulseAtContact = 0;
-    double m_periodsAhead = 0;  ///< periods of free flight still to come before the gap counts
+    double m_periodsAhead = 0;  ///< periods of free flight before the gap counts
 
     long m_freeSteps = 0;  ///< in a row, without contact and hammer force
     double m_freeMomentum = 0, m_freeEnergy = 0;
@@ -206,7 +206,7 @@ bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     return true;
 }
 
-/// Until the first wave arrives, nothing happens at the front end.
+/// Skips the time before the first wave arrives, when nothing happens at the front end.
 template <class Waves>
 void LatticeMarch<Waves>::reachFrontEnd(int segments, const std::stop_token& stop) {
     for (long ahead = Waves::stepsAhead(segments); ahead > 0 && !m_over; --ahead) {
@@ -265,7 +265,7 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
     }
 }
 
-/// Neither hammer nor rock act: after a whole period it is decided how it goes on.
+/// Takes a period without hammer and rock; after a whole one it decides how to go on.
 template <class Waves>
 void LatticeMarch<Waves>::flyFree(double g) {
     if (m_freeSteps++ == 0) m_freeMomentum = m_freeEnergy = m_farthest = 0;
@@ -277,8 +277,8 @@ void LatticeMarch<Waves>::flyFree(double g) {
     m_freeSteps = 0;
 }
 
-/// After one whole period without contact the incident wave is periodic: either it is over, or the rod drifts
-/// on and hits again later (theory §3).
+/// Decides after one whole period without contact, when the incident wave is periodic: either the blow is
+/// over, or the rod drifts on and hits again later (theory §3).
 template <class Waves>
 void LatticeMarch<Waves>::decide() {
     if (m_periodsAhead > 0) {

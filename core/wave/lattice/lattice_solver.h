@@ -10,13 +10,13 @@
 
 namespace drillwave {
 
-/// How the waves of the lattice are kept. The results are identical to the last bit.
+/// Storage of the waves of the lattice. The results are identical to the last bit.
 enum class LatticeWaves {
     moved,  ///< moved from segment to segment as in the paper: O(L) per step
     ring,   ///< standing in a ring buffer: O(1) per step
 };
 
-/// Whether coarser lattices are solved as well, to say how large the error is.
+/// Whether coarser lattices are also solved, to estimate the error.
 enum class ErrorEstimate { none, fromOtherLattices };
 
 /// The paper's choice is 10 000 segments, and 20 000 "for accurate determination of the COR".

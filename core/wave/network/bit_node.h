@@ -27,43 +27,43 @@ struct BitRecord {
     int contacts = 0;
 };
 
-/// Where bit and rock are, and how they came there.
+/// State of bit and rock, and its history.
 struct BitNodeState {
     BitNodeState() : BitNodeState(ContactLaw<double>(BitRockLaw{}), 0) {}
     BitNodeState(const ContactLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
 
-    ContactLaw<double> law;  ///< with what the rock remembers
+    ContactLaw<double> law;  ///< with the memory of the rock
     ContactLine line = ContactLine::apart;
     double force = 0;
     double velocity = 0;  ///< of the bit mass
-    double distance;      ///< from the face that the rock has now, while apart
+    double distance;      ///< distance from the present face of the rock, while apart
     BitRecord record;
 
     bool isApart() const { return line == ContactLine::apart; }
-    /// U, from the undisturbed face of the rock.
+    /// Returns U, from the undisturbed face of the rock.
     double penetration() const {
         return isApart() ? law.residualPenetration() - distance : law.penetration(force);
     }
 };
 
-/// The end of the string, with the mass of a bit or without:
+/// End of the string, with or without the mass of a bit:
 ///
 ///     M U'' + Z U' + F(U) = 2g,    b = g − Z U'        (M = 0: U' = (2g − F)/Z, b = F − g)
 ///
-/// F of straight lines with memory. A cell without an event is one product with a matrix; else it is followed
-/// from event to event and projected.
+/// F of straight lines with memory. A cell without an event is one product with a matrix; otherwise it is
+/// followed from event to event and projected.
 class BitNode {
   public:
     BitNode() : BitNode(1, 0, {}, 0) {}
     BitNode(double impedance, double mass, const BitRockLaw& law, double gap);
 
-    /// The cells that follow have these widths [t0], in turn.
+    /// Sets the widths of the cells that follow [t0], in turn.
     void setWidths(const std::vector<double>& widths);
 
-    /// One cell of width number `index` that begins at `time` [t0]: from the wave g that arrives to the wave
-    /// b that leaves. Where it found a place to cut, it is to be taken again in parts.
+    /// Takes one cell of width number `index` that begins at `time` [t0]: from the arriving wave g to the
+    /// leaving wave b. If it sets a place to cut, the cell must be taken again in parts.
     void step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump);
-    /// After the first `share` of that cell: where it would be, and the wave that has left over that share.
+    /// State after the first `share` of that cell, and the wave that has left over that share.
     struct Part {
         BitNodeState state;
         WaveCell leaving;
@@ -93,34 +93,34 @@ class BitNode {
     double placeFromBottom() const {
         return m_now.isApart() ? -m_now.distance : m_now.law.elasticWay(m_now.force);
     }
-    /// To there, on a rock that remembers this largest force.
+    /// Moves the bit there, on a rock that remembers this largest force.
     void putAt(double placeFromBottom, double largestForce);
 
-    /// F over the cell that was stepped last.
+    /// Returns F over the cell that was stepped last.
     const WaveCell& cellForce() const { return m_cellForce; }
 
     const BitNodeState& state() const { return m_now; }
     void setState(const BitNodeState& state) { m_now = state; }
-    /// Where events go; nullptr: nowhere.
+    /// Records events there; nullptr: nowhere.
     void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
     double mass() const { return m_mass; }
-    /// How fast it follows on the elastic line [1/t0].
+    /// Returns the rate at which the force follows on the elastic line [1/t0].
     double fastestRate() const;
-    /// Adds all rates at which it follows [1/t0].
+    /// Adds all rates at which the force follows [1/t0].
     void addRates(std::vector<double>& rates) const;
-    /// Pieces that cells with events took.
+    /// Returns the number of pieces in cells with events.
     long pieces() const { return m_pieces; }
-    /// Why the node could not go on; empty when it could.
+    /// Returns why the node could not go on; empty if it could.
     std::string_view trouble() const { return m_trouble; }
 
   private:
     struct CellMaps;
     struct EventPiece;
-    /// Where a piece ends before its time, and the line that follows.
+    /// Early end of a piece, and the line that follows.
     struct LineEvent {
         Zero<double> zero;
         ContactLine line;
-        bool isCorner = false;  ///< the same line goes on, with another slope
+        bool isCorner = false;  ///< the same line continues, with another slope
     };
 
     CellMaps mapsOf(double width) const;
@@ -139,7 +139,7 @@ class BitNode {
     void touch(double time);
     double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }
 
-    /// How the force follows along a loading line.
+    /// Response of the force along a loading line.
     struct LineMaps {
         std::size_t line = 0;  ///< ContactLaw::loadingLine()
         Relaxation free;       ///< M = 0

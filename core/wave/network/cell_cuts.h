@@ -11,35 +11,35 @@
 
 namespace drillwave {
 
-/// How finely cells are cut behind a front, where some quantity follows fast.
+/// Fineness of cells behind a front, where some quantity follows fast.
 struct Grading {
-    double first;   ///< how far the fastest rate runs in the first part
-    double growth;  ///< of the parts behind it
-    int mostCuts;   ///< jumps at most that are followed at a place of their own
+    double first;   ///< width of the first part times the fastest rate
+    double growth;  ///< of each part relative to the one before
+    int mostCuts;   ///< maximum number of jumps that get a place of their own
     bool operator==(const Grading&) const = default;
 };
 
-/// The parts of a cell: in a string whose round trips share a cell a jump stays at its place in every cell.
+/// Parts of a cell: in a string whose round trips share a cell, a jump stays at its place in every cell.
 class CellCuts {
   public:
     CellCuts() = default;
     CellCuts(double cell, const std::vector<double>& rates, const Grading& grading) {
         begin(cell, rates, grading);
     }
-    /// Cells of this size [t0] on which quantities follow each other at these rates [1/t0].
+    /// Starts cells of this size [t0] on which quantities follow each other at these rates [1/t0].
     void begin(double cell, const std::vector<double>& rates, const Grading& grading);
 
     std::size_t count() const { return m_places.size(); }
-    /// Where part number i begins, in cells: 0 = places()[0] < … < 1.
+    /// Returns where each part begins, in cells: 0 = places()[0] < … < 1.
     const std::vector<double>& places() const { return m_places; }
-    /// How long it is [t0].
+    /// Returns the length of each part [t0].
     const std::vector<double>& widths() const { return m_widths; }
 
-    /// On a clock that counts parts from a whole cell on, where `step` begins and how long it is [t0].
+    /// Return the start and width of `step` [t0], on a clock that counts parts from a whole cell on.
     double clock(long step) const { return Walk(*this, step).clock(); }
     double width(long step) const { return Walk(*this, step).width(); }
 
-    /// Goes from part to part, without a division for each.
+    /// Walks from part to part, without a division for each.
     class Walk {
       public:
         Walk(const CellCuts& cuts, long step) : m_cuts(cuts) {
@@ -48,7 +48,7 @@ class CellCuts {
             m_part = static_cast<std::size_t>(step - m_cell * parts);
         }
         std::size_t part() const { return m_part; }
-        /// Where the part begins, and how long it is.
+        /// Return start and width of the part.
         double clock() const {
             return m_cuts.m_cell * (static_cast<double>(m_cell) + m_cuts.m_places[m_part]);
         }
@@ -65,21 +65,21 @@ class CellCuts {
         std::size_t m_part;
     };
 
-    /// Whether there are enough cuts.
+    /// Returns whether there are enough cuts.
     bool isFull() const;
-    /// Also cut at this place, and behind it as finely as behind a front. False where that is cut already, or
-    /// there are enough cuts.
+    /// Also cuts at this place, and after it as finely as after a front. Returns false if that is cut
+    /// already, or if there are enough cuts.
     bool cutAt(double place);
 
-    /// Also end a part at this place, where no wave bends.
+    /// Also ends a part at this place, where no wave bends.
     void endPartAt(double place);
 
-    /// Whole cells in parts that follow each other from part number `first` of `coarse` on, as `parts` of
-    /// this, which has all places of those, and count() for every coarse.count() of them.
+    /// Splits whole cells, in consecutive parts from part number `first` of `coarse` on, into `parts` of
+    /// this, which has all places of `coarse`: count() for every coarse.count() of them.
     void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
                std::span<WaveCell> parts) const;
 
-    /// Means over whole cells of parts that follow each other from `step` on, one for each count() of them.
+    /// Writes means over whole cells of consecutive parts from `step` on, one for each count() of them.
     void meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const;
 
   private:
@@ -104,7 +104,7 @@ struct CellGrid {
     std::vector<long> roundTrips;  ///< of each section: 2 T = roundTrips · Δ
     double rounding = 0;           ///< largest |2 T − roundTrips Δ| [t0]
 
-    /// To cells of half the size.
+    /// Halves the size of the cells.
     void halve();
 };
 

@@ -19,26 +19,26 @@
 
 namespace drillwave {
 
-/// Only round trips matter: every node has a clock of its own, the waves down arrive at once and those back a
-/// round trip later. A jump that a contact makes inside a cell cuts every cell of every line there from then
-/// on. Takes blow after blow in the same memory.
+/// Lattice of cells in which only round trips matter: every node has its own clock, waves down arrive at once
+/// and waves back a round trip later. A jump that a contact makes inside a cell cuts every cell of every line
+/// there from then on. Takes blow after blow in the same memory.
 class CellLattice {
   public:
-    /// At the first touch of hammer and string. The plan must outlive the blow; at most about `mostRecut`
-    /// cells are cut while they are on their way.
+    /// Starts at the first touch of hammer and string. The plan must outlive the blow; at most about
+    /// `mostRecut` cells are cut while they are on their way.
     void begin(const MarchPlan& plan, long mostRecut);
 
-    /// The waves of the next block of `stepsOfBlock` steps, with what the census is to know of the nodes
-    /// where its time lies in them. Cells are cut where waves jump, unless the way that is left at most would
-    /// take more than `spareWork` cells times nodes. After a stop the block is left unfinished.
+    /// Takes the next block of `stepsOfBlock` steps, and gives the census the state of the nodes at its time
+    /// in the block. Cells are cut where waves jump, unless the rest of the way would take more than
+    /// `spareWork` cells × nodes. After a stop the block is unfinished.
     void takeBlock(StringCensus& census, double spareWork, const std::stop_token& stop);
-    /// On to the block behind it.
+    /// Advances to the next block.
     void advance();
 
     // The block that was taken last
 
     const CellCuts& cuts() const { return m_cuts; }
-    long step() const { return m_step; }  ///< parts of cells that every clock has gone before it
+    long step() const { return m_step; }  ///< parts of cells that every clock has passed before the block
     double clock() const { return m_cuts.clock(m_step); }
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }  ///< waves back

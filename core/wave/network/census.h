@@ -14,11 +14,11 @@
 
 namespace drillwave {
 
-/// Integrals of one wave of a section: of what had gone through it before, and of what is in it.
+/// Integrals of one wave of a section: over its past in the section, and over its present content.
 struct LineSums {
-    double passed = 0, passedSquare = 0;    ///< ∫ and ∫² of what has left it, as it entered
-    double entered = 0, enteredSquare = 0;  ///< of what is in it, as it entered
-    double present = 0, presentSquare = 0;  ///< of what is in it, as it is now
+    double passed = 0, passedSquare = 0;    ///< ∫ and ∫² of the part that has left, as it entered
+    double entered = 0, enteredSquare = 0;  ///< of the content, as it entered
+    double present = 0, presentSquare = 0;  ///< of the content, as it is now
 };
 
 /// The sums over one wave between two clock times while cells go by.
@@ -88,13 +88,13 @@ struct StringClocks {
     double bit() const { return delays.back(); }
 };
 
-/// Momentum and energy of everything at `time`, complete when every node has passed it. One after another, in
-/// the same memory.
+/// Momentum and energy of everything at `time`, complete when every node has passed it. Takes one census
+/// after another in the same memory.
 class StringCensus {
   public:
     /// `problem` and `clocks` must outlive it.
     void begin(const Problem& problem, const StringClocks& clocks, double time);
-    /// From begin() to finish(). The rest only then.
+    /// Whether it is between begin() and finish(). All else requires that.
     bool isUnderWay() const { return m_isUnderWay; }
     void abandon() { m_isUnderWay = false; }
 
@@ -109,7 +109,7 @@ class StringCensus {
     LineCensus& up(std::size_t j) { return m_up[j]; }
     void setBit(const BitNodeState& bit) { m_result.bit = bit; }
     void setFace(const FaceNodeState& face) { m_result.face = face; }
-    /// The velocity of the mass behind section `j`.
+    /// Sets the velocity of the mass after section `j`.
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 
     /// The sums, once lastClock() is passed.

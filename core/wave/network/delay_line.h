@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Cells, or means of cells, that come out as many cells later as the section is long: a window that moves
-/// over a buffer.
+/// Cells, or means of cells, that leave as many cells later as the section is long: a window that moves over
+/// a buffer.
 template <class Cell>
 class DelayLine {
   public:
@@ -24,13 +24,13 @@ class DelayLine {
         if (m_cells.size() < room()) grow();
     }
 
-    /// The next cells to come out.
+    /// Returns the next cells to leave.
     const Cell* arriving() const { return m_cells.data() + m_at; }
-    /// Where the next cells go in.
+    /// Returns the place of the next cells to enter.
     Cell* leaving() { return m_cells.data() + m_at + m_delay; }
     const Cell* leaving() const { return m_cells.data() + m_at + m_delay; }
     std::size_t delay() const { return m_delay; }
-    /// All that is on its way, the oldest first.
+    /// Returns everything on its way, the oldest first.
     std::span<const Cell> content() const { return {arriving(), m_delay}; }
     std::span<Cell> content() { return {m_cells.data() + m_at, m_delay}; }
 

@@ -22,7 +22,7 @@ struct FaceRecord {
     double firstSeparation = -1;  ///< when the faces first moved apart; negative: never
 };
 
-/// Where the faces are, and how they came there.
+/// State of the faces, and its history.
 struct FaceNodeState {
     bool apart = false;
     bool released = false;  ///< for ever: no re-strike
@@ -40,15 +40,15 @@ class FaceNode {
 
     void setWidths(const std::vector<double>& widths);
 
-    /// The waves of one cell that arrive, and those that leave.
+    /// Arriving and leaving waves of one cell.
     struct Waves {
         const WaveCell &f1, &b2;
         WaveCell &b1, &f2;
     };
-    /// One cell of width number `index` that begins at `time` [t0]. Where it found a place to cut, it is to
-    /// be taken again in parts.
+    /// Takes one cell of width number `index` that begins at `time` [t0]. If it sets a place to cut, the cell
+    /// must be taken again in parts.
     void step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump);
-    /// After the first `share` of that cell: where they would be, and the waves that have left over that
+    /// State after the first `share` of that cell, and the waves that have left over that
     /// share.
     struct Part {
         FaceNodeState state;
@@ -59,7 +59,7 @@ class FaceNode {
     const FaceNodeState& state() const { return m_now; }
     void setState(const FaceNodeState& state) { m_now = state; }
     std::optional<double> stiffness() const { return m_stiffness; }
-    /// How fast the force follows [1/t0]; 0 for rigid faces.
+    /// Returns the rate at which the force follows [1/t0]; 0 for rigid faces.
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
     /// Pieces that cells with events took.
     long pieces() const { return m_pieces; }
@@ -103,7 +103,7 @@ class ForceNode {
     /// The wave that leaves over a cell of this width that begins at `time` [t0], while `back` arrives.
     WaveCell step(const WaveCell& back, double time, double width);
 
-    const FaceNodeState& state() const { return m_now; }  ///< its record is that of Fa
+    const FaceNodeState& state() const { return m_now; }  ///< with the record of Fa
     void setState(const FaceNodeState& state) { m_now = state; }
 
   private:

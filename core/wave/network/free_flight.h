@@ -21,9 +21,9 @@ struct FlightStart {
     bool released = false;  ///< whether the hammer does not matter any more
 };
 
-/// Sections that end in steps of impedance alone pass the means of their waves over a cell on as they pass
-/// the waves, which give the exact places of the ends after each cell. Within a cell neither end gets nearer
-/// than at its ends by more than √(Δ E/Z), by the inequality of Cauchy and Schwarz, E the energy of its body.
+/// Sections that end in steps of impedance only transmit the means of their waves over a cell like the waves,
+/// which give the exact places of the ends after each cell. Within a cell neither end gets nearer than at its
+/// ends by more than √(Δ E/Z), by the inequality of Cauchy and Schwarz, E the energy of its body.
 class FreeFlight {
   public:
     /// Returns whether flights of a string can be followed: requires joints without mass or loss.
@@ -37,7 +37,7 @@ class FreeFlight {
     /// Means of the cells of a section on their way back, the oldest first, as many as its round trip has.
     std::span<double> waves(std::size_t section) { return m_lines[section].content(); }
 
-    /// Goes on for at least so many cells. False as soon as something may have touched, or it was stopped.
+    /// Continues for at least that many cells. False as soon as something may have touched, or after a stop.
     bool staysClear(double cells, const std::stop_token& stop);
     /// Cells that it went.
     double gone() const { return m_gone; }

@@ -16,8 +16,8 @@ namespace drillwave {
 ///
 ///     M v' + (Z1 + Z2) v = 2(f1 − b2),   b1 = f1 − Z1 v,   f2 = b2 + Z2 v
 ///
-/// without one b1 = b2 + R(f1 − b2), f2 = f1 + R(f1 − b2), R = (Z2 − Z1)/(Z1 + Z2). A loss weakens what
-/// passes on the far side by √(1 − η), either way.
+/// without one b1 = b2 + R(f1 − b2), f2 = f1 + R(f1 − b2), R = (Z2 − Z1)/(Z1 + Z2). A loss weakens the
+/// transmitted wave on the far side by √(1 − η), in either direction.
 class Joint {
   public:
     Joint() = default;
@@ -37,7 +37,7 @@ class Joint {
             for (const double width : widths) m_maps.emplace_back(rate() * width);
     }
 
-    /// The next `count` cells from part number `part` of `parts` on. f1 and f2, b2 and b1 may be the same.
+    /// Takes the next `count` cells from part number `part` of `parts` on. f1 = f2 and b2 = b1 are allowed.
     void step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell* f2, std::size_t count,
               std::size_t part, std::size_t parts);
 

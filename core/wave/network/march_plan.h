@@ -17,7 +17,7 @@ namespace drillwave {
 
 /// Steps of a block that a node takes without waiting for others.
 struct NodeTurn {
-    std::size_t node;  ///< in front of section `node`; behind the last one the bit
+    std::size_t node;  ///< before section `node`; after the last one the bit
     std::size_t from, count;
     std::size_t behind() const { return from + count; }
     bool operator==(const NodeTurn&) const = default;
@@ -65,7 +65,7 @@ class MarchPlan {
     const StringClocks& clocks() const { return m_clocks; }
     const CellCuts& cuts() const { return m_cuts; }  ///< at the beginning
     bool isLossy() const { return m_lossy; }         ///< joints or sections lose energy
-    /// How long the blow is followed at most [t0].
+    /// Returns the time to which the blow is followed at most [t0].
     double limitTime() const;
     const ForeseenWork& foreseen() const { return m_foreseen; }
 

@@ -13,10 +13,10 @@
 
 namespace drillwave {
 
-/// How exact an answer is wanted.
+/// Accuracy of a solution.
 enum class NetworkAccuracy {
-    quick,  ///< one run, cells cut at jumps only; its error is what the energy balance misses
-    sure,  ///< cells cut at every corner of a wave, against a quick run; that alone where it is too much work
+    quick,  ///< one run, cells cut at jumps only; error from the residual of the energy balance
+    sure,  ///< cells cut at every corner of a wave, against a quick run; only the quick run if it is too much
 };
 
 /// Maximum work of one run [cells × nodes]: some seconds.
@@ -66,7 +66,7 @@ class NetworkSolver {
     std::unique_ptr<Workspace> m_workspace;  ///< from the first blow on
 };
 
-/// One blow by a solver of its own.
+/// Solves one blow by a solver of its own.
 Impact solveNetwork(const Problem& problem, const NetworkSettings& settings,
                     const std::stop_token& stop = {});
 

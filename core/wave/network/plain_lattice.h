@@ -18,8 +18,8 @@ struct PlainBlow {
     long cells = 0;          ///< times nodes
 };
 
-/// One value of a wave for each cell, events at the ends of cells: first order in the cell. To compare with;
-/// it shares no code with NetworkMarch. Requires an end time.
+/// Solves with one value of a wave for each cell and events at the ends of cells: first order in the cell.
+/// For comparison; shares no code with NetworkMarch. Requires an end time.
 PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -23,13 +23,13 @@ struct RelaxationPiece {
 /// p(from + width v) of the powers p of u.
 WaveCell::Powers seenFrom(const WaveCell::Powers& p, double from, double width);
 
-/// The next piece from `from` on, where y is `start`; it ends at `to`, or as far as the series carries.
-/// Behind the layer of a fast rate it is the slow solution q − q'/rate + …, exact for a cubic. `input` are
-/// the powers of q over the cell, `rate` is in units of one over the width of the cell.
+/// Returns the next piece from `from` on, where y is `start`; it ends at `to`, or where the series ends to be
+/// accurate. After the layer of a fast rate it is the slow solution q − q'/rate + …, exact for a cubic.
+/// `input` are the powers of q over the cell, `rate` is in units of one over the width of the cell.
 RelaxationPiece relaxationPiece(const WaveCell::Powers& input, double rate, double start, double from,
                                 double to = 1);
 
-/// The solution over a whole cell as a linear map, exact but for rounding: y' = rate (q − y).
+/// Solution over a whole cell as a linear map, exact except for rounding: y' = rate (q − y).
 class Relaxation {
   public:
     Relaxation() = default;
@@ -66,7 +66,7 @@ struct OscillationRates {
     double impedance;  ///< Z
     double mass;       ///< M > 0
     double slope;      ///< κ > 0 of the law
-    /// How fast the solution may change [1/time]: the scale of its series.
+    /// Returns the rate at which the solution may change [1/time]: the scale of its series.
     double fastest() const;
 };
 
@@ -81,8 +81,8 @@ struct OscillationPiece {
     double forceAt(double v) const { return polynomialValue(force.data(), capacity, v); }
 };
 
-/// From `velocity` and `force` on over `width` [time] with `width · fastest()` ≤ 1; `g` are the powers of the
-/// arriving wave over just that piece.
+/// Returns the piece from `velocity` and `force` over `width` [time] with `width · fastest()` ≤ 1; `g` are
+/// the powers of the arriving wave over just that piece.
 OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell::Powers& g, double width,
                                   double velocity, double force);
 
@@ -92,7 +92,7 @@ class Oscillation {
     Oscillation() = default;
     Oscillation(const OscillationRates& rates, double width);
 
-    /// The moments of V and F; `velocity` and `force` become those at the end.
+    /// Writes the moments of V and F; `velocity` and `force` become those at the end.
     void follow(const WaveCell& g, double& velocity, double& force, WaveCell& velocities,
                 WaveCell& forces) const;
 

@@ -81,19 +81,19 @@ class WindowMaxima {
     std::vector<Level> m_levels;  ///< the smallest blocks first
 };
 
-/// A section for its watch; times are those of its ends.
+/// Section for its watch; times are those of its ends.
 struct WatchedSection {
     double transitTime = 0;
     double decay = 0;
     double startTime = 0;  ///< of the clock's zero at the rear end [t0]
 };
 
-/// Two waves meet in a section exactly when they left its ends at times less than a transit apart, on the
-/// clocks of the ends: when the one that runs back left no later, and at most a round trip before. So the
-/// largest force is a largest sum over a window that moves.
-///
-/// Hardly any cell holds it. The most that a block of cells can add up to is known from their
-/// coefficients, and only those are looked into that may be above the largest force so far.
+/// Watch for the largest force. Two waves meet in a section exactly when they left its
+/// ends at times less than a transit apart, on the clocks of the ends: when the one that
+/// runs back left no later, and at most a round trip before. So the largest force is a
+/// largest sum over a moving window. Hardly any cell has it: coefficients limit the sum of
+/// a block of cells, and only blocks that may exceed the largest force so far are
+/// searched.
 class SectionWatch {
   public:
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
@@ -123,17 +123,17 @@ class SectionWatch {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak during, after;
-        SectionPeak later;    ///< behind what counts, unless bit and rock touch again
-        WindowMaxima maxima;  ///< what the cells on their way are at most
+        SectionPeak later;    ///< later than counted, unless bit and rock touch again
+        WindowMaxima maxima;  ///< upper bounds of the cells on their way
     };
-    /// One cell and what it meets.
+    /// A cell and those that it meets.
     struct Meeting;
 
-    /// The largest force of what meets in a span of time.
+    /// Largest force of the meetings in a span of time.
     struct Span {
         SectionPeak& peak;
         double after, until;
-        bool hasEdge = false;  ///< some of what meets now does so before or after it
+        bool hasEdge = false;  ///< some of the meetings are before or after it
     };
 
     enum class Part { during, after, later };

@@ -15,22 +15,22 @@
 
 namespace drillwave {
 
-/// Where something jumps: what was until then, or what is from then on.
+/// Side of a jump: the value until then, or from then on.
 enum class TimeSide { before, after };
 
-/// One of the waves of a piece as it passes a place.
+/// Wave of a piece as it passes a place.
 struct WaveAtPlace {
-    const std::vector<WaveCell>* cells;  ///< as they enter, one a step of the clock
-    double first;                        ///< what it is before the first of them gets here
-    double rearTime;                     ///< global time of that zero where the clock is
+    const std::vector<WaveCell>* cells;  ///< as they enter, one per step of the clock
+    double first;                        ///< value before the first of them arrives
+    double rearTime;                     ///< global time of that zero at the position of the clock
     double delay;                        ///< from there to here
-    double kept;                         ///< what is left of the cells on the way
+    double kept;                         ///< share of a cell that is left here
 
     double zero() const { return rearTime + delay; }  ///< when its clock is at 0 here
 };
 
 /// Both waves of one uniform piece, each cell as it enters: f at the rear end, b at the front end, where a
-/// clock counts from 0.
+/// clock starts from 0.
 struct SectionWaves {
     double impedance = 1;    ///< ζ
     double transitTime = 1;  ///< τ
@@ -80,15 +80,15 @@ class StringWaves {
 
     double end() const { return m_end; }  ///< all places are known until then
     std::span<const SectionWaves> pieces() const { return m_pieces; }
-    /// Sections of the chain, of which so many are the hammer's.
+    /// Return the numbers of sections of the chain, and of those of the hammer.
     std::size_t sections() const { return m_firstPieces.size() - 1; }
     std::size_t hammerSections() const;
-    /// The first of pieces() of a section; behind the last section all of them.
+    /// Returns the first of pieces() of a section; after the last section, their number.
     std::size_t firstPiece(std::size_t section) const { return m_firstPieces[section]; }
     int piecesOf(std::size_t section) const {
         return static_cast<int>(m_firstPieces[section + 1] - m_firstPieces[section]);
     }
-    /// A place in a piece.
+    /// Place in a piece.
     struct PiecePlace {
         std::size_t piece;
         double xi;
@@ -105,18 +105,18 @@ class StringWaves {
         return (down(section, xi, t, side) - up(section, xi, t, side)) /
                m_pieces[pieceAt(section, xi).piece].impedance;
     }
-    /// The wave that runs to the rock, and the one that comes back, where they are.
+    /// Return the waves that run to the rock and back, at a place.
     double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
     double up(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
-    /// ∫ of these from the first touch on.
+    /// Return the integral of these from the first touch on.
     double downImpulse(std::size_t section, double xi, double t) const;
     double upImpulse(std::size_t section, double xi, double t) const;
 
-    /// The momentum that rod or string would have until then without the rock [I0].
+    /// Returns the momentum that rod or string would have until then without the rock [I0].
     double given(double t) const { return m_momentum + m_faceForce.integral(t) + m_damperForce.integral(t); }
 
-    /// Times from 0 to end() between which all waves at a place are smooth, in order; two that differ by
-    /// rounding are one.
+    /// Returns the times from 0 to end() between which all waves at a place are smooth, in order; two that
+    /// differ by rounding are one.
     std::vector<double> pieceTimes(std::size_t section, double xi) const;
 
     // Over global time from 0 on; those at the bit are on the same pieces.

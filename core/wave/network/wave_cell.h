@@ -10,7 +10,7 @@
 namespace drillwave {
 
 /// f(u) = Σ c_k P_k(2u − 1) over 0 ≤ u ≤ 1, P_k of Legendre. Its moments ∫f u^k du, k = 0 … 3, are those of
-/// the wave that it stands for: what is cut off is orthogonal to all that is kept (strings §11).
+/// the wave that it represents: the rest is orthogonal to the cubics (strings §11).
 struct WaveCell {
     static constexpr int count = 4;
     using Powers = std::array<double, count>;  ///< p(u) = Σ p_k u^k
@@ -46,7 +46,7 @@ struct WaveCell {
     double meanSquare() const { return meanProduct(*this); }  ///< ∫f² du
     /// ∫u f du.
     double firstMoment() const { return c[0] / 2 + c[1] / 6; }
-    /// How far f moves away from its mean, at most.
+    /// Returns an upper bound of |f − mean|.
     double spread() const { return std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]); }
     /// More than |f| can be.
     double largest() const { return std::abs(c[0]) + spread(); }
@@ -54,7 +54,7 @@ struct WaveCell {
     double least() const { return c[0] - spread(); }
     double most() const { return c[0] + spread(); }
 
-    /// Where in the cell f is greatest, and how much that is.
+    /// Place and value of the maximum of f in the cell.
     struct Peak {
         double place;
         double value;
@@ -75,7 +75,7 @@ struct WaveCell {
         return best;
     }
 
-    /// The same function over [from, to] of this cell.
+    /// Returns the same function over [from, to] of this cell.
     WaveCell part(double from, double to) const {
         Powers p = powers();
         for (int i = 0; i + 1 < count; ++i)
@@ -103,7 +103,7 @@ struct WaveCell {
     }
 };
 
-/// A wave known in parts, as the cell of the same moments.
+/// Projects a wave that is known in parts to the cell of the same moments.
 class CellProjection {
   public:
     /// f over [from, to] of the cell, smooth there; a polynomial of degree 28 is taken exactly.
@@ -135,7 +135,7 @@ inline constexpr double quietMargin = 1e-3;
 /// Rate times width above which a rise is too fast for a cell.
 inline constexpr double fastRise = 0.4;
 
-/// Events at one point of a cell: what balances there after so many stays there.
+/// Maximum number of events at one point of a cell: a state that balances after that many stays there.
 inline constexpr int mostStanding = 4;
 
 /// Sets coefficients to zero that are of the size of rounding.
@@ -151,7 +151,7 @@ enum class CutAt {
     corners  ///< whatever bends a wave: then all cells are smooth
 };
 
-/// Where in a cell to cut: the first place that counts.
+/// Place to cut a cell: the first one that counts.
 struct CellJump {
     bool found = false;
     double place = 0;  ///< in the cell, 0 … 1

@@ -14,8 +14,8 @@
 
 namespace drillwave {
 
-/// Records what is wanted of one blow after another, block by block; of a blow of which nothing is wanted
-/// but sums it takes nothing.
+/// Records the requested results of one blow after another, block by block; for a blow of which only sums are
+/// requested it does nothing.
 class WaveRecorder {
   public:
     /// Plan and lattice must outlive the blow.
@@ -33,8 +33,8 @@ class WaveRecorder {
     /// Drops the forces, which take too much work.
     void leaveOutForces();
     bool hasForces() const { return m_hasForces; }  ///< requested and not dropped
-    /// To when the waves shall be followed, as far as is known: once to and fro in the string after the blow,
-    /// where the forces are wanted.
+    /// Returns the time to which the waves should be followed, as far as known: a round trip in the string
+    /// after the blow, if the forces are requested.
     double wantedTime() const;
 
   private:
