@@ -51,7 +51,7 @@ enum class AlertCode {
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …
 std::string_view name(AlertCode code);
 
-/// One number of a remark.
+/// Number in an alert.
 struct AlertArgument {
     std::string_view name;  ///< of static storage: "cor", or the key of a parameter
     double value = 0;       ///< SI
@@ -63,7 +63,7 @@ struct AlertArgument {
 struct Alert {
     AlertLevel level = AlertLevel::information;
     AlertCode code = AlertCode::implausibleValue;
-    std::string parameter;  ///< key of what it is about, may be empty
+    std::string parameter;  ///< key of the subject, may be empty
     std::vector<AlertArgument> arguments;
     Message subject = {};  ///< words of the section that it is about, "3rd rod"; or empty
     bool operator==(const Alert&) const = default;

@@ -17,13 +17,13 @@
 
 namespace drillwave {
 
-/// Whether setting one key undoes what setting the other did, whatever the scenario: the same key, a group
-/// and the physical parameter it moves, mean force and impulse, area and diameters.
+/// Returns whether setting one key undoes the other, in any scenario: the same key, a group and the physical
+/// parameter it moves, mean force and impulse, area and diameters.
 bool areRivals(std::string_view a, std::string_view b);
 
-/// Why two keys cannot both be set, as what stands behind them: "set the same thing" where they are rivals;
-/// "set one section, …" where both are about one that stands in the file once. Empty when they can. The
-/// scenarios are as for meetingProblem().
+/// Returns why two keys cannot both be set, to be written after them: "set the same thing" if they are
+/// rivals; "set one section, …" if both set one that the file has once. Empty if they can. The scenarios are
+/// as for meetingProblem().
 Message rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
 
 /// Two keys of Assignments that cannot both be set.
@@ -45,26 +45,26 @@ class Assignments {
     Assignments() = default;
     explicit Assignments(const std::vector<std::string_view>& keys);
 
-    /// The next number is that of this key, known or not.
+    /// Adds a key, known or not, under the next number.
     void add(std::string_view key);
     /// The next number sets nothing.
     void skip();
 
-    /// The numbers of the keys in the order in which a scenario takes them: the shape, which decides what
-    /// applies (and with it whatever is not in the table of parameters); physical parameters in the order of
-    /// the table; of a string the repeat, then sections by name, then by place; the groups, which move
-    /// physical parameters.
+    /// Returns the numbers of the keys in the order in which a scenario takes them: the shape, which decides
+    /// what applies (and with it everything that is not in the table of parameters); physical parameters in
+    /// the order of the table; for a string the repeat, then sections by name, then by place; the groups,
+    /// which move physical parameters.
     const std::vector<std::size_t>& order() const { return m_order; }
 
     /// Which of them are set, where not all are.
     using IsSet = std::function<bool(std::size_t)>;
-    /// The first two that are rivals, whatever they are set in.
+    /// Returns the first two rivals, in any scenario.
     std::optional<RivalPair> rivals(const IsSet& isSet = {}) const;
     /// The first two that are about one section of a scenario in which all is set.
     std::optional<RivalPair> meeting(const Scenario& scenario, const IsSet& isSet = {}) const;
 
-    /// Whether the hammer blow depends on the key: it has its own parameters and, for a piston, the rod's;
-    /// that of a string all of hammer and string.
+    /// Returns whether the hammer blow depends on the key: on its own parameters and, for a piston, those of
+    /// the rod; for a string, on all of hammer and string.
     bool movesPulse(std::size_t number) const;
     /// Whether it does on any of the keys.
     bool movePulse() const;

@@ -6,7 +6,7 @@
 
 namespace drillwave {
 
-/// Whether the four groups and the shape of the blow say all about it but its scales (theory §4): nothing but
+/// Returns whether groups and shape describe the blow completely except for its scales (theory §4): only
 /// rock, a rod and a force on it.
 inline bool followsFromGroups(const Scenario& scenario) {
     return !isString(scenario);
@@ -29,8 +29,8 @@ inline bool hasSections(const Scenario& scenario) {
     return !scenario.drillString.parts.empty();
 }
 
-/// Whether two scenarios both have a list of sections or both have none: then places of one are places of the
-/// other, and outputs have the same scales.
+/// Returns whether two scenarios both have a list of sections or both have none: then they have the same
+/// places, and outputs have the same scales.
 inline bool areOfOneKind(const Scenario& one, const Scenario& other) {
     return hasSections(one) == hasSections(other);
 }

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// The options of `drillwave design` in their own words. A study checks what the words mean.
+/// Options of `drillwave design` as texts. A study checks their meaning.
 struct DesignSetup {
     std::vector<std::string> uncertain;  ///< "bit_rock.gap=0mm:1mm"
     std::vector<std::string> choose;     ///< "hammer=medium drifter,COP 1838", "rod.length=3m:4m:5"

@@ -17,10 +17,10 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// A piece of a hammer or a string: uniform, or a cone whose diameter grows or shrinks evenly. Its far end is
-/// the one towards the rock.
+/// Section of a hammer or a string: uniform, or a cone whose diameter changes evenly. Its far end is the one
+/// towards the rock.
 struct Section {
-    std::string name;  ///< "rod", may be empty; several sections may have the same
+    std::string name;  ///< "rod", may be empty; several sections may share it
     std::string
         preset;  ///< "T38, 190 mm": the preset that the section is from; may be empty, changes no result
     double length = 0;    ///< L [m]
@@ -31,18 +31,18 @@ struct Section {
     std::optional<double> endArea;        ///< [m²] of a cone at its far end; unused unless `area` is given
     std::optional<double> youngsModulus;  ///< E [Pa], the material's when not given
     std::optional<double> density;        ///< ρ [kg/m³], the material's when not given
-    double massAfter = 0;                 ///< M [kg], lumped at the far end; behind the last section M_b
+    double massAfter = 0;                 ///< M [kg], lumped at the far end; M_b after the last section
     double loss = 0;         ///< η, share of the energy of a wave lost in the joint at the far end
     double attenuation = 0;  ///< α [1/m], decay of the amplitude of a wave
-    std::optional<double> yieldStrength;    ///< [Pa] stress to be warned of; changes no result
-    std::optional<double> fatigueStrength;  ///< [Pa] tension to be warned of, borne by blow after blow
+    std::optional<double> yieldStrength;    ///< [Pa] stress above which there is an alert; changes no result
+    std::optional<double> fatigueStrength;  ///< [Pa] tension above which there is an alert, for many blows
     bool operator==(const Section&) const = default;
 };
 
-/// One item of a string: a section, or several that come again and again.
+/// Item of a string: a section, or several that are repeated.
 struct StringPart {
     int repeat = 1;                 ///< how often the sections follow one another; 1 unless `group`
-    bool group = false;             ///< written as a repeat, be it of one
+    bool group = false;             ///< written as a repeat, even a single one
     std::vector<Section> sections;  ///< exactly one unless `group`
     bool operator==(const StringPart&) const = default;
 };
@@ -52,7 +52,7 @@ struct Hammer {
     double velocity = 10;                 ///< v0 [m/s] at impact
     std::vector<Section> sections;        ///< from the rear to the face; none: a force drives the string
     std::optional<double> faceStiffness;  ///< k_c [N/m] between hammer and string; rigid when not given
-    bool restrike = true;  ///< the hammer stays there to be hit again; false: withdrawn once separated
+    bool restrike = true;  ///< the hammer stays to be hit again; false: withdrawn once separated
     bool operator==(const Hammer&) const = default;
 };
 
@@ -71,30 +71,30 @@ inline constexpr std::size_t maximumSections = 1000;
 /// Number of sections of the string with its repeats written out; saturates instead of overflowing.
 std::uint64_t sectionCount(const DrillString& drillString);
 
-/// The sections of the string from shank to bit, repeats written out, so that those of a repeat come several
-/// times. Requires at most maximumSections of them.
+/// Returns the sections of the string from shank to bit with repeats written out, so that those of a repeat
+/// are in it several times. Requires at most maximumSections of them.
 std::vector<const Section*> expandedSections(const DrillString& drillString);
 
 /// Returns the sections of the hammer from its rear, then those of the string, expanded: order of results.
 std::vector<const Section*> allSections(const DrillString& drillString);
 
-/// A section as it stands in a file, once, and the first place (from 1) that it has in the string.
+/// Section as in a file, once, and the first place (from 1) that it has in the string.
 struct PlacedSection {
     const Section* section = nullptr;
     std::uint64_t place = 1;
 };
-/// Every section of the string once, in the order of a file.
+/// Returns every section of the string once, in the order of a file.
 std::vector<PlacedSection> placedSections(const DrillString& drillString);
 
-/// The section at a place, counted from 1 with repeats written out; nullptr behind the last one. It is the
-/// same for all places that the repeats give to a section.
+/// Returns the section at a place, counted from 1 with repeats written out; nullptr after the last one. All
+/// places that a repeat gives to a section return the same one.
 const Section* sectionAt(const DrillString& drillString, std::uint64_t place);
 
 /// The first part that is a repeat, or nullptr.
 const StringPart* firstRepeat(const DrillString& drillString);
 
-/// The section that stands for the string in its scales: the first one called "rod", or else the longest.
-/// Requires a string that is not empty.
+/// Returns the section that the scales of the string refer to: the first one called "rod", or else the
+/// longest. Requires a string that is not empty.
 const Section& ruleSection(const DrillString& drillString);
 
 }  // namespace drillwave

@@ -22,27 +22,27 @@ Section sectionOf(const Rod& rod, const Material& material);
 /// Returns why a scenario cannot be a string: it has no units, or no hammer. Empty if it can.
 Message whyNoString(const Scenario& scenario);
 
-/// The rod as the only section of a string under the same force, whatever its shape. Requires a uniform rod
+/// Returns the rod as the only section of a string under the same force, of any shape. Requires a uniform rod
 /// with units.
 Scenario oneSectionOf(const Scenario& scenario);
 
-/// The rod as a string of one section under the same force. A piston and a rectangular blow become a hammer
-/// that is followed: the piston itself; one of the rod's impedance Z and the length c t0/2, to whole
-/// millimetres, of the same impulse. It is withdrawn once it has separated, as the uniform rod has it: then
-/// both forms of a rectangular blow, or of a piston of no larger impedance than the rod, have the same
-/// results (theory of strings, §10). Requires whyNoString() to be empty.
+/// Returns the rod as a string of one section under the same force. A piston and a rectangular blow become a
+/// followed hammer: the piston itself; or one of the rod's impedance Z and the length c t0/2, to whole
+/// millimetres, of the same impulse. It is withdrawn once it has separated, as for the uniform rod: then both
+/// forms of a rectangular blow, or of a piston of no larger impedance than the rod, have the same results
+/// (theory of strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 
-/// The same string under the force of a uniform piston of the mass, the velocity and the wave travel time of
-/// its hammer. Requires a string that is struck by a hammer.
+/// Returns the same string under the force of a uniform piston with the mass, velocity and wave travel time
+/// of its hammer. Requires a string that is struck by a hammer.
 Conversion forcedStringOf(const Scenario& scenario);
 
-/// Returns the scenario of forcedStringOf() where a hammer of sections strikes, and else the same scenario.
+/// Returns the scenario of forcedStringOf() if a hammer of sections strikes, else the scenario itself.
 Scenario withForce(const Scenario& scenario);
 
-/// A uniform rod of the sizes and the material of the ruleSection(), in which waves travel as long as in the
-/// string, under the same force, or struck by a uniform piston of the mass, the velocity and the wave travel
-/// time of the hammer.
+/// Returns a uniform rod with the sizes and the material of the ruleSection() and the wave travel time of the
+/// string, under the same force, or struck by a uniform piston with the mass, the velocity and the wave
+/// travel time of the hammer.
 /// Requires a string.
 Conversion uniformRodOf(const Scenario& scenario);
 
@@ -57,7 +57,7 @@ struct RigChoice {
 
 /// Returns the scenario in physical units with the groups, the shape of the blow and the loading curve of a
 /// dimensionless one: L = τ c t0, I0 = F0 t0, k = β Z/t0, d = 2 δ I0/Z. A piston has the material of the rod.
-/// The points of a table stand in the scenario itself. Requires a dimensionless scenario and positive values.
+/// The scenario contains the points of a table. Requires a dimensionless scenario and positive values.
 Scenario rigOf(const Scenario& groups, const RigChoice& choice);
 
 }  // namespace drillwave

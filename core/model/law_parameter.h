@@ -16,12 +16,12 @@ namespace drillwave {
 /// Most corners that a law may have.
 inline constexpr std::size_t mostRockCorners = 64;
 
-/// "bit_rock.corner.2.force": of a scenario with units, where the key is about something with a unit. The
-/// place need not be there: what is set behind the last corner adds one. None for another key.
+/// Returns the parameter "bit_rock.corner.2.force", of a scenario with units if the key has a unit. The
+/// corner need not exist: setting one after the last corner adds it. None for another key.
 KeptParameter findLawParameter(std::string_view key);
 
-/// The same key in a dimensionless scenario: forces in F0, penetrations in d0. None where it means the same
-/// there, or nothing.
+/// Returns the same key in a dimensionless scenario: forces in F0, penetrations in d0. None if it has the
+/// same meaning there, or no meaning.
 KeptParameter inScales(const Parameter& parameter);
 
 /// Returns the parameter that the same key means in that scenario.
@@ -42,10 +42,10 @@ std::string cornerKey(std::size_t place, std::string_view field);
 
 // A rock under another law.
 
-/// The rock with another law: what only the one before has is dropped.
+/// Returns the rock with another law, without the numbers that only its present law has.
 BitRock withLaw(BitRock rock, RockLaw law);
 
-/// The same rock, at first, with another law that the scenario may have: a corner without a change of slope,
+/// Returns the rock with another allowed law and the same curve at first: a corner without a change of slope,
 /// a power of one.
 BitRock proposedRock(const Scenario& scenario, RockLaw law);
 

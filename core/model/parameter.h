@@ -23,18 +23,18 @@ struct SectionAddress;
 // a const Parameter&.
 
 /// A row of the table of parameters, the repeat of a string, or a number of a section, which lives as long as
-/// something keeps it; or none. A value: copies are cheap, and two are equal that have the same key.
+/// it is kept; or none. A value: copies are cheap, and two with the same key are equal.
 class KeptParameter {
   public:
     KeptParameter() = default;
     KeptParameter(std::nullptr_t) {}
-    /// The same parameter, whoever keeps it now.
+    /// Keeps the same parameter.
     KeptParameter(const Parameter& parameter);
-    /// One that nobody else keeps.
+    /// Keeps one that nobody else keeps.
     explicit KeptParameter(std::shared_ptr<const Parameter> parameter);
 
     explicit operator bool() const { return m_parameter != nullptr; }
-    /// Requires that there is one. But for rows of the table it lives no longer than it is kept.
+    /// Requires that there is one. Except for rows of the table it lives only as long as it is kept.
     const Parameter& operator*() const;
     const Parameter* operator->() const { return &**this; }
 
@@ -55,8 +55,8 @@ struct Range {
     /// "(0, 1]", of a range with an upper end; in a unit.
     std::string ends() const;
     std::string ends(const Unit& unit) const;
-    /// Why a value (SI, finite or not) is outside: "must be in (0, 1]", in the unit given, behind which its
-    /// name stands where it has one; empty when it is inside.
+    /// Returns why a value (SI, finite or not) is outside: "must be in (0, 1]", in the given unit, with its
+    /// name after it if it has one; empty if it is inside.
     Message problem(double value, const Unit& unit) const;
 };
 
@@ -86,19 +86,19 @@ class ParameterFunction {
     const SectionAddress* m_address = nullptr;
 };
 
-/// In which scenarios a parameter has a meaning.
+/// Scenarios in which a parameter has a meaning.
 enum class Scope {
     all,
     withUnits,      ///< in physical quantities
     withoutUnits,   ///< dimensionless
-    manyBlows,      ///< with units; one blow alone does not depend on it
+    manyBlows,      ///< with units; a single blow does not depend on it
     string,         ///< string of sections
     hammer,         ///< that, struck by a hammer that is followed
     section,        ///< that, with such sections in it (section_parameter.h)
     uniformRod,     ///< in either form
     dimensional,    ///< a uniform rod in physical quantities
     withoutArea,    ///< dimensional, the rod given by its diameters
-    givenPulse,     ///< with units, of a force whose duration and impulse follow from no piston or table
+    givenPulse,     ///< with units, for a force whose duration and impulse follow from no piston or table
     trapezoid,      ///< of a force of that shape
     pistonInSi,     ///< with units, of a force of that shape
     pistonByRatio,  ///< dimensionless, with that shape
@@ -132,13 +132,13 @@ struct Parameter {
     std::string_view symbol;   ///< symbol of the paper, may be empty
     std::string_view meaning;  ///< one line, for tooltips and help
     Quantity quantity;
-    std::string_view unit;  ///< customary unit for display and file output, e.g. "mm"
+    std::string_view unit;  ///< default unit for display and file output, e.g. "mm"
     Range hard;             ///< outside: the scenario is invalid
     Range plausible;        ///< outside: an alert; also the range of a slider
     SliderScale slider;
     Scope scope;
-    /// The value in SI, or nullopt where an optional parameter is not given. Requires applies().
-    /// Nothing, too, where the sections that it stands for differ in it.
+    /// Returns the value in SI, or nullopt if an optional parameter is not given, or if the sections that it
+    /// refers to differ in it. Requires applies().
     ParameterFunction<std::optional<double>, const Scenario> value;
     /// Sets the value in SI (no range check). Groups of a scenario with units move the physical parameter
     /// (beta the stiffness, tau the rod length, delta the gap). Requires applies().
@@ -152,7 +152,7 @@ struct Parameter {
     const Unit& displayUnit() const;
     bool isGroup() const;                  ///< one of the four dimensionless groups
     std::string_view section() const;      ///< "rod", "pulse", "bit_rock", "drill", …, "groups", or none
-    std::string_view fileSection() const;  ///< the same, but "dimensionless" for the groups
+    std::string_view fileSection() const;  ///< section(), but "dimensionless" for the groups
     std::string_view localKey() const;     ///< the key inside its section of a file
 };
 
@@ -162,30 +162,30 @@ inline constexpr std::string_view rockLawKey = "bit_rock.law";
 inline constexpr std::string_view rockIndexingKey = "drill.indexing";
 inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
-/// The parameter of that key, be it of the table, of a corner of the law (law_parameter.h), "string.repeat",
-/// or a number of a section
-/// ("string.adapter.length", "hammer.1.diameter", see section_field.h), whether there is such a section
-/// or not; otherwise none. May be called from several threads.
+/// Returns the parameter of that key: of the table, of a corner of the law
+/// (law_parameter.h), "string.repeat", or a number of a section ("string.adapter.length",
+/// "hammer.1.diameter", see section_field.h), even if there is no such section; otherwise
+/// none. Thread-safe.
 KeptParameter findParameter(std::string_view key);
 
-/// Whether the parameter is what the user gave, and not what follows from something else (the groups of a
-/// dimensional scenario; the impulse where the mean force was given).
+/// Returns whether the user gave the parameter, so that it does not follow from others (the groups of a
+/// dimensional scenario; the impulse if the mean force was given).
 bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
 Message rangeProblem(const Parameter& parameter, double value);
-/// In which unit messages give the ends of a range: in SI, and shares in the usual unit of their fields, %.
+/// Returns the unit for ends of a range in messages: SI, and for shares their usual unit, %.
 const Unit& unitOfRange(Quantity quantity, const Unit& customary);
 
-/// Why the scenario does not hold `wanted` (SI) now that it was assigned: what is kept is the physical value
-/// of a group, or the impulse of a force, and that may be at the end of double precision. "cannot be kept …";
-/// empty when it reads back to 1e-12. Requires applies().
+/// Returns why the scenario does not have the value `wanted` (SI) after assigning it: it keeps the physical
+/// value of a group, or the impulse of a force, which may be at the end of double precision. "cannot be kept
+/// …"; empty if it reads back to 1e-12. Requires applies().
 Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
 
 // The one table of parameters: a row each, to which a new one is added.
 
-/// All numeric parameters but those of sections, physical ones first, the groups last, in the order of
-/// scenario files.
+/// Returns all numeric parameters except those of sections, physical ones first, the groups last, in the
+/// order of scenario files.
 std::span<const Parameter> parameters();
 
 }  // namespace drillwave

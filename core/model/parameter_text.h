@@ -41,7 +41,7 @@ std::string pulseShapeList();
 /// Why a scenario has no such shape of the force; empty when it may have it.
 Message shapeRefusal(const Scenario& scenario, PulseShape shape);
 
-/// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
+/// Returns why a parameter has no meaning in this scenario and what to do instead; empty if it applies.
 Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
 
 /// Sets a parameter to a number in SI. Returns why the scenario cannot have it, "has no meaning here: …" or
@@ -55,11 +55,11 @@ std::string nearestKey(std::string_view key);
 /// "`gama` is not a parameter; did you mean `gamma`?".
 Message notAParameter(std::string_view key);
 
-/// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of findParameter() with
-/// a unit where it has one, of findWordParameter() with one of its words, and "hammer.restrike" with `true`
-/// or `false`. `unit` is a default unit taken from a column header, or nullptr. Returns the reason why not
-/// ("bit_rock.gamma = 1.3 (must be in (0, 1])"), or nothing when done; after a reason the scenario is
-/// not to be used.
+/// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of findParameter()
+/// with a unit if it has one, of findWordParameter() with one of its words, and "hammer.restrike" with
+/// `true` or `false`. `unit` is a default unit taken from a column header, or nullptr. Returns the reason
+/// for a failure ("bit_rock.gamma = 1.3 (must be in (0, 1])"), after which the scenario must not be used;
+/// else nothing.
 Message assignText(Scenario& scenario, std::string_view key, std::string_view text,
                    const Unit* unit = nullptr);
 /// Assigns a text to a parameter in the same way.

@@ -23,7 +23,7 @@ namespace drillwave {
 /// The part of a scenario that a preset is for.
 enum class PresetKind { rod, hammer, rock };
 
-/// One value and where it is from.
+/// Value with its source.
 struct PresetValue {
     const Parameter* parameter = nullptr;
     double si = 0;
@@ -39,7 +39,7 @@ struct Preset {
     std::string shapeSource;
     RockLaw law = RockLaw::bilinear;  ///< of a rock, with its corners in SI
     std::vector<RockCorner> corners;
-    std::string lawSource;            ///< empty where the file says nothing of the law
+    std::string lawSource;            ///< empty if the file has no law
     std::vector<PresetValue> values;  ///< in the order of parameters()
     bool operator==(const Preset&) const = default;
 };
@@ -52,8 +52,8 @@ Scenario withPreset(Scenario scenario, const Preset& preset);
 /// Whether taking the preset would change nothing; never where it cannot be taken.
 bool matches(const Preset& preset, const Scenario& scenario);
 
-/// "soft rock — weiches Gestein": the name of a preset, as commands take it, and what it is to a reader in
-/// another language.
+/// Returns "soft rock — weiches Gestein": the name of a preset, as commands take it, and its translation for
+/// a reader of another language.
 std::string nameFor(const std::string& name, const ReadingStyle& style);
 
 /// "diameter: 38 mm — nominal", one line for the shape or the law and for each value.
@@ -74,7 +74,7 @@ struct SectionPreset {
     std::string source;  ///< never empty; begins with "assumed" where there is none
     std::string
         strengthSource;  ///< the source of yield and fatigue strength; empty where `source` covers them
-    std::optional<double> velocity;  ///< [m/s] at impact, of a piston where it is to be set too
+    std::optional<double> velocity;  ///< [m/s] at impact, for a piston that has one
     std::vector<Section> sections;   ///< at least one, from the rear; each has the name of the preset
     bool operator==(const SectionPreset&) const = default;
 };
@@ -149,8 +149,8 @@ struct FoundName {
     Message problem;
 };
 
-/// Finds the name, whatever its case, or the only one that begins with it: `T51` for "T51, round 52 mm".
-/// `list` is the command that lists all names, for the message.
+/// Returns the preset of that name, ignoring case, or the only one that begins with it: `T51` for "T51, round
+/// 52 mm". `list` is the command that lists all names, for the message.
 FoundName findPresetName(std::span<const std::string_view> names, std::string_view wanted,
                          const std::string& list);
 

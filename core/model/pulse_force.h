@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// One smooth piece of Fa(t)/F0 on [start, start + length], times in t0, local time x = t − start ≥ 0:
+/// Smooth piece of Fa(t)/F0 on [start, start + length], times in t0, local time x = t − start ≥ 0:
 ///   linear       value + slope·x
 ///   sine         amplitude·sin(π(start + x))        (half_sine; `value` is the amplitude)
 ///   exponential  value·exp(−x)                       (rate 1/t0)
@@ -34,7 +34,7 @@ struct PulseForce {
     std::vector<PulseSegment> segments;
     double end = 0;  ///< the force is zero from here on; beyond it less than 1e-20 of the impulse was cut off
     double peak = 0;  ///< largest value
-    /// ∫|δFa| that the rounding of given points may be worth, those of a table; 0 for other shapes.
+    /// Upper bound of ∫|δFa| by rounding of given points of a table; 0 for other shapes.
     double rounding = 0;
     bool operator==(const PulseForce&) const = default;
 
@@ -54,11 +54,11 @@ double pistonStepCount(double impedanceRatio);
 /// t0 each.
 PulseForce pulseForceOf(const Scenario& scenario);
 
-/// Whether the force over t/t0 of such a shape depends on a parameter; otherwise pulseForceOf() is the same
-/// whatever its value.
+/// Returns whether the force over t/t0 of such a shape depends on a parameter; otherwise pulseForceOf() is
+/// the same for all its values.
 bool movesPulseForce(std::string_view key, PulseShape shape);
 
-/// The force of a shape with the default shape parameters, as in a dimensionless scenario; not for `table`.
+/// Returns the force of a shape with default parameters, as in a dimensionless scenario; not for `table`.
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
 
 // Visible part of a hammer force: the tails of an exponential blow and of a staircase are long and empty.

@@ -49,8 +49,8 @@ ChainProperties stringProperties(const DrillString& drillString);
 /// Returns the sums of the uniform rod, or of the string.
 ChainProperties chainProperties(const Scenario& scenario);
 
-/// Impedance of the hammer of a piston pulse over that of what it pushes (the `impedanceRatio` itself in a
-/// dimensionless scenario).
+/// Returns the impedance of the hammer of a piston pulse over that of the section it pushes (the
+/// `impedanceRatio` itself in a dimensionless scenario).
 double pistonImpedanceRatio(const Scenario& scenario);
 
 /// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of a hammer
@@ -65,8 +65,8 @@ double pulseImpulse(const Scenario& scenario);
 /// exactly the impulse, that one, so that a force that was given reads back unchanged.
 double meanForce(const Pulse& pulse);
 
-/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0), of a followed hammer d/(v0 t0), T being the transit time of all
-/// of it; the given groups for a dimensionless scenario.
+/// Returns β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0), or d/(v0 t0) for a followed hammer, T being the whole
+/// transit time; the given groups for a dimensionless scenario.
 Groups groupsOf(const Scenario& scenario);
 
 /// The scales of a scenario with units; all 1 for a dimensionless one (not meaningful there). Requires a
@@ -82,7 +82,7 @@ std::optional<double> roundTripsBetweenBlows(const Scenario& scenario);
 /// whole number below that, which is returned: 1 … 5 (theory §10).
 std::optional<int> stepOfWaves(double roundTrips);
 
-/// Round trips after which the waves of the last blow are not worth a remark (theory §10).
+/// Round trips after which the waves of the last blow need no alert (theory §10).
 inline constexpr double enoughRoundTrips = 6;
 
 }  // namespace drillwave

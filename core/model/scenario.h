@@ -19,7 +19,7 @@ namespace drillwave {
 
 // The points of a tabulated pulse: a list that is never changed, so that copies of a scenario share it.
 
-/// One point of a tabulated pulse: time [s] and force [N]; any units in a dimensionless scenario.
+/// Point of a tabulated pulse: time [s] and force [N]; any units in a dimensionless scenario.
 struct TablePoint {
     double time = 0;
     double force = 0;
@@ -43,7 +43,7 @@ class TablePoints {
     auto begin() const { return list().begin(); }
     auto end() const { return list().end(); }
 
-    /// Whether both are the same piece of memory, not only the same points.
+    /// Returns whether both share memory; equal points are not enough.
     bool isSharedWith(const TablePoints& other) const { return m_points == other.m_points; }
 
     friend bool operator==(const TablePoints& a, const TablePoints& b) {
@@ -74,7 +74,7 @@ enum class PulseShape {
 /// "half_sine" and so on, as in scenario files.
 std::string_view name(PulseShape shape);
 std::optional<PulseShape> findPulseShape(std::string_view name);
-/// All names, in the order of PulseShape, for menus and messages.
+/// Returns all names, in the order of PulseShape, for menus and messages.
 std::span<const std::string_view> pulseShapeNames();
 
 /// Uniform elastic rod. All values in SI.
@@ -85,8 +85,8 @@ struct Rod {
     std::optional<double> area;             ///< A [m²] when given instead of diameter and bore
     double youngsModulus = 210e9;           ///< E [Pa]
     double density = 7850;                  ///< ρ [kg/m³]
-    std::optional<double> yieldStrength;    ///< [Pa] stress to be warned of; changes no result
-    std::optional<double> fatigueStrength;  ///< [Pa] tension to be warned of, borne by blow after blow
+    std::optional<double> yieldStrength;    ///< [Pa] stress above which there is an alert; changes no result
+    std::optional<double> fatigueStrength;  ///< [Pa] tension above which there is an alert, for many blows
     bool operator==(const Rod&) const = default;
 };
 
@@ -107,7 +107,7 @@ struct Pulse {
     /// t0 [s]; time constant of `exponential`; follows from the data for piston and table
     double duration = 200e-6;
     double impulse = 51;            ///< I0 [N s]; follows from the data for piston and table
-    bool impulseFromForce = false;  ///< the user gave the mean force I0/t0, so that is what a file keeps
+    bool impulseFromForce = false;  ///< the user gave the mean force I0/t0, which a file then keeps
     double rise = 0.2;              ///< trapezoid: rise time / duration
     double fall = 0.3;              ///< trapezoid: fall time / duration
     Piston piston;
@@ -128,7 +128,7 @@ std::string_view name(RockLaw law);
 /// "a power law" and so on, for messages.
 std::string_view phrase(RockLaw law);
 std::optional<RockLaw> findRockLaw(std::string_view name);
-/// All names, in the order of RockLaw.
+/// Returns all names, in the order of RockLaw.
 std::span<const std::string_view> rockLawNames();
 
 /// Corner of the loading curve, from which it has another slope. NaN: not given yet.
@@ -162,14 +162,14 @@ enum class RockIndexing {
 /// "fresh" and "same", as in scenario files.
 std::string_view name(RockIndexing indexing);
 std::optional<RockIndexing> findRockIndexing(std::string_view name);
-/// All names, in the order of RockIndexing.
+/// Returns all names, in the order of RockIndexing.
 std::span<const std::string_view> rockIndexingNames();
 
 /// Operating data of the rock drill, all optional.
 struct Drill {
     std::optional<double> blowFrequency;  ///< [Hz]
     std::optional<double> thrust;         ///< installed feed force [N]
-    std::optional<double> machineMass;    ///< of what the feed carries besides the rod [kg]
+    std::optional<double> machineMass;    ///< carried by the feed besides the rod [kg]
     std::optional<double> inclination;    ///< of the hole below the horizontal [deg], −90 … 90
     // Many blows only
     std::optional<double> damperDamping;    ///< c_d, between machine and rear end [N s/m]
@@ -192,21 +192,21 @@ struct Groups {
     bool operator==(const Groups&) const = default;
 };
 
-/// How the scenario is given.
+/// Form in which the scenario is given.
 enum class ScenarioForm {
     dimensional,    ///< uniform rod and prescribed hammer force, in physical quantities
-    dimensionless,  ///< the same, directly by its groups
+    dimensionless,  ///< a uniform rod, directly by its groups
     string,         ///< string of sections under a hammer or a prescribed force, in physical quantities
 };
 
-/// Everything a scenario file says. Members that the form does not use keep their defaults.
+/// Contents of a scenario file. Members that the form does not use keep their defaults.
 struct Scenario {
     std::string title;
     ScenarioForm form = ScenarioForm::dimensional;
     Groups groups;            ///< the definition when dimensionless; see groupsOf() otherwise
     Rod rod;                  ///< dimensional only
     Pulse pulse;              ///< where isForced()
-    BitRock bitRock;          ///< with units; in a dimensionless scenario what makes its loading curve
+    BitRock bitRock;          ///< with units; in a dimensionless scenario the numbers of its loading curve
     Drill drill;              ///< with units
     DrillString drillString;  ///< of a string
     bool operator==(const Scenario&) const = default;

@@ -23,7 +23,7 @@ struct SectionField {
     std::string_view symbol;   ///< may be empty
     std::string_view meaning;  ///< one line
     Quantity quantity;
-    std::string_view unit;  ///< customary
+    std::string_view unit;  ///< default
     Range hard;
     Range plausible;
     SliderScale slider;
@@ -41,14 +41,14 @@ struct SectionField {
     }
 };
 
-/// All of them, in the order of a file.
+/// Returns all fields, in the order of a file.
 std::span<const SectionField> sectionFields();
 
 /// The field of that key, or nullptr.
 const SectionField* findSectionField(std::string_view key);
 
-/// Whether setting the one undoes what setting the other did: an area, and diameter or bore, of a cone those
-/// of its end among them.
+/// Returns whether setting the one undoes the other: an area, and diameter or bore, including those of the
+/// end of a cone.
 bool areRivals(const SectionField& a, const SectionField& b);
 
 /// Why `value` (SI) is outside the hard range: "must be greater than 0"; empty when it is inside.
@@ -70,7 +70,7 @@ struct SectionAddress {
     bool isCalled(std::string_view section) const;
     /// "adapter", "section 3", "hammer section 1".
     std::string words() const;
-    /// Whether both are about the same name or place of the same chain.
+    /// Returns whether both are for the same name or place of the same chain.
     bool hasSameSections(const SectionAddress& other) const;
 };
 

@@ -18,13 +18,13 @@ KeptParameter findSectionParameter(std::string_view key);
 /// Whether the scenario has sections, or a repeat, that the parameter of the scope `section` is about.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
 
-/// Whether both set the same number, or numbers that replace each other, of sections that may be the same
-/// ones: a name and a place, or two places.
+/// Returns whether both set the same number, or numbers that replace each other, of sections that may be the
+/// same ones: a name and a place, or two places.
 bool mayMeet(const Parameter& one, const Parameter& other);
 
-/// Why the two cannot both be set, as what stands behind their keys: "set one section, …", where a section
-/// that stands in the file once is both; empty when none is. The two scenarios differ in their repeats alone:
-/// places count in that of their own.
+/// Returns why the two cannot both be set, to be written after their keys: "set one section, …", if the file
+/// has it once; empty if they can. The two scenarios only differ in their repeats: each place counts in its
+/// own scenario.
 Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                        const Scenario& ofOther);
 
@@ -44,8 +44,8 @@ std::string sectionName(const Parameter& parameter, const Scenario& scenario);
 /// name agree in it, else by place. Empty for a uniform rod.
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
 
-/// The diameter, or the area, of what a string is first asked for: of the sections called "coupling", else of
-/// the first ones that a repeat brings, else of the first one; nullptr of a uniform rod.
+/// Returns the diameter, or area, of the section that matters first in a string: of those called "coupling",
+/// else of the first ones in a repeat, else of the first one; nullptr for a uniform rod.
 KeptParameter typicalSize(const Scenario& scenario);
 
 }  // namespace drillwave

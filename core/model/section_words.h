@@ -19,7 +19,7 @@ namespace drillwave {
 /// Returns the names that examples and presets give to sections: "rod", "bit skirt". A reader has them in a
 /// language; other names stay as they are.
 std::span<const std::string_view> customarySectionNames();
-/// Returns the name of a section in a sentence, in the words of the reader where it is a customary one.
+/// Returns the name of a section in a sentence, translated if it is a usual one.
 Message sectionNameMessage(const std::string& name);
 
 /// Returns "3rd rod" for every section of the string with repeats written out; "adapter" where only one
@@ -32,12 +32,12 @@ Message hammerSectionWords(const DrillString& drillString, std::size_t place);
 /// Returns the words of all sections of hammer and string, in the order of allSections().
 std::vector<Message> sectionWords(const DrillString& drillString);
 
-/// Returns the words of every section as it stands in a file, in the order of sectionSpots(): those of
-/// sectionWords(), and "2nd to 4th rod" of a section in a repeat.
+/// Returns the words for every section in a file, in the order of sectionSpots(): those of sectionWords(),
+/// and "2nd to 4th rod" for a section in a repeat.
 std::vector<Message> rowWords(const DrillString& drillString);
 
-/// Returns the words of the section that an address is about, as it stands in a file: "2nd to 4th rod",
-/// "hammer 1"; for a name that of the sections, "coupling". "section 9" where the string has none.
+/// Returns the words for the section of an address, as it is in a file: "2nd to 4th rod", "hammer 1"; for a
+/// name that of the sections, "coupling". "section 9" if the string has none.
 Message addressedWords(const SectionAddress& address, const DrillString& drillString);
 
 /// Returns "6 rods, 3 couplings, 2 other sections".

@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Where a section stands in a file.
+/// Position of a section in a file.
 struct SectionSpot {
     bool inHammer = false;
     std::size_t part = 0;   ///< of the string; 0 in the hammer
@@ -20,46 +20,46 @@ struct SectionSpot {
     bool operator==(const SectionSpot&) const = default;
 };
 
-/// All of them in the order of a file: the hammer from its rear, then the string from the shank.
+/// Returns all positions in the order of a file: the hammer from its rear, then the string from the shank.
 std::vector<SectionSpot> sectionSpots(const DrillString& drillString);
 
-/// Requires a spot that is there.
+/// Returns the section at an existing position.
 const Section& sectionAt(const DrillString& drillString, const SectionSpot& spot);
 Section& sectionAt(DrillString& drillString, const SectionSpot& spot);
 
-/// The first place, from 1, that the section has in its hammer or its string with repeats written out: that
+/// Returns the first place, from 1, of the section in its hammer or its string with repeats written out: that
 /// of its key.
 std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 
-/// Puts a section behind another one, in the same repeat if that is in one. Returns where it stands.
+/// Inserts a section after another one, in the same repeat if that is in one. Returns its position.
 SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
 
-/// Puts sections after another one. After the last section of a repeat they come after the repeat, so that
-/// they are not repeated. Returns where the last of them stands. Requires at least one section.
+/// Inserts sections after another one. After the last section of a repeat they follow the repeat, so that
+/// they are not repeated. Returns the position of the last one. Requires at least one section.
 SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
                          const std::vector<Section>& sections);
 
 /// Returns whether the sections follow one another in the hammer, in one repeat or outside of repeats.
 bool canReplace(const DrillString& drillString, const std::vector<SectionSpot>& spots);
-/// Replaces the sections by others. Returns where the last of these stands. Requires canReplace() and at
-/// least one section.
+/// Replaces the sections by others. Returns the position of the last one. Requires canReplace() and at least
+/// one section.
 SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionSpot>& spots,
                             const std::vector<Section>& sections);
 
-/// Puts sections at an end of the string, outside of any repeat: before all others, or behind them. Returns
-/// where the last of them stands.
+/// Inserts sections at an end of the string, outside any repeat: before or after all others. Returns the
+/// position of the last one.
 enum class StringEnd { shank, bit };
 SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections);
 
-/// Whether there is another one in its hammer or string, so that it may go.
+/// Returns whether its hammer or string has another section, so that it may be removed.
 bool canRemove(const DrillString& drillString, const SectionSpot& spot);
-/// Takes a section away, and with the last one of a repeat the repeat. Requires canRemove().
+/// Removes a section; the last one of a repeat together with the repeat. Requires canRemove().
 void removeSection(DrillString& drillString, const SectionSpot& spot);
 
 enum class MoveTo { rear, bit };
 /// Moves a section one step: past its neighbour, into a repeat beside it, or out of its own at the end; the
-/// only section of a repeat goes with its repeat. Returns where it stands then; nothing, and no change, where
-/// it is at the end of its hammer or string.
+/// only section of a repeat takes the repeat with it. Returns its new position; nothing, and no change, at
+/// the end of its hammer or string.
 std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
 
 /// Returns whether these sections follow one another in the string and are in no repeat.

@@ -37,7 +37,7 @@ inline constexpr Range stiffness{0, 1e18};    // [N/m]
 
 }  // namespace drillwave::drill_ranges
 
-/// The plausible ranges of what rods, hammers and sections are all made of. Outside a value is remarked on.
+/// Plausible ranges for materials of rods, hammers and sections. Values outside get an alert.
 namespace drillwave::usual_ranges {
 
 inline constexpr Range modulus{60e9, 250e9};           // [Pa] aluminium to steel, with some room

@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// One thing wrong with a scenario. Line and column are 1-based, 0 when it did not come from a file.
+/// Problem of a scenario. Line and column are 1-based, 0 if it is not from a file.
 struct InputProblem {
     std::string key;  ///< "bit_rock.gamma", may be empty
     Message text;     ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
@@ -29,12 +29,12 @@ struct InputProblem {
 /// Returns a problem from a key, its value or none where it has none, and a reason: "must be in (0, 1]".
 InputProblem valueProblem(std::string_view key, std::string_view value, const Message& reason);
 
-/// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
+/// Returns every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
 /// increasing, a hammer or string without sections, groups not finite or zero after conversion), physical
-/// parameters first. Empty when the scenario can be solved.
+/// parameters first. Empty if the scenario can be solved.
 std::vector<InputProblem> validate(const Scenario& scenario);
 
-/// All problems in a line: why a function of the core does not take the scenario; empty when it is valid.
+/// Returns all problems in one line, as the reason why the scenario is refused; empty if it is valid.
 Message invalidity(const Scenario& scenario);
 
 /// First reason why points are no hammer force, and its point (from 0).

@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Energy of a blow [J]: of a prescribed force that of its incident wave, ∫Fa² dt/Z, of the reference case
-/// Returns I0²/2m, for an elastic hammer m v0²/2. Requires a valid scenario with units.
+/// Returns the energy of a blow [J]: of a prescribed force that of its incident wave, ∫Fa² dt/Z, in the
+/// reference case I0²/2m, of an elastic hammer m v0²/2. Requires a valid scenario with units.
 double blowEnergy(const Scenario& scenario);
 
 /// Returns the parameter that scales the energy: impulse or hammer velocity; none for a table of points.
