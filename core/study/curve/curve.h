@@ -30,8 +30,8 @@ struct CurveQuestion {
     SweepAxis along;
     std::optional<SweepAxis> family;    ///< a line for each of its values
     std::vector<OutputColumn> columns;  ///< at least one
-    std::vector<double> levels;         ///< to be crossed by every output, each in its own unit
-    std::optional<double> goal = {};    ///< what the only output is to be, in the unit of its column
+    std::vector<double> levels;         ///< for every output to cross, each in its own unit
+    std::optional<double> goal = {};    ///< target of the only output, in the unit of its column
     MethodChoice method = {};
     long workLimit = defaultWorkLimit;  ///< most wave pieces of a blow; beyond, it is not solved
 
@@ -63,7 +63,7 @@ struct CurveStretch {
     bool operator==(const CurveStretch&) const = default;
 };
 
-/// One output along the range.
+/// An output along the range.
 struct CurveOutput {
     /// Over shares of the range (CurveRange), 0 … 1, ascending, one function each.
     std::vector<FitPiece> pieces;

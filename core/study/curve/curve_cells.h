@@ -15,13 +15,13 @@ namespace drillwave {
 /// which nothing happens at the bit in another order, may be missed. More for many periods of the gap.
 std::size_t cellCount(const CurveQuestion& question);
 
-/// Why an output is known by points alone wherever it is; empty where it is fitted.
+/// Returns why an output is only known at points everywhere; empty if it is fitted.
 Message whyRough(const Output& output);
 
-/// One output in one cell.
+/// Output in one cell.
 struct CellOutput {
     std::vector<FitPiece> pieces;  ///< open where it is not smooth
-    Message reason;                ///< of those without an answer
+    Message reason;                ///< of those without a result
 };
 
 struct CellTask {
@@ -33,14 +33,14 @@ struct CellTask {
     long effort = 0;  ///< of these
 };
 
-/// A piece to be filled from points: it has an answer, but no function yet.
+/// Returns a piece to be filled from points: it has a result, but no function yet.
 FitPiece openPiece(double start, double end);
 bool isOpen(const FitPiece& piece);
 
 /// Fits the outputs of one cell after another. One for each thread.
 class CellFitter {
   public:
-    /// Both must outlive this.
+    /// Requires that both outlive it.
     CellFitter(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
@@ -55,11 +55,11 @@ class CellFitter {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Appends what a cell has brought to the pieces and stretches of the outputs; the cells of a line in their
-/// order.
+/// Appends the results of a cell to the pieces and stretches of the outputs. Requires the cells of a line in
+/// their order.
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
 
-/// Appends where a piece is, or makes the last stretch longer where it goes on.
+/// Appends the stretch of a piece, or extends the last one if it continues.
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
                 const Message& reason);
 

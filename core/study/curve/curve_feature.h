@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// One place of a curve, with errors as estimated from the accuracy of the curve.
+/// Place of a curve, with errors as estimated from the accuracy of the curve.
 struct CurveFeature {
     enum class Kind {
         minimum,   ///< least of a neighbourhood, or of the range
@@ -24,8 +24,8 @@ struct CurveFeature {
         smooth,      ///< no more than the kind says
         cusp,        ///< the slope jumps, or the value does
         end,         ///< the range, or the known part of it, begins or ends here
-        grid,        ///< the curve is known by points alone here, and the place by how far these are apart
-        everywhere,  ///< the curve is the same everywhere, but for errors
+        grid,        ///< the curve is only known at points here, and the place within their distance
+        everywhere,  ///< the curve is the same everywhere, within errors
     };
     Kind kind = Kind::minimum;
     Shape shape = Shape::smooth;

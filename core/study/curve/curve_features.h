@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// The pieces with what slivers may be off by taken from those beside them: within a jump any value is
+/// Returns the pieces with values of slivers limited by their neighbours: within a jump any value is
 /// possible, but none beyond its ends.
 std::vector<FitPiece> withQuietSlivers(std::span<const FitPiece> pieces);
 

@@ -14,10 +14,10 @@ namespace drillwave {
 struct GoalPlace {
     enum class Kind {
         crossing,    ///< the output passes the goal
-        touch,       ///< it comes up to the goal and turns round
-        end,         ///< it is there where the range, or what is known of it, begins or ends
-        everywhere,  ///< it is the goal all along, but for errors
-        between,     ///< on one side at one point and on the other at the next: known by points alone
+        touch,       ///< reaches the goal and turns round
+        end,         ///< at the goal where the range, or the known part of it, begins or ends
+        everywhere,  ///< the same as the goal everywhere, within errors
+        between,     ///< on one side at one point and on the other at the next: only known at points
         jump,        ///< it leaps over the goal: no value gives it
     };
     Kind kind = Kind::crossing;
@@ -27,7 +27,7 @@ struct GoalPlace {
     bool rising = false;    ///< where it passes the goal: with growing x
 
     bool isGiven() const { return kind != Kind::jump; }
-    /// Whether the output goes from one side to the other.
+    /// Returns whether the output passes from one side to the other.
     bool isPassed() const { return kind == Kind::crossing || kind == Kind::between || kind == Kind::jump; }
     bool operator==(const GoalPlace&) const = default;
 };

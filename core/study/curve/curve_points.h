@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Shares of the way at which to draw and write a line: the ends of the pieces of all its outputs, but for
-/// slivers, no more than 1/500 apart and closer where a piece is open; and one wherever there is no answer.
+/// Returns shares of the range at which to draw and write a line: the ends of the pieces of all its outputs,
+/// except slivers, no more than 1/500 apart and closer where a piece is open; one without a result.
 std::vector<double> pointsOf(const CurveLine& line);
 
 /// Returns those of `points` at which open pieces need values, and the ends of these pieces.
@@ -38,7 +38,7 @@ struct PointTask {
 /// Solves the points of one task after another. One for each thread.
 class PointSolver {
   public:
-    /// Both must outlive this.
+    /// Requires that both outlive it.
     PointSolver(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 

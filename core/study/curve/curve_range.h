@@ -4,8 +4,8 @@
 
 namespace drillwave {
 
-/// From `start` to `stop` (SI, start < stop; both > 0 where it is logarithmic). A share of the way is 0 at
-/// the start and 1 at the stop.
+/// Range from `start` to `stop` (SI, start < stop; both > 0 if it is logarithmic). A share of the range is 0
+/// at the start and 1 at the stop.
 struct CurveRange {
     double start = 0;
     double stop = 1;
@@ -15,7 +15,7 @@ struct CurveRange {
     double at(double share) const;
     /// The share of the way at which a value of the range lies.
     double shareOf(double value) const;
-    /// By how much the value grows per share of the way, at that value.
+    /// Returns the change of the value per share of the range, at that value.
     double slopeAt(double value) const;
     bool operator==(const CurveRange&) const = default;
 };

@@ -23,7 +23,7 @@ class CurveSampler {
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
                  std::stop_token stop, long partOfLimit = 1);
 
-    /// An output at a share of the way, its error as that of e.
+    /// Returns an output at a share of the range, with an error like that of e.
     FitSample operator()(double share, std::size_t output);
     /// Why there was no answer for the last sample that had none.
     const Message& reason() const { return m_reason; }

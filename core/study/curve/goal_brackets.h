@@ -11,9 +11,9 @@
 
 namespace drillwave {
 
-/// Where a curve comes from one side of a goal and goes on; in shares of the way.
+/// Part of a curve that passes a goal, or touches it; in shares of the range.
 struct GoalBracket {
-    Estimate share;   ///< where it is at the goal, as far as its error tells
+    Estimate share;   ///< at the goal, within its error
     double from = 0;  ///< the bracket: at its ends the curve is clearly on the sides named, if on any
     double to = 0;
     double valueFrom = 0;  ///< of the curve at `from`
@@ -26,11 +26,11 @@ struct GoalBracket {
     bool isPassed() const { return before * after < 0; }
 };
 
-/// All of them, ascending. A curve that stays within its error of the goal is in one bracket. Where there is
-/// a stretch without an answer the curve ends and begins again.
+/// Returns all brackets, ascending. A curve that stays within its error of the goal is in one bracket. At a
+/// stretch without a result the curve ends and begins again.
 std::vector<GoalBracket> goalBrackets(std::span<const MonotoneSegment> segments, double goal);
 
-/// The value of the curve that comes nearest to the goal, and its share of the way. Requires a segment.
+/// Value of the curve nearest to the goal, and its share of the range. Requires a segment.
 struct NearestValue {
     Estimate share;
     Estimate value;

@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// How near the goal a place is solved for, of the goal or of what the output rises along the line, whichever
-/// is larger; where it cannot be brought nearer than a hundred times that, it jumps.
+/// Accuracy of places that are solved for, relative to the goal or the rise of the output along the line, the
+/// larger one; if the output stays a hundred times as far away, it jumps.
 inline constexpr double goalAccuracy = 1e-11;
 
 /// Maximum number of places of a line that are solved for; further ones are taken from the curve.
@@ -24,9 +24,9 @@ struct GoalWork {
     long effort = 0;  ///< of these solves
 };
 
-/// Gives every line its CurveLine::goal, that of the question's first column; nothing without a goal. Every
-/// place is found by the curve and then solved for: a blow there confirms it, or the bracket is closed in,
-/// until the output is at the goal or leaps over it. Between points of an output that has no smooth course
+/// Sets CurveLine::goal of every line, for the first column of the question; nothing without a goal. Every
+/// place is found from the curve and then solved for: a blow there confirms it, or the bracket is closed in,
+/// until the output is at the goal or jumps over it. Between points of an output without a smooth course
 /// nothing is closed in. Does not depend on `jobs` (≥ 1).
 GoalWork seekGoals(const CurveQuestion& question, std::vector<CurveLine>& lines, int jobs,
                    std::stop_token stop);

@@ -23,8 +23,8 @@ struct SampledProgress {
 };
 
 /// Solves the CurveQuestion::along.count (≥ 2) values of every line, coarse ones first: the rows of the sweep
-/// of family and parameter, bit for bit, whatever `jobs` (≥ 1) is. Outputs are straight between the points;
-/// their features are the least and the largest value. Requires sampledProblemsOf() to be empty.
+/// of family and parameter, bit for bit, for any `jobs` (≥ 1). Outputs are straight between the points; their
+/// features are the least and the largest value. Requires sampledProblemsOf() to be empty.
 CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                        const SampledProgress& progress = {});
 

@@ -34,13 +34,13 @@ struct LimitOrder {
     double bound = 0;
 };
 
-/// How a design stands to the limits.
+/// Relation of a design to the limits.
 struct Feasibility {
     bool feasible = false;  ///< every limit holds for the value
     bool marginal = false;  ///< some value is within its error of its bound
 };
 
-/// Not feasible without statistics.
+/// Returns not feasible without statistics.
 Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
                           std::span<const LimitOrder> limits);
 
@@ -63,8 +63,8 @@ struct BestDesigns {
     std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none
 };
 
-/// At least one aim. The first of those that are equal but for rounding is best. Statistics without an error
-/// tie only where they are so.
+/// Returns the best designs. Requires at least one aim. The first of those that are equal within rounding is
+/// best. Statistics without an error tie only in that case.
 BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOrder> aims,
                    std::span<const LimitOrder> limits);
 

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// A line, and whether the words of the question are at fault or what the scenario is.
+/// A problem, and its cause: the words of the question or the scenario.
 struct DesignProblemLine {
     bool isUsage = false;
     Message text;
@@ -21,7 +21,7 @@ struct NamedKey {
     std::string key;
     bool isChosen = false;
     bool isPercent = false;   ///< of a range: ± P %, which a choice may have too
-    std::string choice = {};  ///< the chosen part whose presets set it: "hammer"; empty where none do
+    std::string choice = {};  ///< the chosen part whose presets set it: "hammer"; empty if none do
 };
 
 /// All of it: too many of anything, nothing uncertain, two that set one thing, keys and outputs that a design

@@ -27,7 +27,7 @@ class DesignSolver {
     /// Returns why there are none; empty when there are.
     virtual Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
                           const std::stop_token& stop) = 0;
-    /// The same with the uncertain numbers as the scenario has them.
+    /// Solves with the uncertain numbers as the scenario has them.
     virtual Message solveNominal(std::uint64_t design, std::span<double> outputs,
                                  const std::stop_token& stop) = 0;
 };

@@ -32,15 +32,15 @@ struct DesignSamples {
     }
 };
 
-/// How it is found out which points are less certain than the statistics: where the own error of a point is
-/// larger than that of mean or quantile.
+/// Search for points that are less certain than the statistics: those whose own error is larger than that of
+/// mean or quantile.
 struct UncertainPoints {
-    std::size_t errorOutput;       ///< whose value is the own error of a point
+    std::size_t errorOutput;       ///< output whose value is the own error of a point
     std::vector<bool> isRelative;  ///< of each output: the error is one of the value, not of 1
     bool concerns(std::size_t output) const { return output != errorOutput; }
 };
 
-/// How many points, which, and what is to be made of them.
+/// Number of points, which ones, and their statistics.
 struct SampleOrder {
     std::uint64_t samples = 4096;  ///< N, a power of two, at least 64
     std::uint64_t seed = 1;

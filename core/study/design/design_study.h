@@ -27,7 +27,7 @@ inline constexpr std::size_t mostUncertain = 12, mostChoices = 4, mostAims = 3;
 inline constexpr std::uint64_t mostDesigns = 10'000, mostDesignSolves = 1'000'000'000;
 inline constexpr std::uint64_t leastDesignSamples = 64, mostDesignSamples = std::uint64_t{1} << 20;
 
-/// A statistic that is to be large, or small.
+/// Statistic that should be large, or small.
 struct DesignAim {
     Sense sense = Sense::largest;
     const Output* output = nullptr;
@@ -73,7 +73,7 @@ struct DesignStudy {
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
     /// Returns the parameters that scatter, those of the draws last.
     std::vector<KeptParameter> scattered() const;
-    /// Where the statistic of an aim or limit is in DesignSamples.
+    /// Returns the place in DesignSamples of the statistic of an aim or limit.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
     bool operator==(const DesignStudy&) const = default;
 };
@@ -82,7 +82,7 @@ struct DesignStudy {
 /// there is a blow frequency.
 std::vector<DesignAim> customaryAims(const Scenario& scenario);
 
-/// How many samples where nothing else is asked for: a blow on cells takes a hundred times as long as
+/// Returns the default number of samples: a blow on cells takes a hundred times as long as
 /// another.
 int customarySamples(const Scenario& scenario);
 
@@ -96,10 +96,10 @@ struct DesignFindings {
     std::vector<const Output*> aimed;             ///< outputs of the aims, each once: those of
     Sensitivity sensitivity;                      ///< at the robust best
     std::vector<std::optional<WorstCase>> worst;  ///< of each aim, at the robust best
-    /// The design to take: the base where it is equal to the best ones, else that of the aims.
+    /// Recommended design: the base if it is equal to the best ones, else that of the aims.
     std::optional<std::size_t> recommended = {};
     /// Warnings of the blow of that design with the values entered: all about strengths, and those that the
-    /// base does not raise.
+    /// base does not have.
     std::vector<Alert> alerts = {};
     double energySpread = 0;  ///< largest over least energy of the designs, less 1; 0 without units
 };
@@ -117,10 +117,10 @@ bool makesDifference(const DesignStudy& study, const DesignFindings& findings, s
 /// About how many blows runDesign() solves.
 std::uint64_t designSolves(const DesignStudy& study);
 
-/// Shown what there is so far: the designs, then with indices.
+/// Called with the results so far: the designs, then with indices.
 using ShowFindings = std::function<void(const DesignFindings&)>;
 
-/// Nothing but their first line where there are problemsOf() the study. After a stop what is there is not to
+/// Returns only the first line of problemsOf() the study if there are any. After a stop, the result must not
 /// be used.
 DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show = {});
 

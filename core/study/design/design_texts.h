@@ -14,9 +14,9 @@
 
 namespace drillwave {
 
-/// Where a choice looks up the names of presets.
+/// Source of the names of presets for a choice.
 struct PresetLookup {
-    std::function<const PresetFile&()> presets;     ///< asked only for names of presets
+    std::function<const PresetFile&()> presets;     ///< called only for names of presets
     std::string listCommand = "drillwave presets";  ///< for messages
 };
 

@@ -23,10 +23,10 @@ std::string_view name(DistributionKind kind);
 
 /// Half the width of 95 % of a normal distribution, in its standard deviations.
 inline constexpr double normalHalfWidth = 1.959964;
-/// Where a normal distribution is cut, in standard deviations from its mean.
+/// Deviation from its mean where a normal distribution is cut, in standard deviations.
 inline constexpr double normalCut = 4;
 
-/// One independent uncertain number, in the unit of low and high.
+/// Independent uncertain number, in the unit of low and high.
 class Distribution {
   public:
     Distribution() : Distribution(DistributionKind::uniform, 0, 1) {}

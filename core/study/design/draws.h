@@ -15,7 +15,7 @@ namespace drillwave {
 /// Most rows.
 inline constexpr std::size_t mostDraws = 1'000'000;
 
-/// One row or another is true, all alike: its columns move together.
+/// Rows of which one is true, with equal probability: the columns vary together.
 struct Draws {
     std::vector<KeptParameter> parameters;
     std::vector<std::vector<double>> columns;  ///< SI, of each parameter

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Outputs are the columns of the study, and behind them the own error of a point.
+/// Designs of a study; its outputs are the columns of the study, then the own error of a point.
 class ScenarioDesigns : public DesignProblem {
   public:
     /// The study must outlive it and have no problemsOf() it.

@@ -24,12 +24,12 @@ struct OutputSensitivity {
 };
 
 struct Sensitivity {
-    std::vector<OutputSensitivity> outputs;  ///< in the order asked for; none after a stop
+    std::vector<OutputSensitivity> outputs;  ///< in the order requested; none after a stop
     std::uint64_t unsolved = 0;              ///< points left out, with all that are compared with them
     Message reason;
 };
 
-/// How many solves sensitivityOf() takes of d uncertain numbers.
+/// Returns the number of solves of sensitivityOf() for d uncertain numbers.
 std::uint64_t sensitivitySolves(std::size_t uncertain, std::uint64_t samples);
 
 /// Indices of the outputs named by number, of one design, from points in 2d dimensions (A, B, and A with

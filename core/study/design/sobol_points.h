@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Replicates of every set of points: what they scatter by is the error of a statistic.
+/// Replicates of every set of points: their scatter gives the error of a statistic.
 inline constexpr std::size_t replicateCount = 8;
 
 /// u = (MX ⊕ s + ½)/2^64 for each coordinate of a point n of replicate r: X is the Sobol sequence of Joe and
@@ -17,7 +17,7 @@ inline constexpr std::size_t replicateCount = 8;
 /// and the coordinate. A point only needs its number, not those before it.
 class SobolPoints {
   public:
-    /// At most mostDimensions; a replicate has up to 2^20 points.
+    /// Requires at most mostDimensions; a replicate has up to 2^20 points.
     SobolPoints(std::size_t dimensions, std::uint64_t seed);
 
     static constexpr std::size_t mostDimensions = 32;

@@ -44,7 +44,7 @@ struct SampledValue {
 
 /// The 95 % error of a mean of eight.
 double errorOf(std::span<const double, replicateCount> replicates);
-/// The same of the difference of two statistics over the same points, replicate by replicate.
+/// Returns the error of the difference of two statistics over the same points, replicate by replicate.
 double errorOfDifference(const SampledValue& one, const SampledValue& other);
 /// Whether two values differ by no more than that error, or by so small a part of their own errors that no
 /// digit of them shows it. NaN equals only NaN.

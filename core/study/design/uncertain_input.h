@@ -23,23 +23,23 @@ struct UncertainInput {
     const Unit* unit = nullptr;  ///< as typed, SI where two were typed
     bool operator==(const UncertainInput&) const = default;
 
-    /// How it scatters in a design; its value there is that of the parameter. Requires that there is no
-    /// problemIn() it.
+    /// Returns its distribution in a design, around the value of the parameter there. Requires problemIn() to
+    /// be empty.
     Distribution in(const Scenario& design) const;
     /// Why it cannot scatter so in a design, as a line; empty when it can.
     Message problemIn(const Scenario& design) const;
 };
 
-/// One read from text, or why not.
+/// Uncertain input read from text, or why not.
 struct ParsedUncertain {
     UncertainInput input;
     bool isMistyped = false;  ///< the problem is one of the words, not of key or values
     Message problem;
 };
 
-/// Reads "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%". Refuses a key that is not known or no number
-/// that can scatter, a range upside down, without width, outside that of the parameter, `log` and
-/// `lognormal` from 0, and a `normal` that reaches 0 where the parameter must be more.
+/// Reads "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%". Refuses unknown keys and those of no number
+/// that can scatter, a range that is reversed, empty or outside that of the parameter, `log` and `lognormal`
+/// from 0, and a `normal` that reaches 0 where the parameter must be more.
 ParsedUncertain parseUncertain(std::string_view text);
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// How many of the worst points are searched on from.
+/// Number of the worst points from which to search on.
 inline constexpr int worstSearches = 12;
 
 /// Found, not guaranteed: kinks and cusps hide worst cases from any search.

@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// In the box of the uncertain numbers, 0 … 1 along each coordinate.
+/// Place in the box of the uncertain numbers, 0 … 1 along each coordinate.
 using Place = std::vector<double>;
 
 /// Points on every face of the box.
@@ -48,9 +48,9 @@ class WorstPlaces {
         double value;
         Place place;
     };
-    /// No more than `most` are kept.
+    /// Keeps at most `most` places.
     explicit WorstPlaces(std::size_t most) : m_most(most) {}
-    /// `placeOf()` is asked where it matters; what is not a number is left out.
+    /// Calls `placeOf()` only if needed; ignores NaN.
     void add(double badness, double value, const std::function<Place()>& placeOf);
     const std::vector<Found>& found() const { return m_found; }
 

@@ -12,7 +12,7 @@ namespace drillwave {
 
 /// A single blow from rest at no gap.
 struct BlowAlone {
-    double cor = 0;        ///< e, by the impulse on the rock over that of the hammer
+    double cor = 0;        ///< e, from the impulse on the rock over that of the hammer
     Estimate penetration;  ///< that stays [m]
 };
 

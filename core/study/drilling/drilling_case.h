@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// How many blows, and how finely.
+/// Number of blows, and fineness of cells.
 struct DrillingSettings {
     long blows = 1000;  ///< N
     long settle = 200;  ///< the first of them that no statistic counts

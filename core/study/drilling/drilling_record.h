@@ -28,7 +28,7 @@ struct BlowRange {
     long first = 1, last = 1;
 };
 
-/// All of them at one time, by straight lines between what was marched; in units of Problem.
+/// State at one time, by straight lines between the marched ones; in units of Problem.
 struct DrillingInstant {
     double time = 0, force = 0, penetration = 0, frontVelocity = 0, rearVelocity = 0, damperForce = 0,
            bodyPlace = 0;
@@ -61,12 +61,12 @@ struct RecordLength {
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< the march of λ has a thread of its own where they are more
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Asked after every blow: whether what follows is known, so that the march ends there.
+    /// Called after every blow: true ends the march there because what follows is known.
     std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
 };
 
-/// A bit goes away for ever where its gap has grown for so many blows of a machine that is pushed back on the
-/// mean of them.
+/// Number of blows with a growing gap, of a machine that is pushed back on their mean, after which the bit is
+/// away for ever.
 inline constexpr long growingBlows = 50;
 
 /// J, of the last so many blows. Requires blows.
@@ -75,7 +75,7 @@ double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
 /// Why a march cannot be kept in memory; empty where it can.
 Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid);
 
-/// Why a march is given up: what all blows would take [cells times nodes]; empty where that is permitted.
+/// Returns why a march is given up: the work of all blows [cells × nodes]; empty if that is permitted.
 /// Requires a blow.
 Message workProblem(const DrillingMarch& march, long blows, double mostWork);
 

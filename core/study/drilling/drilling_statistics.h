@@ -39,7 +39,7 @@ struct BlowQuantity {
     const char* meaning = nullptr;  ///< of such a row, in a sentence
 };
 
-/// All of them, in the order of the columns of blows.csv.
+/// All quantities, in the order of the columns of blows.csv.
 inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"time", DrillingMeasure::time, &DrillingBlow::time},
     {"gap", DrillingMeasure::length, &DrillingBlow::gap, true, translatable("gap at the blow"),
@@ -69,7 +69,7 @@ inline constexpr auto blowQuantities = [] {
     return quantities;
 }();
 
-/// Where it is in blowQuantities. Requires that it is there.
+/// Returns its place in blowQuantities. Requires that it is one of them.
 constexpr std::size_t quantityPlace(double DrillingBlow::*value) {
     std::size_t place = 0;
     while (blowQuantities[place].value != value) ++place;

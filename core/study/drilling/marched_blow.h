@@ -10,12 +10,12 @@
 
 namespace drillwave {
 
-/// The blow of that number, from 1, of the march that studyDrilling() takes, to its last bit; times from when
-/// it comes, to when the next one does. Its waves begin with those that are there then, its rock with what it
-/// remembers, its gap with where the bit is: below 0 where it presses. Its scenario is a chain of sections,
-/// also of a uniform rod. Waves fade where they come to the rear end of a section: what is in it has not
-/// faded yet. Not solved where there are drillingRefusals(), the number is not from 1 to settings.blows, or
-/// its blows take more than `mostWork` [cells times nodes] or more memory than a march may.
+/// Returns the blow of that number, from 1, of the march of studyDrilling(), to its last bit; times from its
+/// start to that of the next one. It starts with the present waves, with the memory of its rock and with the
+/// present gap: below 0 where the bit presses. Its scenario is a chain of sections, also for a uniform rod.
+/// Waves fade at the rear end of a section: its content has not faded yet. Not solved if there are
+/// drillingRefusals(), if the number is not from 1 to settings.blows, or if its blows take more than
+/// `mostWork` [cells × nodes] or more memory than a march may.
 Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
                  const std::stop_token& stop = {}, double mostWork = mostDrillingWork);
 

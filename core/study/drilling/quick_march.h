@@ -9,14 +9,14 @@ namespace drillwave {
 /// Work of a core in a second, on a machine of usual speed [cells times nodes].
 inline constexpr double workOfSecond = 2e7;
 
-/// The usual length of a sequence in the window: as many blows as the scenario says; where it says nothing of
-/// them 300, of which 100 settle.
+/// Returns the usual length of a sequence in the window: the blows of the scenario; by default 300, of which
+/// 100 are transient.
 DrillingSettings windowSettingsOf(const Scenario& scenario);
 
-/// The wants of a sequence whose penetration and gap are stated, with errors, and nothing else.
+/// Returns a request for penetration and gap of a sequence, with errors, and nothing else.
 DrillingWants quickWants();
 
-/// How a sequence is followed without being asked for.
+/// Way of following a sequence that was not requested.
 struct QuickMarch {
     DrillingSettings settings;
     double seconds = 0;        ///< that it takes, on a machine of usual speed

@@ -11,19 +11,19 @@
 
 namespace drillwave {
 
-/// A mean of the blows that count. The error, of 95 %, contains the scatter of the blows and what other cells
-/// change; there is none of a single blow.
+/// Mean of the counted blows. The error, of 95 %, contains the scatter of the blows and the change by other
+/// cells; a single blow has none.
 struct SequenceMean {
     double value = 0;
     std::optional<double> error;
 };
 
-/// Why the mean penetration is not known well enough to be compared.
+/// Reason why the mean penetration is not known well enough for a comparison.
 enum class UnresolvedReason { noWaveLoss, irregular, fewBlows, lengthsRounded };
 /// "no_wave_loss", "irregular", "few_blows", "lengths_rounded".
 std::string_view name(UnresolvedReason reason);
 
-/// How the feed acts between machine and rod.
+/// Model of the feed between machine and rod.
 enum class FeedModel { constantForce, damper };
 /// "constant_force", "damper".
 std::string_view name(FeedModel model);
@@ -34,7 +34,7 @@ FeedModel feedModelOf(const Scenario& scenario);
 struct Sequence {
     SequenceMean penetration;      ///< of a blow [m]
     SequenceMean penetrationRate;  ///< [m/s]
-    /// The mean penetration over that of a single blow from rest at no gap, where that is known.
+    /// Mean penetration over that of a single blow from rest without a gap, if that is known.
     std::optional<SequenceMean> singleBlowShare;
     double contactShare = 0;  ///< blows that start within contactLimit of the rock
     BlowSpread gap;           ///< [m]
@@ -43,7 +43,7 @@ struct Sequence {
     bool isResolved() const { return !unresolved; }
 };
 
-/// Nothing without statistics.
+/// Returns nothing without statistics.
 std::optional<Sequence> sequenceOf(const DrillingResult& result);
 
 /// A wave loss to begin with, where none is known: 1 to 30 % of a round trip is usual.

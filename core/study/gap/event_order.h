@@ -9,11 +9,11 @@
 
 namespace drillwave {
 
-/// A fingerprint of the sequence of events of a blow and of their order with the arrivals of the fronts that
-/// the hammer force and earlier events send through the rod (multiples of 2τ later). While it stays the same
-/// under a change of a parameter, results depend smoothly on it. Requires an impact solved with
-/// Detail::events or more. The first 32 events beside corners, the corners passed until then,
-/// and 64 pieces of the hammer force are looked at.
+/// Returns a fingerprint of the sequence of events of a blow and of their order with the arrivals of the
+/// fronts that the hammer force and earlier events send through the rod (multiples of 2τ later). While it
+/// stays the same under a change of a parameter, results depend smoothly on it. Requires an impact solved
+/// with Detail::events or more. Uses the first 32 events beside corners, the corners passed until then, and
+/// 64 pieces of the hammer force.
 std::uint64_t eventOrder(const Impact& impact, const PulseForce& pulse);
 
 }  // namespace drillwave

@@ -50,7 +50,7 @@ struct GapCurve {
     double end = 0;
     bool dependsOnGap = true;      ///< false for the reference case
     std::size_t outputCount = 0;   ///< 1 with only the COR, else all
-    std::vector<GapPiece> pieces;  ///< ascending, contiguous but for slivers of 1e-12
+    std::vector<GapPiece> pieces;  ///< ascending, contiguous except for slivers of 1e-12
     std::vector<double> borders;   ///< gaps at which the order of events changes, and the whole numbers
     std::uint64_t solves = 0;      ///< blows solved
     double solverError = 0;        ///< largest bound of the solver on e
@@ -58,7 +58,7 @@ struct GapCurve {
     Message reason;                ///< why there is none somewhere
     bool stopped = false;          ///< on the stop token: nothing here is complete
     bool usable() const { return !stopped && !pieces.empty(); }
-    /// Whether there is an answer all along the gap, but for what is too little to matter.
+    /// Returns whether there is a result along the whole gap, except for a negligible part.
     bool isComplete() const { return usable() && unsolved <= 1e-6; }
 
     /// An output at any gap ≥ start. Requires that there is an answer there.
@@ -76,11 +76,11 @@ using GapProgress = std::function<void(double)>;
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Over one period.
+/// Interpolates over one period.
 GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Gaps at which to draw the curve: the ends of its pieces, but for slivers, and no more than 1/500 apart.
+/// Returns gaps at which to draw the curve: the ends of its pieces, without slivers, at most 1/500 apart.
 std::vector<double> sampleGaps(const GapCurve& curve);
 
 }  // namespace drillwave

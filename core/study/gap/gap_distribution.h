@@ -19,14 +19,14 @@ struct NormalGap {
 /// A distribution of the gap on [start, end) of a curve, every gap beyond being taken back by whole periods.
 class GapDistribution {
   public:
-    /// All gaps of one period alike.
+    /// Returns equal probability for all gaps of one period.
     static GapDistribution uniform(const GapCurve& curve);
     /// The curve must begin no later than lowestGap(normal).
     static GapDistribution normal(const GapCurve& curve, const NormalGap& normal);
 
     /// Probability per d0 at a gap of the curve.
     double density(double gap) const;
-    /// Probability of the folded gap to be at most `gap`.
+    /// Returns the probability that the folded gap is at most `gap`.
     double cumulative(double gap) const;
     /// Ascending gaps between which the density is smooth on the scale of their distance, or that scale is
     /// the whole curve.

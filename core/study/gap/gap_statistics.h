@@ -23,7 +23,7 @@ struct GapExtreme {
 /// Shares for which the quantiles are given.
 inline constexpr std::array<double, 3> gapQuantiles{0.05, 0.5, 0.95};
 
-/// One output under one distribution of the gap.
+/// An output under a distribution of the gap.
 struct GapSpread {
     Estimate mean;
     std::array<Estimate, gapQuantiles.size()> quantiles;  ///< of gapQuantiles
@@ -54,15 +54,15 @@ struct GapStatistics {
     }
 };
 
-/// Statistics over one period of the gap, all gaps alike, and for a gap scattered as `normal` says. The
-/// impulse is 1 + e: so are its statistics. Requires a usable curve with an answer nearly everywhere (where
-/// there is none, a gap is left out), beginning no later than lowestGap(*normal).
+/// Returns statistics over one period of the gap, with equal probability, and for a gap scattered as in
+/// `normal`. The impulse is 1 + e: so are its statistics. Requires a usable curve with results nearly
+/// everywhere (gaps without a result are left out), beginning no later than lowestGap(*normal).
 GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap>& normal = {});
 
 /// Share of one period of the gap, all gaps alike, with a larger e than that.
 Estimate shareAbove(const GapCurve& curve, double cor);
 
-/// The largest e over all gaps of the curve, also those before the period.
+/// Returns the largest e over all gaps of the curve, also those before the period.
 Estimate largestCor(const GapCurve& curve);
 
 }  // namespace drillwave

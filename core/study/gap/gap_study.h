@@ -37,9 +37,9 @@ struct GapSample {
     std::array<double, gapOutputCount> values{};
 };
 
-/// Solves blows at 5, 9, 17 and 33 even gaps of the period and shows after each step all of them, ascending.
-/// Returns after the first five where these are solved so quickly that the whole curve takes a moment only,
-/// and after a stop.
+/// Solves blows at 5, 9, 17 and 33 even gaps of the period and shows all of them after each step, ascending.
+/// Returns after the first five if these are solved so quickly that the whole curve only takes a moment, and
+/// after a stop.
 void previewGaps(const Scenario& scenario, const std::stop_token& stop,
                  const std::function<void(const std::vector<GapSample>&)>& show);
 

@@ -44,7 +44,7 @@ struct GridEdge {
     auto operator<=>(const GridEdge&) const = default;  // NOLINT(modernize-use-nullptr): its 0
 };
 
-/// The square that begins at a node, with those of its edges that the contour crosses: two, or all four.
+/// Square that begins at a node, with those of its edges that the contour crosses: two, or all four.
 struct GridSquare {
     std::size_t i = 0, j = 0;
     std::array<GridEdge, 4> crossed;  // all four in the order bottom, right, top, left

@@ -19,22 +19,22 @@ struct ContourPoint {
     double y = 0;         ///< SI
     double value = 0;     ///< the output there, in the units of the map
     double residual = 0;  ///< |value − level|
-    /// Where the output jumps across the level: how closely the place of the jump is enclosed, as a fraction
-    /// of the distance between the two points of the grid. 0 where it takes the level: `residual` is then
-    /// mostly below contourAccuracy, and always below a hundred times as much, of the level or of the step
-    /// between the two points, whichever is larger.
+    /// Where the output jumps across the level: width that encloses the jump, as a fraction of the distance
+    /// between the two points of the grid. 0 where it takes the level: `residual` is then mostly below
+    /// contourAccuracy, and always below a hundred times as much, relative to the level or the step between
+    /// the two points, whichever is larger.
     double jumpWidth = 0;
-    /// On the way to it the output was a mean of blows that do not repeat: it scatters, and so does the
-    /// place.
+    /// Whether the output was a mean of blows that do not repeat, on the way to the point: it scatters, and
+    /// so does the place.
     bool isIrregular = false;
     bool isJump() const { return jumpWidth > 0; }
     bool operator==(const ContourPoint&) const = default;
 };
 
-/// How near the level a point is placed, of the level or the step: for e a hundredth of 1e-9.
+/// Accuracy of a point, relative to the level or the step: for e a hundredth of 1e-9.
 inline constexpr double contourAccuracy = 1e-11;
 
-/// One connected line; of a closed one the last point is the first again.
+/// Connected line; the last point of a closed one is the first again.
 using ContourLine = std::vector<ContourPoint>;
 
 /// All lines of one level.
@@ -56,11 +56,11 @@ struct Contour {
 /// Called on the calling thread with the number of placed crossings and of all crossings.
 using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;
 
-/// The contour of one level (finite, in the units of the map) through the points of `grid` that are there:
+/// Returns the contour of one level (finite, in the units of the map) through the present points of `grid`:
 /// those of every grid.stride()-th column and row. Between two neighbouring points of which one is below the
 /// level and the other is not, one point is placed by root finding. Where a square of four is crossed twice,
-/// its middle decides which points belong together. Squares with a point that has no value are left out.
-/// The work is at most some dozen blows a crossing; the result does not depend on `jobs` (≥ 1).
+/// its middle decides how the points are connected. Squares with a point without a value are left out. The
+/// work is at most some dozen blows per crossing; the result does not depend on `jobs` (≥ 1).
 Contour contourOf(const MapStudy& study, const MapGrid& grid, double level, int jobs,
                   std::stop_token stop = {}, const ContourProgress& progress = {});
 

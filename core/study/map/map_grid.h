@@ -24,8 +24,8 @@ inline constexpr std::size_t coarsestMapPoints = 1024;
 class MapGrid {
   public:
     MapGrid() = default;
-    /// Nothing is there; xs and ys (SI) are at least one each, and so many in all as maximumMapPoints
-    /// permits.
+    /// Starts without points; requires at least one of xs and of ys (SI), and at most maximumMapPoints in
+    /// all.
     MapGrid(std::vector<double> xs, std::vector<double> ys);
     /// A map without points, for a question that has no answer, and why.
     explicit MapGrid(Message refusal) : m_refusal(std::move(refusal)) {}
@@ -37,10 +37,10 @@ class MapGrid {
     std::size_t rows() const { return m_ys.size(); }
     std::size_t size() const { return m_values.size(); }
 
-    /// How many points are there, solved or not.
+    /// Returns the number of present points, solved or not.
     std::size_t done() const { return m_done; }
     bool isComplete() const { return m_done == size(); }
-    /// Every stride()-th point of every stride()-th row is there: 1 when all are, 0 before the coarsest are.
+    /// Returns s if every s-th point of every s-th row is present: 1 for all, 0 before the coarsest.
     std::size_t stride() const;
     /// The distance between the points that are solved first: a power of two.
     std::size_t coarsestStride() const { return std::size_t{1} << m_coarsest; }
@@ -50,8 +50,8 @@ class MapGrid {
     double value(std::size_t column, std::size_t row) const { return m_values[index(column, row)]; }
     /// Why a point that is there could not be solved; empty where it was.
     const Message& reason(std::size_t column, std::size_t row) const;
-    /// The point, of those that are there, whose value stands for this one as long as it is not there itself:
-    /// the nearest one before it of the finest grid that is there.
+    /// Place of the point that represents this one until it is solved: the nearest one before it in the
+    /// finest complete grid.
     struct Place {
         std::size_t column = 0;
         std::size_t row = 0;
@@ -75,7 +75,7 @@ class MapGrid {
     };
     const std::optional<Extent>& extent() const { return m_extent; }
 
-    /// Whether the same points are there with the same values, bit for bit, and the same reasons.
+    /// Returns whether both have the same points with the same values, bit for bit, and the same reasons.
     bool operator==(const MapGrid& other) const;
 
   private:

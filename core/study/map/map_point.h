@@ -12,14 +12,14 @@
 
 namespace drillwave {
 
-/// Solves points of a map and keeps what neighbours share. One for each thread.
+/// Solves points of a map and keeps the common part of neighbours. One object per thread.
 class MapPoint {
   public:
     /// The study must outlive it.
     explicit MapPoint(const MapStudy& study);
 
-    /// Puts the output at these values (SI, within the axes) into `value`, NaN where there is none. Returns
-    /// why the blow could not be solved (`value` is left alone then), or nothing.
+    /// Writes the output at these values (SI, within the axes) into `value`, NaN if there is none. Returns
+    /// why the blow could not be solved (`value` is then unchanged), or nothing.
     Message solve(double x, double y, double& value, const std::stop_token& stop);
 
     /// Why the point last solved has no output, and whether its blows do not repeat (CaseSolver).

@@ -9,13 +9,13 @@
 
 namespace drillwave {
 
-/// One printed number.
+/// A number printed in the paper.
 struct Discrepancy {
     std::string place;        ///< where in the paper
-    std::string quantity;     ///< what it is
+    std::string quantity;     ///< name of the quantity
     std::string printed;      ///< as printed, its digits telling how exact it is meant to be
     double computed = 0;      ///< NaN if it could not be computed
-    std::string explanation;  ///< why they differ, or what else there is to say; may be empty
+    std::string explanation;  ///< reason for a difference, or another remark; may be empty
 
     double printedValue() const;
     double difference() const { return computed - printedValue(); }
@@ -23,7 +23,7 @@ struct Discrepancy {
     bool agrees() const;
 };
 
-/// In the order of the paper. Fewer when a stop is requested.
+/// Returns them in the order of the paper. Fewer if a stop is requested.
 std::vector<Discrepancy> discrepancies(std::stop_token stop = {});
 
 /// place, quantity, printed, computed, difference, agrees, explanation.

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// One curve as points to be joined by straight lines; an abscissa occurs twice where the curve jumps.
+/// Curve as points to be joined by straight lines; an abscissa occurs twice where the curve jumps.
 struct FigureCurve {
     std::string key;    ///< name of a CSV column, "elastic_reference"
     std::string label;  ///< for legends
@@ -23,7 +23,7 @@ struct FigureCurve {
     int colour = 0;  ///< the same for lines that belong together
 };
 
-/// One diagram.
+/// A diagram.
 struct FigurePanel {
     std::string name;    ///< of its file: "fig4a"
     std::string title;   ///< "(a) elastic spring, γ = 1"
@@ -42,7 +42,7 @@ struct Figure {
     std::vector<FigurePanel> panels;
 };
 
-/// The table of a panel: one column for each curve where all have the same abscissas, otherwise the columns
+/// Returns the table of a panel: one column per curve if all have the same abscissas, otherwise the columns
 /// curve, x and y.
 std::string panelCsv(const FigurePanel& panel);
 

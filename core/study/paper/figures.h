@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Their numbers in the paper.
+/// First and last number of these figures in the paper.
 inline constexpr int firstPaperFigure = 3, lastPaperFigure = 8;
 
 // Each as the paper draws it, dimensionless, from the exact solution.
@@ -22,7 +22,7 @@ Figure figure4();
 Figure figure5();
 /// COR over the stiffness, with the reference case in both normalisations.
 Figure figure6();
-/// COR over the stiffness beside the closed form, with what that neglects.
+/// COR over the stiffness with the closed form, and what that neglects.
 Figure figure7();
 /// COR over one period of the gap, with the reference case in both normalisations.
 Figure figure8();

@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// One method at one resolution. Errors are absolute; NaN where there is none to tell.
+/// A method at one resolution. Errors are absolute; NaN if unknown.
 struct AccuracyRow {
     MethodChoice choice;
     Outcome outcome = Outcome::notSolved;
@@ -22,7 +22,7 @@ struct AccuracyRow {
 
     double cor = 0;
     double corError = 0;        ///< |e − e of the reference|, plus the error of that for the exact method
-    double corEstimate = 0;     ///< what the method itself says about that (Impact::corError)
+    double corEstimate = 0;     ///< error stated by the method (Impact::corError)
     double peakForceError = 0;  ///< F0
     double forceError = 0;      ///< L∞ of the force history, F0 (ForceDifference::largest)
     double forceErrorInMiddles = 0;
@@ -34,7 +34,7 @@ struct AccuracyRow {
     RunTime time;              ///< of a solve for e only, without estimate of the error
     double speed = 0;          ///< median time of the paper's choice over that of this row
     double observedOrder = 0;  ///< of the error in e, from the row before it on the ladder
-    bool sameAsMoved = true;   ///< ring: every number is the same, to the last bit, as with moved waves
+    bool sameAsMoved = true;   ///< ring: all numbers are equal, to the last bit, to those with moved waves
 };
 
 /// Accuracy of all methods for one scenario.
@@ -48,7 +48,7 @@ struct Accuracy {
     EquationResiduals residuals;    ///< of the exact histories
     double latticeOrder = 0;        ///< least-squares slope of the error in e over the whole ladder
     bool isStopped = false;         ///< rows are missing
-    bool isRelated = false;         ///< all rows are there, and what follows from several of them
+    bool isRelated = false;         ///< all rows are solved, and the values that need several of them
 };
 
 /// The ladder of the lattice: 100, 200, 500 … 20 000 segments. The paper used the last but one, 10 000, and

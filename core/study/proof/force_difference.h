@@ -8,10 +8,10 @@ namespace drillwave {
 
 /// Largest |F − F| over times, F0.
 struct ForceDifference {
-    /// Over the ends and middles of all pieces of both histories: what a plot of them would show. A history
-    /// that is constant in each step differs by the change of the force in half a step at least.
+    /// Over the ends and middles of all pieces of both histories, as a plot of them would show. A history
+    /// that is constant in each step differs by at least the change of the force in half a step.
     double largest = 0;
-    /// Over the middles of the pieces of the first history, where a mean over a step comes closest.
+    /// Over the middles of the pieces of the first history, where a mean over a step is closest.
     double inMiddles = 0;
 };
 

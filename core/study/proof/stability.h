@@ -25,12 +25,12 @@ struct StabilityMarks {
     double change = 4e-8;     ///< where the slope of e is steepest, times 1e-10: 4e-9
     double limit = 0.07;      ///< the constants of the estimates are generous: 0.007
     double lattice = 2;       ///< its error estimate is a factor above the error: 0.3
-    double bound = 3;         ///< the stated error is to be one: 0.7
+    double bound = 3;         ///< the stated error should be a bound: 0.7
 };
 inline constexpr StabilityMarks stabilityMarks{};
 
-/// One case solved and checked. An empty optional: the check does not apply, or the histories were too long
-/// to keep.
+/// Case solved and checked. An empty optional: the check does not apply, or the histories were too long to
+/// keep.
 struct StabilityRow {
     StabilityCase stabilityCase;
     Outcome outcome = Outcome::notSolved;
@@ -52,7 +52,7 @@ struct StabilityRow {
     bool passed() const { return outcome == Outcome::rebounded && failures.empty(); }
 };
 
-/// How near a case is to failing: of its measures the one that is largest over its mark.
+/// Distance of a case from failing: the largest of its measures over their limits.
 struct StabilityWorst {
     std::string_view measure;  ///< "momentum", "energy" …; "not solved"
     double ratio = 0;          ///< at most 1 where the case passes; infinite where it was not solved

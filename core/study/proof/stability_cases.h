@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// One case: why it is there, and what it is.
+/// A case, with the reason for it.
 struct StabilityCase {
     std::string name;
     PulseShape shape = PulseShape::rectangular;

@@ -15,15 +15,15 @@
 namespace drillwave {
 
 enum class StringMethod {
-    quick,  ///< polynomial cells, cut at jumps: what studies use
-    sure,   ///< cut at every corner of a wave: what `run` uses
+    quick,  ///< polynomial cells, cut at jumps: used by studies
+    sure,   ///< cut at every corner of a wave: used by `run`
     plain,  ///< a lattice of constant cells
 };
 
 /// "cells", "cells_cut", "plain".
 std::string_view name(StringMethod method);
 
-/// One method with one size of cell.
+/// A method with one size of cell.
 struct StringAccuracyRow {
     StringMethod method = StringMethod::quick;
     double cell = 0;          ///< Δ of the round trip [s]

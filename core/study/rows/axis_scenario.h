@@ -24,22 +24,22 @@ void visitCorners(std::span<const SweepAxis> axes,
 /// Why a point of a study is no scenario.
 struct PointObstacle {
     std::string key;         ///< that it is about; may be empty
-    Message reason;          ///< "rod.bore must be less than the diameter of 38 mm", whatever the value is
-    Message text;            ///< the same with the value, where there is one
+    Message reason;          ///< "rod.bore must be less than the diameter of 38 mm", without the value
+    Message text;            ///< the same with the value, if there is one
     bool isMeaning = false;  ///< an axis has no meaning there
 };
 
-/// Sets axes on top of a scenario. One for each thread.
+/// Sets axes on top of a scenario. One object per thread.
 ///
-/// The one rule of all studies for what a point may be: every axis has a meaning there, no two are about one
-/// section, the scenario is valid and holds the values. Where that fails the point has no answer.
+/// The common rule of all studies for a valid point: every axis has a meaning there, no two set one section,
+/// the scenario is valid and has the values. Otherwise the point has no result.
 class AxisScenario {
   public:
-    /// Both must outlive this.
+    /// Requires that both outlive it.
     AxisScenario(const Scenario& base, std::span<const SweepAxis> axes);
 
-    /// The base with a value (SI) for each axis, in the order in which a scenario takes them; not to be
-    /// solved where there is an obstacle().
+    /// Returns the base with a value (SI) for each axis, in the order in which a scenario takes them; must
+    /// not be solved if there is an obstacle().
     const Scenario& set(std::span<const double> values);
     /// The scenario set last.
     const Scenario& scenario() const { return m_scenario; }
@@ -61,7 +61,7 @@ class AxisScenario {
     Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
     bool m_restoresPulse = false;  // some axis sets a number of the pulse
-    bool m_changesLaw = false;     ///< another law drops what only one has
+    bool m_changesLaw = false;     ///< another law drops the numbers of its own
     bool m_judges = true;          // each point
     Scenario m_scenario;
     std::optional<PointObstacle> m_obstacle;

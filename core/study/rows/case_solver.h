@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-/// Solves cases and keeps what they share. One for each thread.
+/// Solves cases and keeps their common part. One object per thread.
 class CaseSolver {
   public:
     /// `columns` must outlive the solver; a case may take `workLimit` wave pieces. It is solved with `least`

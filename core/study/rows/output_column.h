@@ -14,18 +14,18 @@ namespace drillwave {
 
 enum class OutputUnits { dimensionless, si };
 
-/// One output of files §4 as a CSV column.
+/// Output of files §4 as a CSV column.
 struct OutputColumn {
     const Output* output = nullptr;  ///< of outputs()
     OutputUnits units = OutputUnits::dimensionless;
 
-    /// "peak_force", or in SI "peak_force [N]"; what has no dimensionless number always has its unit.
+    /// Returns "peak_force", or in SI "peak_force [N]"; with its unit if it has no dimensionless number.
     std::string header() const;
     /// Whether its numbers are in a unit.
     bool hasUnit() const { return units == OutputUnits::si || output->isOnlySi(); }
     /// The quantity of the numbers: `ratio` where they are in no unit.
     Quantity quantity() const { return hasUnit() ? output->siQuantity() : Quantity::ratio; }
-    /// The size of a unit of the output in its numbers; of an energy that of the scales.
+    /// Returns the unit of the output in its numbers; for an energy that of the scales.
     double scale(const Scales& scales) const;
     Detail detail() const { return output->detail; }
     /// nullopt where there is no number (Output::value).
@@ -36,7 +36,7 @@ struct OutputColumn {
 /// The columns chosen, or why not.
 struct OutputChoice {
     std::vector<OutputColumn> columns;
-    bool all = false;  ///< all of them were asked for; see allOutputsOf()
+    bool all = false;  ///< all were requested; see allOutputsOf()
     Message problem;
 };
 

@@ -23,16 +23,16 @@ struct RowFailure {
 /// Adds to the rows of that reason and returns its place in the list.
 std::size_t addFailure(std::vector<RowFailure>& failures, const RowFailure& more);
 
-/// Rows of the same width, filled one after another and then read.
+/// Rows of the same width, first filled one after another and then read.
 class RowBlock {
   public:
-    /// No rows, the next of which will be number `first` (from 0) of all; keeps its memory.
+    /// Clears it, keeping its memory; the next row will be number `first` (from 0) of all.
     void restart(std::uint64_t first, std::size_t width);
-    /// A further row without numbers (NaN), to be filled in before the next is added.
+    /// Adds a row without numbers (NaN), to be filled in before the next is added.
     std::span<double> add();
-    /// Says that the row added last was not solved, and why.
+    /// Marks the row added last as not solved, with the reason.
     void fail(Message reason);
-    /// The cells that stand as text before the numbers, a record for each row. They must outlive the block.
+    /// Sets the text cells before the numbers, a record for each row. They must outlive the block.
     void copy(std::span<const CsvRecord> records) { m_copied = records; }
 
     std::uint64_t first() const { return m_first; }  ///< number of the first row of all rows, from 0

@@ -25,8 +25,8 @@ struct RowColumn {
     const Unit* unit = nullptr;                    ///< of Kind::quantity; may be nullptr for the others
     std::span<const std::string_view> words = {};  ///< of Kind::word
 
-    /// Appends a number as people and files have it, in the unit of the header but without it; it reads back
-    /// as the same number. Nothing for no number.
+    /// Appends a number as in files, in the unit of the header but without its name; it reads back as the
+    /// same number. Nothing for NaN.
     void appendText(std::string& cell, double number) const;
     /// Returns that text.
     std::string cell(double number) const {
@@ -38,9 +38,9 @@ struct RowColumn {
 
 /// All columns of a run of rows.
 struct RowHeader {
-    std::vector<std::string> copied;  ///< headings of the cells that stand as text before the numbers
+    std::vector<std::string> copied;  ///< headings of the text cells before the numbers
     std::vector<RowColumn> columns;   ///< of the numbers
-    bool isFirstPart = true;          ///< of all rows; later parts are to be put behind it, without a header
+    bool isFirstPart = true;          ///< of all rows; later parts are written after it, without a header
 };
 
 }  // namespace drillwave

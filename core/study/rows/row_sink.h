@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Takes rows as numbers, in their order, whatever the number of threads that solve them.
+/// Takes rows as numbers, in their order, for any number of threads that solve them.
 class RowSink {
   public:
     virtual ~RowSink() = default;
@@ -18,16 +18,16 @@ class RowSink {
     /// Receives the description of the rows once, before them. False stops the run.
     virtual bool begin(const RowHeader& header) = 0;
 
-    /// Work that can be done before the turn of these rows has come: it runs on the threads that solve them,
-    /// for several blocks at once, and what it leaves in `prepared` (empty at first) comes back with its
+    /// Does work that is possible before the turn of these rows: it runs on the threads that solve them, for
+    /// several blocks at once, and its result in `prepared` (empty at first) is passed to take() with the
     /// rows.
     virtual void prepare(const RowBlock& rows, std::string& prepared) const {
         (void)rows;
         (void)prepared;
     }
 
-    /// The next rows, on the thread that called. They are gone afterwards. False stops the run (the disk is
-    /// full, say).
+    /// Takes the next rows, on the calling thread. They are invalid afterwards. Returns false to stop the run
+    /// (for example if the disk is full).
     virtual bool take(const RowBlock& rows, std::string_view prepared) = 0;
 };
 

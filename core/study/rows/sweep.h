@@ -35,9 +35,9 @@ inline constexpr std::size_t maximumSweepAxes = 8;
 /// Number of points of the whole grid; 0 if there are more than maximumSweepPoints.
 std::uint64_t pointCount(const Sweep& sweep);
 
-/// Gives the sink the rows in order: the values of the axes (SI), then the outputs. `progress` is called on
-/// the calling thread. Memory does not grow with the number of points; the rows do not depend on `jobs`
-/// (≥ 1). Requires problemsOf() to be empty.
+/// Passes the rows to the sink in order: the values of the axes (SI), then the outputs. `progress` is called
+/// on the calling thread. Memory does not grow with the number of points; the rows do not depend on `jobs` (≥
+/// 1). Requires problemsOf() to be empty.
 RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& sink,
                    const RowProgress& progress);
 

@@ -41,7 +41,7 @@ struct SweepAxis {
     Message assign(Scenario& scenario, double value) const;
     /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
     Message readBackProblem(const Scenario& scenario, double value) const;
-    /// Where the extreme values are: two indices, all of them for words and presets.
+    /// Returns the indices of extreme values: two; for words and presets, all.
     std::vector<std::uint64_t> extremes() const;
     bool operator==(const SweepAxis&) const = default;
 };
@@ -65,7 +65,7 @@ ParsedAxis parseRange(std::string_view text);
 /// parseRange() for an axis whose ends are values of its parameter. Empty if one can.
 Message followProblem(const SweepAxis& axis);
 
-/// That its range has to end above its beginning, which is not so.
+/// Returns the message that the range of an axis must end above its beginning.
 Message mustRise(const SweepAxis& axis);
 
 /// Returns how many even steps from `start` to `stop` give values of a parameter if `most` (≥ 2) are wanted:

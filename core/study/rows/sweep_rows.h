@@ -24,17 +24,17 @@ inline constexpr std::uint64_t mostDrawnRows = 100'000;
 inline constexpr std::size_t mostDrawnOutputs = 8;
 inline constexpr std::uint64_t mostDrawnLines = 16;
 
-/// The axis along which curves of a sweep go: of those of numbers the one with most values, two at least.
-/// Which of the axes, or their number where there is none.
+/// Returns the index of the axis along which curves of a sweep are drawn: the one with most values among axes
+/// of numbers with at least two. Without such an axis, the number of axes.
 std::size_t lineAxis(const std::vector<SweepAxis>& axes);
 
-/// Why there is no picture of a sweep and what to do; empty when there is one.
+/// Returns why a sweep has no picture and what to do; empty if it has one.
 Message pictureProblem(const Sweep& sweep);
 
 /// Keeps the numbers of rows on their way to another sink.
 class RowKeeper : public RowSink {
   public:
-    /// Both must outlive it.
+    /// Requires that both outlive it.
     RowKeeper(RowSink& next, std::vector<double>& numbers) : m_next(next), m_numbers(numbers) {}
 
     bool begin(const RowHeader& header) override { return m_next.begin(header); }

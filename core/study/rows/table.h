@@ -38,12 +38,12 @@ struct TableCheck {
     WorkEnd end = WorkEnd::finished;
 };
 
-/// Reads `cases`, which can be rewound and is to be afterwards, and checks every cell of every row of the
-/// part; of the others it only counts how many there are.
+/// Reads `cases`, which can be rewound and must be afterwards, and checks every cell of every row of the
+/// part; other rows are only counted.
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
 
-/// Gives the sink the rows in order: the cells of `cases` as text, as they were, and the outputs as numbers;
-/// `rows` is what checkTable() counted. `progress` is called on the calling thread. Memory does not grow with
+/// Passes the rows to the sink in order: the cells of `cases` as unchanged text, and the outputs as numbers;
+/// `rows` is the count of checkTable(). `progress` is called on the calling thread. Memory does not grow with
 /// the number of rows; the rows do not depend on `jobs` (≥ 1). A row that has become invalid since the check
 /// counts as failed.
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,

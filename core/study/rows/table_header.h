@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// One column of a table of cases.
+/// Column of a table of cases.
 struct CaseColumn {
     std::string text;  ///< header cell as written
     enum class Kind { parameter, word, other } kind = Kind::other;

@@ -24,11 +24,11 @@ struct DrillingScan {
     Scenario base;
     SweepAxis axis;
     DrillingSettings settings;
-    /// In the order of the values; of each from rest, and from bouncing where that differs by more than the
-    /// errors.
+    /// In the order of the values; for each from rest, and also from bouncing if that differs by more than
+    /// the errors.
     std::vector<DrillingScanPoint> points;
-    long bouncingBlows = 0;  ///< that were marched from bouncing: none behind where it has come to the same
-    /// e of the blow from rest at no gap, of the first value; over a thrust that of all.
+    long bouncingBlows = 0;  ///< marched from bouncing: none after both starts agree
+    /// e of the blow from rest without a gap, for the first value; for all values when scanning the thrust.
     std::optional<double> cor = {};
     double runTime = 0;
     Message refusal = {};  ///< the scanRefusals(), where there are any: no points then
@@ -40,11 +40,11 @@ struct DrillingScanWork {
     bool lyapunov = false;               ///< also compute λ of every motion
     std::stop_token stop = {};
     DrillingProgress progress = {};
-    /// Called after every value with what there is so far.
+    /// Called after every value with the scan so far.
     std::function<void(const DrillingScan&)> onValue = {};
 };
 
-/// Why a value of the axis cannot be drilled with, all of them; empty where all can.
+/// Returns why values of the axis cannot be drilled with; empty if all can.
 std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
                                   const DrillingSettings& settings);
 

@@ -18,7 +18,7 @@ struct ScanComparison {
     };
     std::vector<Entry> entries;  ///< that have statistics, in the order of the values; never empty
     std::size_t bestPlace = 0;   ///< of the largest rate
-    /// The entry whose error keeps the best from being known; nothing where it is known.
+    /// Entry whose error makes the best one uncertain; nothing if it is certain.
     std::optional<Entry> unresolved;
 
     const Entry& best() const { return entries[bestPlace]; }
@@ -31,7 +31,7 @@ struct ScanComparison {
     std::optional<double> bestShare(const Sequence& sequence) const;
 };
 
-/// Nothing where no point has statistics.
+/// Returns nothing if no point has statistics.
 std::optional<ScanComparison> compareScan(const DrillingScan& scan);
 
 }  // namespace drillwave

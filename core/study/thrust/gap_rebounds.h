@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// One e that follows from a curve over the gap, or why not.
+/// An e that follows from a curve over the gap, or why not.
 struct GapRebound {
     Estimate cor;
     Message reason;        ///< why there is none; empty when there is
@@ -27,7 +27,7 @@ struct GapRebounds {
     GapRebound quantile;  ///< not exceeded at 95 % of all gaps, in this rock
     GapRebound worst;     ///< the largest of all gaps if the rock were elastic (γ = 1)
 
-    /// Both, where they are.
+    /// Returns both, if known.
     std::optional<ReboundsOverGaps> known() const {
         if (!quantile.known() || !worst.known()) return std::nullopt;
         return ReboundsOverGaps{quantile.cor, worst.cor};
@@ -37,15 +37,15 @@ struct GapRebounds {
 /// The curve of e over one period of the gap.
 GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
                    long mostPieces = anyNumberOfPieces);
-/// That on rock of the same stiffness, with γ = 1 and no corners, from no gap on.
+/// Returns the curve on rock of the same stiffness, with γ = 1 and no corners, from no gap on.
 GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
                       long mostPieces = anyNumberOfPieces);
 
 GapRebound quantileOf(const GapCurve& rock);
 GapRebound worstOf(const GapCurve& elastic);
 
-/// Finds the two for one problem after another, and remembers them while the hammer force stays. One for each
-/// thread; what it returns does not depend on what it was asked before.
+/// Finds the two for one problem after another, and remembers them while the hammer force stays the same. One
+/// object per thread; results do not depend on earlier calls.
 class GapReboundFinder {
   public:
     /// Limits the wave pieces of a curve: with more, it has no result.

@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// One value of the parameter.
+/// Value of the parameter, with its result.
 struct ThrustPoint {
     double value = 0;  ///< of the parameter, SI
     FeedEstimate feed;
@@ -42,12 +42,12 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {},
                         const WorkLimits& limits = {});
 
-/// The same on the calling thread, with what the finder remembers of earlier curves.
+/// Does the same on the calling thread, with the memory of the finder of earlier curves.
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         GapReboundFinder& finder, const std::stop_token& stop = {},
                         const ThrustCurveProgress& progress = {});
 
-/// The point of the scenario as it is, `value` being that of the parameter in it (NaN where it has none).
+/// Returns the point of the unchanged scenario, `value` being that of the parameter in it (NaN if none).
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop = {});
 

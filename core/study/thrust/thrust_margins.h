@@ -15,20 +15,20 @@ namespace drillwave {
 /// Left out where that takes more than mostPiecesInPassing; `drillwave thrust` takes its time.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
-/// Solves the blow of a scenario for its estimate, with the cases of all gaps as addThrustMargin() has them.
-/// Nothing where it is not solved, or thrustProblem() says why.
+/// Solves the blow of a scenario for its estimate, with the cases of all gaps as in addThrustMargin().
+/// Nothing if it is not solved, or where thrustProblem() says why.
 std::optional<FeedEstimate> solveFeedEstimate(const Scenario& scenario, const std::stop_token& stop = {});
 
-/// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,
-/// frequency, impulse or feed. One for each thread.
+/// Shares the common part of cases: no further work for one that differs from an earlier one only in gap,
+/// frequency, impulse or feed. One object per thread.
 class ThrustMargins {
   public:
-    /// As of GapReboundFinder.
+    /// Limits the wave pieces, as GapReboundFinder does.
     explicit ThrustMargins(long mostPieces = anyNumberOfPieces) : m_finder(mostPieces) {}
 
-    /// Effective force over the largest of the four needs, less 1; the first of these is by `cor`, the e of
-    /// the case's own blow. nullopt where thrustMarginProblem() says why, where the gaps have no answer, and
-    /// on the stop token. `problem` is that of the scenario.
+    /// Returns the effective force over the largest of the four required ones, less 1; the first of these is
+    /// by `cor`, the e of the case's own blow. nullopt where thrustMarginProblem() says why, if the gaps have
+    /// no result, and after a stop. `problem` is that of the scenario.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
     /// Estimates all four cases in the same way.

@@ -31,12 +31,12 @@ struct ThrustStudy {
 /// Why a scenario has no study of its thrust: it is not valid, or has a thrustProblem(). Empty where it has.
 Message thrustRefusal(const Scenario& scenario);
 
-/// Without a result where there is a thrustRefusal(), where one of its two curves
-/// over the gap takes more wave pieces than `mostPieces`, or the scenario's own blow more than `limits`.
+/// Returns no result if there is a thrustRefusal(), if one of its two curves over the gap takes more wave
+/// pieces than `mostPieces`, or if the scenario's own blow takes more than `limits`.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
-/// The same of a drill string by one run of its solver: one blow, and no gaps.
+/// Studies a drill string by one run of its solver: one blow, and no gaps.
 ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
                               const std::stop_token& stop);
 
