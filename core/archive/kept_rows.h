@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// How far a run of rows came.
+/// Progress of a run of rows.
 struct RowsDone {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;  ///< of these
@@ -28,7 +28,7 @@ class KeptRows {
     /// Whether rows of another run are a problem or make room.
     enum class Other { isProblem, isReplaced };
 
-    /// Takes up what a run with the same `entries` (recordEntries()) left, or begins.
+    /// Continues the run with the same `entries` (recordEntries()) that was left there, or begins.
     KeptRows(const std::string& file, const std::string& entries, Other other);
     ~KeptRows();
     KeptRows(const KeptRows&) = delete;
@@ -36,14 +36,14 @@ class KeptRows {
 
     /// Why there is nothing to go on with: another run's rows, another process, a disk; empty otherwise.
     const Message& problem() const { return m_problem; }
-    /// Where the rows are.
+    /// Returns the path of the rows.
     const std::string& path() const { return m_path; }
-    /// How far the run came; what is in the file behind that is of no use.
+    /// Returns the progress of the run; later bytes of the file are not valid.
     const RowsDone& done() const { return m_done; }
 
     /// Notes how far the run is, from time to time: what is in the file then must have been written.
     WriteFailure note(const RowsDone& done);
-    /// The same now.
+    /// Notes it now.
     WriteFailure noteNow(const RowsDone& done);
     /// Removes what says how far the run came, when the rows are in their place.
     void remove();

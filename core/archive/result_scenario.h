@@ -17,16 +17,16 @@ namespace drillwave {
 /// text in JSON, beside thousands of events, more; of a CSV file or a page only the top matters.
 inline constexpr std::size_t maximumInputBytes = std::size_t{1} << 22;
 
-/// A scenario, and what the file that held it says about itself.
+/// Scenario, with information from the file that contained it.
 struct ScenarioInput {
     ScenarioDocument document;
     /// A result, whose bytes are not those of the scenario: JSON, CSV, or the record beside a CSV file.
     bool isResult = false;
-    std::string version;                 ///< of the program that wrote the file; empty where it does not say
-    std::optional<MethodChoice> method;  ///< how it was solved; nothing where it does not say
+    std::string version;                 ///< of the program that wrote the file; empty if unknown
+    std::optional<MethodChoice> method;  ///< how it was solved; nothing if unknown
 };
 
-/// Whether the name says that it is a CSV file ("….csv", however written).
+/// Returns whether the name is that of a CSV file ("….csv", in any case).
 bool isCsvName(std::string_view path);
 
 /// The scenario of a text, whatever kind of file it is from: a scenario file; the JSON object of a command,
@@ -40,7 +40,7 @@ ScenarioInput parseInput(std::string_view text, const std::string& source);
 /// ScenarioError.
 ScenarioInput loadInput(const std::string& path);
 
-/// The scenario of a result. Throws ScenarioError: unreadable when the file holds none.
+/// Returns the scenario of a result. Throws ScenarioError: unreadable if the file has none.
 ScenarioDocument loadResultScenario(const std::string& path);
 
 /// Whether a version ("0.2.0") is newer than another one; false where one of them is no version.

@@ -23,10 +23,10 @@ struct FileBytes {
 /// unread.
 FileBytes readFile(const std::string& path, std::size_t maximumBytes);
 
-/// The same without the limit, but no more than the first `bytes` of it.
+/// Reads without the limit, but only the first `bytes` of the file.
 FileBytes readStart(const std::string& path, std::size_t bytes);
 
-/// That a file cannot be opened, as FileBytes has it.
+/// Returns the message that a file cannot be opened, as in FileBytes.
 Message cannotBeOpened(const Message& reason);
 
 // Size and checksum of a file, by which a changed one is known.

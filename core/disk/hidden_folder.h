@@ -34,7 +34,7 @@ class FolderLock {
     int m_descriptor = -1;
 };
 
-/// Whether an error of tryLock() says that there are no locks on that disk, rather than that one is held.
+/// Returns whether an error of tryLock() means that the disk has no locks, not that one is held.
 bool areLocksUnknown(int error);
 
 /// A folder with an unused name in another one: `new` holds new files, `old` the replaced ones. It is removed
@@ -66,8 +66,8 @@ class HiddenFolder {
     std::unique_ptr<FolderLock> m_lock;
 };
 
-/// Brings the files back that runs which died in the middle of an exchange had put aside in this folder,
-/// takes theirs away, and what else they left hidden. An exchange that was done but for cleaning stays done.
+/// Restores the files that runs which died in the middle of an exchange had put aside in this folder, and
+/// removes their new files and all else they left hidden. An exchange that only lacked cleaning stays done.
 /// Requires the lock of the folder.
 void mendLockedFolder(const std::string& folder);
 

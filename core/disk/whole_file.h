@@ -42,7 +42,7 @@ class WholeFile {
     WriteFailure write(std::string_view bytes);
     /// Puts the file in place when all of it is on the disk.
     WriteFailure commit() { return commitAs(m_path); }
-    /// Gives it another name on the same disk instead, for others to put it in place.
+    /// Gives it another name on the same disk instead, so that others can put it in place.
     WriteFailure commitAs(const std::string& path);
 
     /// Where it is to be: as given until open(), then behind all links.

@@ -28,7 +28,7 @@ struct FolderFiles {
     /// something else than these: they go with the files that are replaced, and are in the way where existing
     /// ones are kept. May be empty.
     std::function<std::vector<std::string>(const std::string& folder)> outdated;
-    /// One that comes after all others, too long for memory and on its way in the folder already; or none.
+    /// File written after all others, too long for memory and already in the folder; or none.
     WholeFile* last = nullptr;
 
     std::vector<std::string> names() const;
@@ -36,7 +36,7 @@ struct FolderFiles {
 
 enum class ExistingFiles { kept, replaced };
 
-/// How writing a folder ended.
+/// End of writing a folder.
 struct FolderEnd {
     enum class Kind { written, stopped, failed } kind = Kind::written;
     Message problem;  ///< Kind::failed: one line that begins with the path

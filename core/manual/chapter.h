@@ -16,19 +16,19 @@ namespace drillwave {
 struct Chapter {
     std::string name;   ///< "theory": its file, and the word that cites it in every language
     std::string title;  ///< its first heading
-    std::string text;   ///< all of it, in Markdown
+    std::string text;   ///< whole text, in Markdown
 };
 
-/// The names of all of them, in the order of a list of contents.
+/// Returns the names of all chapters, in the order of a list of contents.
 std::vector<std::string> chapterNames();
 
-/// All of them in that order, in the language of a reader; pages that are not translated are in English.
+/// Returns all chapters in that order, in the language of a reader; untranslated pages are in English.
 std::vector<Chapter> manualChapters(const ReadingStyle& style);
 
 /// The one of that name, or nullptr.
 const Chapter* findChapter(std::span<const Chapter> chapters, std::string_view name);
 
-/// A chapter of that text, whose first line is its heading.
+/// Returns a chapter of that text, whose first line is its heading.
 Chapter chapterOf(std::string_view name, std::string text);
 
 }  // namespace drillwave

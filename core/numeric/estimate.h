@@ -4,7 +4,7 @@
 
 namespace drillwave {
 
-/// A number and a bound on its error, as estimated from the accuracy of what it was computed from.
+/// Number with a bound on its error, as estimated from the accuracy of its computation.
 struct Estimate {
     double value = 0;
     double error = 0;

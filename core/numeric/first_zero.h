@@ -21,7 +21,7 @@ struct Zero {
     static Zero at(Real u) { return {.found = true, .undecided = false, .u = u}; }
 };
 
-/// The work of searches that bounds alone did not answer.
+/// Work of searches that bounds could not decide.
 struct SearchCount {
     long searches = 0;
     long samples = 0;  ///< points, or parts, that they looked at
@@ -75,7 +75,7 @@ std::array<Real, 2> valueAndSlope(const Real* c, int count, Real u) {
     return {even + u * odd, odd + 2 * u * (evenSlope + u * oddSlope)};
 }
 
-/// Where a march along a polynomial ended.
+/// End of a march along a polynomial.
 enum class MarchEnd { zero, passed, exhausted };
 
 /// The largest h with value + slope h − bend h²/2 ≥ 0, or somewhat less where that is cheap: where a zero is

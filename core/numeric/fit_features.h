@@ -27,7 +27,7 @@ struct MonotoneSegment {
     double error() const { return piece->error[output]; }
     double lower() const { return first < last ? first : last; }
     double upper() const { return first < last ? last : first; }
-    /// Where a value from lower() to upper() is taken.
+    /// Returns where a value from lower() to upper() is taken.
     double placeOf(double wanted) const;
 };
 
@@ -62,7 +62,7 @@ bool isAngle(const FitSide& left, const FitSide& right, double scale);
 struct FitExtreme {
     Estimate value;
     Estimate place;           ///< its error is how far the value stays within its own error
-    bool everywhere = false;  ///< the function is the same everywhere, but for errors
+    bool everywhere = false;  ///< the function is the same everywhere, within errors
 };
 
 enum class Extreme { least, largest };

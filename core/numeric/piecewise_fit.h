@@ -33,7 +33,7 @@ class Chebyshev {
     double slope(double x) const;
     /// Size of the last coefficients: for a smooth function about the error of p.
     double tail() const;
-    /// Where p' changes sign inside the interval, ascending.
+    /// Returns where p' changes sign inside the interval, ascending.
     std::vector<double> stationaryPoints() const;
 
   private:
@@ -46,7 +46,7 @@ class Chebyshev {
     std::array<double, mostNodes> m_slopes{};  // coefficients of p'
 };
 
-/// Most functions that are fitted together, on the same pieces.
+/// Maximum number of functions that are fitted together, on the same pieces.
 inline constexpr std::size_t mostFitFunctions = 3;
 
 /// The functions at one place.
@@ -115,7 +115,7 @@ PiecewiseFit fitPiecewise(const FitSettings& settings, std::span<const double> c
                           const FitFunction& function, const std::stop_token& stop = {},
                           const FitProgress& progress = {});
 
-/// The same for functions that do not depend on x: one sample, at `start`.
+/// Does the same for functions that do not depend on x: one sample, at `start`.
 PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, const FitFunction& function,
                          const std::stop_token& stop = {});
 

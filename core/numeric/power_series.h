@@ -63,7 +63,7 @@ void divide(Real* c, int count, int first, Real u) {
     }
 }
 
-/// The coefficients of the same polynomial seen from u (Taylor shift).
+/// Shifts the polynomial to start from u (Taylor shift).
 template <class Real>
 void moveBy(Real* c, int count, Real u) {
     constexpr int atOnce = 4;
@@ -147,7 +147,7 @@ struct PowerSeries {
         while (count > 0 && std::abs(c[count - 1]) <= negligible) --count;
     }
 
-    /// The same function with u = x/newScale.
+    /// Changes the scale of the same function to u = x/newScale.
     void rescale(Real newScale) {
         const Real ratio = newScale / scale;
         Real power = 1;
@@ -155,13 +155,13 @@ struct PowerSeries {
         scale = newScale;
     }
 
-    /// The same function seen from x, on the interval [x, length].
+    /// Drops the part before x: the same function on the interval [x, length].
     void dropFront(Real x) {
         moveBy(c.data(), count, x / scale);
         length -= x;
     }
 
-    /// ∫ f·g over [0, x]; both must have the same scale.
+    /// Returns ∫ f·g over [0, x]; both must have the same scale.
     static Real productIntegral(const PowerSeries& f, const PowerSeries& g, Real x) {
         assert(f.scale == g.scale);
         if (f.isZero() || g.isZero()) return 0;
@@ -189,7 +189,7 @@ struct PowerSeries {
 
 // Moments of a power series that are kept when another takes its place.
 
-/// How many moments are kept: ∫ f xʲ for j = 0 … 3.
+/// Number of moments kept: ∫ f xʲ for j = 0 … 3.
 inline constexpr int keptMoments = 4;
 
 /// Adds to `f`, given on the scale of its length, the polynomial of third degree that has the moments of

@@ -43,9 +43,9 @@ class CaseRecords {
   public:
     explicit CaseRecords(std::istream& in) : m_text(in), m_in(&m_text) {}
 
-    /// As CsvReader::next().
+    /// Reads the next record, as CsvReader::next() does.
     bool next(CsvRecord& record);
-    /// Steps over the next `most` records, and says how many there were.
+    /// Skips the next `most` records, and returns how many there were.
     std::uint64_t skip(std::uint64_t most);
     int line() const { return m_line; }  ///< line on which the last record began, from 1
 

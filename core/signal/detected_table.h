@@ -32,7 +32,7 @@ struct DetectedTable {
 /// header before it.
 DetectedTable detectTable(std::span<const std::string> lines);
 
-/// The same with the format given.
+/// Does the same with a given format.
 DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
 
 /// The columns of a table whose samples begin at that line; samples before it that are left out do not hide

@@ -21,7 +21,7 @@ struct SignalOption {
     Message (*set)(SignalOptions& options, std::string_view text);
 };
 
-/// All of them, in the order of the manual.
+/// Returns all options, in the order of the manual.
 std::span<const SignalOption> signalOptions();
 
 /// The one of that name, or nullptr.

@@ -57,7 +57,7 @@ struct SignalBar {
     std::optional<double> impedance = {};  ///< [N s/m]
 };
 
-/// Where a fact about a record is from. Whatever is assumed or estimated is also a question.
+/// Source of a fact about a record. Assumed or estimated facts are also questions.
 enum class FactSource { header, option, estimated, assumed };
 std::string_view name(FactSource source);
 

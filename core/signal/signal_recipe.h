@@ -54,7 +54,7 @@ struct SignalRecipe {
     bool operator==(const SignalRecipe&) const = default;
 };
 
-/// Force over time, and what was done to get it.
+/// Force over time, and the changes made to get it.
 struct ShapedSignal {
     TablePoints points;         ///< time [s], force [N]; of a blow without rounding noise in their digits
     double start = 0;           ///< time of the table at which the points begin [s]

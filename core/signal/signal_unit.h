@@ -19,7 +19,7 @@ enum class SignalKind {
     velocity,  ///< of a particle, in m/s: the impedance of the bar makes a force of it
 };
 
-/// One number of the file is so many N, m/m, V/V, V, Pa or m/s.
+/// Value of the number 1 in a file, in N, m/m, V/V, V, Pa or m/s.
 struct SignalUnit {
     std::string_view name;  ///< "kN", "microstrain", "mV/V"
     double factor = 1;

@@ -12,7 +12,7 @@ namespace drillwave {
 
 enum class DecimalSign { point, comma };
 
-/// How the rows of a table are written.
+/// Format of the rows of a table.
 struct RowFormat {
     char separator = ',';  ///< ',', ';', '|' or a tab; a blank stands for any number of blanks and tabs
     DecimalSign decimal = DecimalSign::point;
@@ -56,13 +56,13 @@ struct SignEvidence {
 };
 SignEvidence signEvidence(std::string_view cell);
 
-/// Values from here on stand for "overload" in files of recorders.
+/// Values from here on mean "overload" in files of recorders.
 inline constexpr double overloadValue = 9.9e37;
 
 /// Whether a cell says that there is no value: empty, "NaN", "#N/A", "-", "OVL", 9.9e37 and the like, as
 /// instruments and spreadsheets write them.
 bool isMissing(std::string_view cell);
-/// Whether a cell says that the value was too large for the instrument.
+/// Returns whether a cell means that the value was too large for the instrument.
 bool isOverload(std::string_view cell);
 
 /// Whether a line is blank or a comment: '#' at its beginning, unless the first cell is a spreadsheet's word

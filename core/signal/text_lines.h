@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// How the bytes of a text stand for characters.
+/// Encoding of the characters of a text.
 enum class TextEncoding { found, utf8, windows1252, utf16LittleEndian, utf16BigEndian };
 
 /// "utf-8", "windows-1252" (also "latin-1"), "utf-16le", "utf-16be", or nothing.

@@ -32,7 +32,7 @@ class CsvInSigns {
     bool m_isBehindHeader = false;
 };
 
-/// One record without the line end, split into unquoted cells; empty `problem` when well formed.
+/// Record without the line end, split into unquoted cells; empty `problem` if well formed.
 struct CsvRecord {
     std::vector<std::string> cells;
     Message problem;
@@ -49,12 +49,12 @@ class CsvReader {
     /// cells with nothing but blanks in them.
     enum class Skipped { none, record, emptyCells };
     Skipped skipNext();
-    /// Steps over the next `most` records without reading their cells, and says how many there were.
+    /// Skips the next `most` records without reading their cells, and returns how many there were.
     std::uint64_t skip(std::uint64_t most);
     int line() const { return m_line; }  ///< line on which the last record began, 1-based
 
   private:
-    /// Goes to the next record, which may be blank; false at the end.
+    /// Finds the next record, which may be blank; false at the end.
     bool findRecord();
 
     std::istream& m_in;

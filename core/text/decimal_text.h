@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Without blanks and tabs at either end.
+/// Returns the text without blanks and tabs at either end.
 std::string_view trimmed(std::string_view text);
 
 /// The text with the minus sign U+2212 as a hyphen and the no-break and thin spaces U+00A0, U+202F, U+2009 as

@@ -30,11 +30,11 @@ consteval std::size_t countValues() {
         return first;
 }
 
-/// How many values an enumeration has, which count up from 0.
+/// Returns the number of values of an enumeration, which count up from 0.
 template <class Enum>
 inline constexpr std::size_t valueCount = countValues<Enum>();
 
-/// All of them in their order.
+/// Returns all values in their order.
 template <class Enum>
 inline constexpr std::array<Enum, valueCount<Enum>> allValues = [] {
     std::array<Enum, valueCount<Enum>> values{};
@@ -74,7 +74,7 @@ class EnumNames {
         return allValues<Enum>[static_cast<std::size_t>(found - m_names.begin())];
     }
 
-    /// In the order of the values.
+    /// Returns all names in the order of the values.
     constexpr std::span<const std::string_view> all() const { return m_names; }
 
   private:

@@ -22,10 +22,10 @@ void appendNumber(std::string& row, double value);
 /// count.
 std::string numberText(double value, std::chars_format format, int digits);
 
-/// With so many significant digits.
+/// Returns a number with that many significant digits.
 std::string rounded(double value, int digits = 6);
 
-/// To which side digits are left out.
+/// Direction of rounding.
 enum class Rounding { nearest, up, down };
 
 /// With at most so many significant digits, `up` not less than it was and `down` not more but for rounding
@@ -47,7 +47,7 @@ class ReadingStyle {
     ReadingStyle& operator=(const ReadingStyle&) = delete;
     virtual ~ReadingStyle() = default;
 
-    /// With so many significant digits.
+    /// Returns a number with that many significant digits.
     virtual std::string number(double value, int digits = 6) const { return rounded(value, digits); }
     /// Returns the unit of its usual family that needs the fewest zeros.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;

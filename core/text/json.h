@@ -58,7 +58,7 @@ class Json {
     std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, JsonArray, JsonObject> m_value;
 };
 
-/// One member of an object.
+/// Member of an object.
 struct JsonMember {
     std::string key;
     Json value;

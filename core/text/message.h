@@ -43,11 +43,11 @@ constexpr const char* translatable(const char* pattern) {
     return pattern;
 }
 
-/// A sentence behind the name of what it is about: "out.csv: exists already".
+/// Returns a sentence after the name of its subject: "out.csv: exists already".
 inline Message about(Message name, Message sentence) {
     return {"%1: %2", {std::move(name), std::move(sentence)}};
 }
-/// The same of several sentences about one.
+/// Returns the same for several sentences on one subject.
 std::vector<Message> eachAbout(const Message& name, std::vector<Message> sentences);
 
 // Messages of several and of so many.
@@ -58,7 +58,7 @@ inline Message joined(Message list, const char* pattern, Message next) {
     return {pattern, {std::move(list), std::move(next)}};
 }
 
-/// All of them in a line, "; " between; empty where there are none.
+/// Returns all in one line, "; " between; empty if there are none.
 inline Message inOneLine(std::vector<Message> messages) {
     Message line;
     for (Message& message : messages) line = joined(std::move(line), "%1; %2", std::move(message));

@@ -12,7 +12,7 @@ namespace drillwave {
 
 // Words that are alike but for capitals.
 
-/// A to Z as small letters, whatever the locale; other characters stay.
+/// Returns A to Z as small letters, in any locale; other characters stay.
 inline std::string lowerCase(std::string text) {
     for (char& c : text)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -31,10 +31,10 @@ Message nameProblem(std::string_view text);
 /// direction of reading are written as "\xE9" and "\u202E".
 std::string printable(std::string_view text);
 
-/// The same for a text of several lines: line feeds and tabs stay.
+/// Returns the same for a text of several lines: line feeds and tabs stay.
 std::string printableLines(std::string_view text);
 
-/// The same for a title, which is one line: line feeds and tabs become blanks.
+/// Returns the same for a title, which is one line: line feeds and tabs become blanks.
 std::string printableLine(std::string_view text);
 
 // "Did you mean …?" for mistyped names.

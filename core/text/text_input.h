@@ -30,7 +30,7 @@ struct TextPosition {
     int column = 1;
 };
 
-/// Where a byte of the text is. Costs a walk through the text: for messages.
+/// Returns the position of a byte of the text. Walks through the text: only for messages.
 TextPosition positionOf(std::string_view text, std::size_t offset);
 
 }  // namespace drillwave

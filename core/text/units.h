@@ -58,7 +58,7 @@ std::string unitList(Quantity quantity);
 /// A finite C-locale number filling the whole text (surrounding blanks allowed), whatever the user's locale.
 std::optional<double> parseNumber(std::string_view text);
 
-/// Shortest text that reads back as the same double ("0.1", "1e-07"), C locale.
+/// Returns the shortest text that reads back as the same double ("0.1", "1e-07"), C locale.
 std::string formatNumber(double value);
 
 /// A number with its unit as typed.
@@ -83,7 +83,7 @@ std::string formatQuantity(double si, Quantity quantity, const Unit& unit);
 
 // Headings of columns with their unit in brackets: "rod.length [mm]".
 
-/// "rod.length [mm]"; the name alone without a unit, or with one that has no name.
+/// Returns "rod.length [mm]"; only the name without a unit, or with one that has no name.
 std::string withUnit(std::string_view name, const Unit* unit);
 
 /// A heading in its parts, without blanks around them; `unit` is empty without brackets at the end.

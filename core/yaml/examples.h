@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// One built-in scenario file.
+/// Built-in scenario file.
 struct Example {
     std::string name;         ///< file name without ".yaml", e.g. "paper_fig4a"
     std::string title;        ///< the scenario's title
@@ -17,7 +17,7 @@ struct Example {
     bool ofString = false;    ///< a hammer and a string of sections, no uniform rod
 };
 
-/// All of them: the paper's figures first, then the drilling cases, drill strings last.
+/// Returns all examples: the paper's figures first, then the drilling cases, drill strings last.
 std::span<const Example> builtInExamples();
 
 /// The example of that name, or nullptr.

@@ -33,7 +33,7 @@ struct PresetFile {
 /// values without a unit or a source, hammers, rods and sections that could not be.
 PresetFile parsePresets(std::string_view text, const std::string& source);
 
-/// The same for a file of at most 1 MiB.
+/// Does the same for a file of at most 1 MiB.
 PresetFile loadPresets(const std::string& path);
 
 /// The presets of resources/presets, built into the program.

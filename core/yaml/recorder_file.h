@@ -53,7 +53,7 @@ RecorderFile loadRecorders(const std::string& path);
 /// Writes such a file, with its folder. Returns why it could not; empty when it was written.
 Message saveRecorders(const std::string& path, const std::vector<Recorder>& recorders);
 
-/// Sets the options that the settings name, and no others. Returns what is wrong with one.
+/// Sets the options that the settings name, and no others. Returns a problem of one of them.
 Message applyRecorder(const Recorder& recorder, SignalOptions& options);
 
 }  // namespace drillwave

@@ -37,7 +37,7 @@ class ScenarioError : public std::runtime_error {
     std::vector<InputProblem> m_problems;
 };
 
-/// A scenario together with the text it came from, so that saving keeps comments, order and units.
+/// Scenario together with its text, so that saving keeps comments, order and units.
 struct ScenarioDocument {
     Scenario scenario;
     std::string text;    ///< the bytes read, empty for a new scenario
@@ -51,7 +51,7 @@ struct ScenarioDocument {
 /// to it.
 ScenarioDocument loadScenario(const std::string& path);
 
-/// The same for text in memory; `source` names it in messages.
+/// Does the same for text in memory; `source` names it in messages.
 ScenarioDocument parseScenario(std::string_view text, const std::string& source);
 
 /// Returns the document's scenario and design as YAML text. Byte for byte `document.text` if it still has

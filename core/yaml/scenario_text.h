@@ -18,7 +18,7 @@ struct SavedUnit {
     const Unit* customary = nullptr;
 };
 
-/// One line of a scenario file: a number, or a text (title, shape, file of a table, name of a section).
+/// Line of a scenario file: a number, or a text (title, shape, file of a table, name of a section).
 struct SavedValue {
     std::string section;   ///< path of the map it is in: "rod", "hammer.sections.0", "string.2.of.1", …;
                            ///< empty at the top level. Items of lists are counted from 0.
@@ -26,12 +26,12 @@ struct SavedValue {
     std::optional<SavedUnit> unit;         ///< nothing for a text
     double number = 0;                     ///< SI
     std::string text;                      ///< of a text, as it is
-    bool isDefault = false;                ///< an absent key says the same
-    bool isUnusual = false;                ///< a new file tells it only where it is not the default
+    bool isDefault = false;                ///< an absent key has the same meaning
+    bool isUnusual = false;                ///< written to a new file only if it is not the default
     const Parameter* parameter = nullptr;  ///< of the table of parameters, or nullptr
 };
 
-/// Everything a file must say, in the order of a file. The points of an inline table are not among them.
+/// Returns all values of a file, in its order. The points of an inline table are not among them.
 std::vector<SavedValue> savedValues(const Scenario& scenario);
 
 /// Returns the scenario without values that its form and shape do not use, which no file keeps.
@@ -43,7 +43,7 @@ std::string valueText(const SavedValue& value, const Unit* unit = nullptr);
 /// Returns a text as a YAML scalar, quoted if necessary.
 std::string yamlScalar(std::string_view text);
 
-/// The whole file in its customary form.
+/// Returns the whole file in its default form.
 std::string scenarioText(const Scenario& scenario);
 
 /// Paths of the lists of a file, beside "string" and the groups in it.
@@ -60,7 +60,7 @@ std::string sectionItem(const std::vector<SavedValue>& values, std::string_view 
 /// Returns items as a list, one line or more each, behind that many blanks.
 std::string listText(const std::vector<std::string>& items, std::size_t indentation);
 
-/// One section of it: "drill:\n  thrust: 8 kN\n".
+/// Returns a section of it: "drill:\n  thrust: 8 kN\n".
 std::string sectionText(const Scenario& scenario, std::string_view section);
 
 }  // namespace drillwave

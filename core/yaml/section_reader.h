@@ -31,7 +31,7 @@ class ProblemList {
     void reportKey(std::size_t offset, std::string_view key, const Message& reason);
     /// A problem as it is, its place being known already.
     void report(InputProblem problem);
-    /// A problem of what was read, at a byte of the text.
+    /// Reports a problem at a byte of the text.
     void reportAt(std::size_t offset, InputProblem problem);
 
     bool empty() const { return m_problems.empty(); }
@@ -39,7 +39,7 @@ class ProblemList {
     TextPosition position(std::size_t offset) const { return positionOf(m_text, offset); }
     /// Whether something was reported about that key.
     bool concerns(std::string_view key) const { return m_keys.contains(std::string(key)); }
-    /// The problems by line and column; the last one tells how many were left out.
+    /// Returns the problems by line and column; the last one gives the number of those left out.
     std::vector<InputProblem> take();
 
   private:
@@ -49,11 +49,11 @@ class ProblemList {
     std::size_t m_leftOut = 0;
 };
 
-/// One key of a map and its value.
+/// Key of a map and its value.
 struct YamlEntry {
     const YamlNode* key = nullptr;
     const YamlNode* value = nullptr;
-    /// Where to point at: the value, or the key of an absent one.
+    /// Returns the place to point at: the value, or the key of an absent one.
     std::size_t place() const;
 };
 using YamlEntries = std::map<std::string, YamlEntry, std::less<>>;
@@ -84,8 +84,8 @@ class SectionReader {
     /// duration).
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
-    /// Reports what is missing from a section, of the parameters of the group that apply to the scenario, and
-    /// what stands beside its rival.
+    /// Reports parameters that are missing from a section, among those of the group that apply to the
+    /// scenario, and those beside their rival.
     void requireParameters(const YamlEntries& entries, std::string_view group);
     /// Reports the parameter if it is missing from its section.
     void require(const YamlEntries& entries, const Parameter& parameter);
@@ -98,7 +98,7 @@ class SectionReader {
     /// Given, or mistyped, which is reported already.
     bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 
-    /// Remembers where a key of the scenario stands, for what is found out later.
+    /// Remembers the place of a key of the scenario, for later problems.
     void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
     std::optional<std::size_t> placeOf(std::string_view key) const;
 

@@ -16,14 +16,14 @@ struct TextExtent {
     std::size_t end = 0;
 };
 
-/// Where a scalar stands, with its quotes; nothing where it is not on one line.
+/// Returns the extent of a scalar, with its quotes; nothing if it is not on one line.
 std::optional<TextExtent> extentOf(std::string_view text, const YamlNode& scalar);
 
 /// The byte behind a value with the brackets that close it; nothing where its last scalar has no extent, and
 /// for an absent value.
 std::optional<std::size_t> endOf(std::string_view text, const YamlNode& value);
 
-/// The lines of an extent, from the first byte to behind the line end.
+/// Returns the lines of an extent, from the first byte to after the line end.
 TextExtent linesOf(std::string_view text, TextExtent extent);
 
 /// The comment that follows behind blanks, from its `#` to the end of the line; empty extent without.

@@ -13,7 +13,7 @@ namespace drillwave {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
-/// One value of a YAML text.
+/// Value of a YAML text.
 struct YamlNode {
     YamlKind kind = YamlKind::null;
     bool flow = false;         ///< written with brackets or braces
