@@ -18,13 +18,13 @@
 
 namespace drillwave {
 
-/// What a parameter is to be set to.
+/// A parameter and the value to set it to.
 struct ParameterValue {
     KeptParameter parameter;
     double si;
 };
 
-/// A value with its unit, as steps of the history name it: "9.5 kN".
+/// Formats a value with its unit for the steps of the history: "9.5 kN".
 QString shownValue(const Parameter& parameter, double si);
 
 class ScenarioEdit;
@@ -45,7 +45,7 @@ class Document : public QObject {
     /// Takes another set-up as one undo step.
     void setDesign(const DesignSetup& design);
     QUndoStack& undoStack() { return m_undoStack; }
-    /// Those in which it is shown, in fields and results alike.
+    /// The units of all fields and results.
     UnitChoice& units() { return m_units; }
     const UnitChoice& units() const { return m_units; }
     /// The file it was read from or saved to last, which saving writes; empty where there is none.
@@ -58,7 +58,7 @@ class Document : public QObject {
     QString displayName() const;
     /// Whether the scenario is another one than in its file; other steps of the history do not count.
     bool isModified() const;
-    /// The same of what all commands read: the set-up of the design study does not count.
+    /// Whether the part that all commands read is modified: the set-up of the design study does not count.
     bool isScenarioModified() const;
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
@@ -79,8 +79,8 @@ class Document : public QObject {
     /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
     /// Returns why it cannot take that value, empty when it has.
     QString assign(const Parameter& parameter, double si, int gesture);
-    /// The same for parameters that are set together, in that order, such as the two of a map. Of different
-    /// parameters, at least one.
+    /// Sets several parameters in this order, such as both axes of a map. Requires at least one parameter,
+    /// each of them once.
     QString assign(const std::vector<ParameterValue>& values, int gesture);
     /// Takes an optional parameter back to "not given", any other to what it was before the gesture.
     void clear(const Parameter& parameter, int gesture);
@@ -99,7 +99,7 @@ class Document : public QObject {
     /// Takes the hammer blow from a CSV file of times and forces, as one undo step. Returns why not, line by
     /// line; then nothing has changed.
     QString useTable(const QString& path);
-    /// Reads the CSV file of the hammer blow anew, likewise. Requires tablePath().
+    /// Reads the CSV file of the hammer blow again, as useTable() does. Requires tablePath().
     QString reloadTable();
     /// The CSV file that the points of the hammer blow are from; empty when they are the scenario's own.
     QString tablePath() const;
@@ -112,7 +112,7 @@ class Document : public QObject {
     /// has no path(), so that saving never writes over results. Returns why not, line by line; then nothing
     /// has changed.
     QString open(const QString& path);
-    /// Takes the scenario of the file anew, as an undo step. Returns why not; then nothing has changed.
+    /// Reads the file of the scenario again, as an undo step. Returns why not; then nothing has changed.
     QString reload();
     /// Replaces the scenario by one that was never saved, without a path(); `origin` is the file it was an
     /// edit of, or empty. Returns why not, line by line; then nothing has changed.

@@ -33,9 +33,9 @@ class FileWatch : public QObject {
 
     /// Looks at the file now. A document without a file is `same`.
     State state() const;
-    /// Looks, and tells what is new since it was told last.
+    /// Compares the file and emits differs() for a difference that was not reported yet, or agrees().
     void check();
-    /// The present difference is meant to be: it is neither told again nor in the way of saving.
+    /// Accepts the present difference: it is not reported again and saving needs no consent.
     void accept();
     /// Whether saving would write over something that nobody here has seen and accepted.
     bool savingNeedsConsent() const;
@@ -53,8 +53,8 @@ class FileWatch : public QObject {
     QFileSystemWatcher m_watcher;
     QTimer m_settle;  // editors write in several steps
     QString m_path;
-    std::optional<QByteArray> m_told;      // bytes of the difference told last; null when missing
-    std::optional<QByteArray> m_accepted;  // likewise
+    std::optional<QByteArray> m_told;      // bytes of the difference reported last; null when missing
+    std::optional<QByteArray> m_accepted;  // bytes of the difference accepted last; null when missing
 };
 
 // Whether the file of a measured blow still says what was read from it.
@@ -73,7 +73,7 @@ class TableWatch : public QObject {
     /// The document must outlive the watch.
     explicit TableWatch(const Document& document, QObject* parent = nullptr);
 
-    /// Looks, and tells what is new since the points on show were read, once.
+    /// Compares the file and emits differs() once per change since the points on show were read.
     void check();
 
   signals:
@@ -82,7 +82,7 @@ class TableWatch : public QObject {
     void agrees();
 
   private:
-    /// What a file is known by; all empty where there is none.
+    /// Fingerprint of a file; empty if there is no file.
     struct Stamp {
         qint64 size = -1;
         QDateTime time;

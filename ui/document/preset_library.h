@@ -24,7 +24,7 @@ class PresetLibrary {
 
     /// Reads the user's files again: presets.yaml in folder(), if there is one, and those added.
     void reload();
-    /// Those built in first; they are always there.
+    /// The built-in presets first; they are always there.
     const std::vector<PresetSource>& sources() const { return m_sources; }
     /// The first preset of a kind that matches the scenario, or nullptr.
     const Preset* matching(PresetKind kind, const Scenario& scenario) const;

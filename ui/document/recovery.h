@@ -32,7 +32,7 @@ struct WorkBeside {
     std::vector<MeasuredSignal> measured;
 };
 
-/// What a recovery file says.
+/// Contents of a recovery file.
 struct UnsavedScenario {
     QString name;    ///< as the window showed it
     QString origin;  ///< the file it was an edit of, or empty
@@ -94,12 +94,12 @@ class Recovery : public QObject {
     /// Writes everything, unsaved or not, for a window that takes its place and asks nothing. False where
     /// that has failed.
     bool writeForRestart();
-    /// Nothing is to be recovered any more: removes the file. A further change starts anew.
+    /// Removes the file, as nothing needs recovery any more. A later change writes it again.
     void end();
     QString file() const { return m_file; }
 
   signals:
-    /// Changes cannot be kept, told once: why.
+    /// Changes cannot be kept, for the reason `problem`. Emitted once.
     void failed(const QString& problem);
 
   private:

@@ -19,7 +19,7 @@ class ExportMenu : public QMenu {
   public:
     /// Where the menu finds what it exports.
     struct Sources {
-        /// Of the document's scenario as it is now, solved or not; nullptr while that is on its way.
+        /// Returns the document's scenario as it is now, solved or not; nullptr until an answer is there.
         std::function<SolvedBlowPtr()> blow;
         /// Calls `then` when blow() is there and shown: at once, or later, or never when that is called off.
         /// `what` names what waits.
@@ -29,9 +29,9 @@ class ExportMenu : public QMenu {
     /// Document and questions must outlive the menu.
     ExportMenu(Document& document, Questions& questions, Sources sources, QWidget* window);
 
-    /// What the page on show offers; from now on in the menu.
+    /// Sets the exports of the page on show, which the menu then offers.
     void setExports(const QList<PageExport>& exports);
-    /// One of them, the numbers behind the scenario.
+    /// Writes one of the exports, the numbers with the scenario in front.
     void save(const PageExport& wanted);
     /// The numbers of the page in a window of their own, as they are now.
     void showNumbers();
@@ -59,7 +59,7 @@ class ExportMenu : public QMenu {
     void saveFile(const QString& title, const QString& ending, const MakeFile& make);
     void writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing);
     void writePicture(const QString& path, const PageExport& wanted, const PictureChoice& choice);
-    /// Whether it is known, and told, that there is nothing to be written.
+    /// Whether the scenario has no solution; reports that to the user.
     bool isUnsolved();
     /// Hands the blow over when there is one; `what` waits for it.
     void withRun(const QString& what, const UseRun& use);

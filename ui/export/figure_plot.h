@@ -14,7 +14,7 @@ class QCustomPlot;
 
 namespace drillwave {
 
-/// What data files spell out, as it is printed: "gamma" as γ, "k0" with its index.
+/// Returns a text of a data file as it is printed: "gamma" as γ, "k0" with its index.
 QString figureText(const std::string& text);
 
 /// Fills a plot, of whatever size, with nothing but the panels below each other.

@@ -26,7 +26,7 @@ struct PaperPlot {
     Millimetres size;
 };
 
-/// Whose words, numbers and units are on paper: those of the commands, English, the C locale and SI.
+/// Words, numbers and units of a paper: by default those of the commands, English, the C locale and SI.
 struct PaperReader {
     UnitSystem system = UnitSystem::si;  ///< of scenarios that have units
     ChosenUnits chosen = {};             ///< of kinds that do not follow it
@@ -54,7 +54,7 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale 
     return paper;
 }
 
-// Of a blow that has its histories:
+// These require a blow with its histories.
 
 /// Waves, impact force, impulse and momentum over time; signals are laid over them, of a scenario with units.
 /// The waves are those of the section of the first signal that is one of inside.
@@ -70,7 +70,7 @@ PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader = {});
 /// Hammer and string to scale.
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
-/// The force in the rod over place and time, of a blow solved likewise.
+/// The force in the rod over place and time.
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// A figure about a scenario.
 PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario,

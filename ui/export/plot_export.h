@@ -14,8 +14,8 @@ namespace drillwave {
 
 /// Draws blow.* (waves, impact force, impulse, momentum; 180 × 240 mm), rock.* (force–penetration; 120 × 90
 /// mm), wave_picture.* (force over place and time; 180 × 110 mm) and rod.* (largest stresses along rod or
-/// string; likewise), once per format; see renderPictures(). Requires a blow solved with Detail::histories,
-/// of a string one whose waves were kept. A stop ends it between two pictures.
+/// string; 180 × 110 mm), once per format; see renderPictures(). Requires a blow solved with
+/// Detail::histories, for drill strings with its waves kept. A stop ends it between two pictures.
 Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
                        const std::stop_token& stop = {}, const PaperReader& reader = {});
 

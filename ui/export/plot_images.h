@@ -21,8 +21,8 @@ class PlotImages : public QObject, public QTextObjectInterface {
     /// `unit` is that of the layout of the text [1/in]. The plots must outlive the images.
     PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
 
-    /// High plots are so much lower than they would be, as wide as they are; a text that has them is to be
-    /// laid out anew.
+    /// Scales the height of high plots by `share` and keeps their width. The caller lays out texts that have
+    /// them again.
     void setHeight(double share) { m_height = share; }
     /// The page that is drawn: plots of other pages are left out, as a plot does not heed clips.
     void setPage(const QRectF& page) { m_page = page; }

@@ -15,7 +15,7 @@ class UnitChoice;
 /// all gaps each, not for the thread of the window.
 RunList withMargins(const RunList& runs, const std::stop_token& stop);
 
-/// What differs and the results of a solved blow, then of the runs that are solved, in the units of the
+/// Returns the differences and the results of a solved blow and of the solved runs, in the units of the
 /// window, as on the page Compare; empty without such runs.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
 

@@ -26,8 +26,8 @@ class ReportDocument {
     void draw(QPainter& painter, int page);
 
   private:
-    /// What is behind the pictures, scenario and errors of the solution: where it fits, or on a page of its
-    /// own.
+    /// Where the part after pictures, scenario and errors of the solution goes: where it fits, or on a page
+    /// of its own.
     enum class Ending { inFlow, ownPage };
 
     void layOut(double plotHeight, Ending place);

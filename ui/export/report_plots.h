@@ -16,7 +16,7 @@ struct ReportPlot {
     PaperPlot paper;
 };
 
-/// Those that the report has something for. A stop ends the work early: they are not to be used then.
+/// Draws the plots of a report that have data. A stop ends the work early; the plots must not be used then.
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
                                     const std::stop_token& stop);
 

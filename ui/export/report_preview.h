@@ -17,8 +17,8 @@ class QPushButton;
 
 namespace drillwave {
 
-/// What stands in the head of the window's reports: author and customer are kept over the end of the program,
-/// the date is that of the day where it is wanted.
+/// Returns the head of the window's reports: author and customer as saved by the last edit, and today's date
+/// if the user wants one.
 ReportHead rememberedHead();
 
 /// A window of its own, which stays open beside the work.
@@ -30,7 +30,7 @@ class ReportPreview : public QWidget {
 
     /// Shows a report, with another head once the fields are edited.
     void present(const BlowReport& report, const PaperReader& reader);
-    /// What is shown is of an earlier scenario.
+    /// Marks the pages as those of an earlier scenario.
     void setOutOfDate(bool outOfDate);
     int pageCount() const;
 

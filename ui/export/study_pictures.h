@@ -18,7 +18,7 @@
 
 namespace drillwave {
 
-/// What the page of each study shows at first; see renderPictures().
+/// Draw the first view of the page of each study; see renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// The march, or why there is nothing to show.
@@ -28,7 +28,7 @@ Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// Of a report along a parameter.
+/// Requires a report along a parameter.
 Pictures drawStudy(const ThrustReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});

@@ -16,8 +16,8 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Its widgets live in the grid of the section of bit and rock. What a law takes besides is in rows of the
-/// table of parameters, but for its corners.
+/// Its widgets live in the grid of the section of bit and rock. Rows of the table of parameters show all
+/// values of a law except its corners.
 class LawSection : public QObject {
     Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace drillwave {
 /// Columns of the grid of a section: name, slider, field, unit.
 inline constexpr int formColumns = 4;
 
-/// Made from an entry of the parameter table alone. Its widgets live in the grid of the section.
+/// Made only from an entry of the parameter table. Its widgets live in the grid of the section.
 class ParameterRow : public QObject {
     Q_OBJECT
 

@@ -22,7 +22,7 @@ class PulseSection : public QObject {
     /// Fills the lowest rows of `grid`. Document and questions must outlive it.
     PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
 
-    /// Whether to find out anew which shapes the scenario can have: each is a scenario to be checked.
+    /// Whether to check again which shapes the scenario can have: each shape needs a check of a scenario.
     enum class Shapes { asked, asBefore };
     void present(const Scenario& scenario, Shapes shapes);
 

@@ -43,8 +43,8 @@ class QuantityField : public QAbstractSpinBox {
     using Taker = std::function<QString(double)>;
 
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
-    /// Of values of a parameter, in the unit that its fields have, and follows that. The units must outlive
-    /// it.
+    /// Makes a field for the values of a parameter, in the unit of its other fields, which it follows. The
+    /// units must outlive it.
     QuantityField(const KeptParameter& parameter, const UnitChoice& units, QWidget* parent = nullptr);
     ~QuantityField() override;
 
@@ -63,7 +63,7 @@ class QuantityField : public QAbstractSpinBox {
     const Unit& unit() const { return *m_unit; }
     /// Changes what is shown, not the value.
     void setUnit(const Unit& unit);
-    /// What tip and screen reader say while nothing is wrong.
+    /// Sets the tip and the text for screen readers while nothing is wrong.
     void setHelp(const QString& tip, const QString& description);
     /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. To be
     /// laid out beside the field; it goes with it.
@@ -122,7 +122,7 @@ class QuantityField : public QAbstractSpinBox {
     QString m_problem;
     QString m_shownProblem;
     QString m_help;         // the tip while nothing is wrong
-    QString m_description;  // likewise, what a screen reader says
+    QString m_description;  // the text for screen readers then
     QTimer m_markTimer;
     QTimer m_stepTimer;
     QAction* m_mark = nullptr;

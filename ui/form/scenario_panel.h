@@ -41,8 +41,8 @@ class IndexingBox : public QObject {
     ChoiceBox* m_box;
 };
 
-// What the form says of a drill string beside its numbers: how much of it there is, where its sections are
-// edited, and whether the hammer strikes again.
+// Rows for drill strings beside the numbers: a summary with a link to the sections, and whether the hammer
+// strikes again.
 
 /// Its widgets live in the grids of two sections of the form.
 class StringSection : public QObject {
@@ -68,7 +68,7 @@ class StringSection : public QObject {
     QCheckBox* m_restrike = nullptr;
 };
 
-/// Shows and edits a document. Rows come from parameters() alone: what is added there appears here.
+/// Shows and edits a document. Rows come only from parameters(): a new parameter there appears here.
 class ScenarioPanel : public SteadyScrollArea {
     Q_OBJECT
 

@@ -34,11 +34,11 @@ bool isHeading(const QString& shown, const QString& meant);
 /// A property of a widget that says "window §2" of all that is inside it.
 inline constexpr char helpTopicProperty[] = "helpTopic";
 
-/// Where the parameter of a key is told; no chapter where it is no key.
+/// Returns where the manual describes the parameter of a key; no chapter for other keys.
 ManualPlace placeOfKey(const QString& key);
 
-/// Of the widget that has the focus, or of what it stands in: a field is called by the key of its parameter,
-/// its slider likewise with ".slider" behind. No chapter where nothing of it says where.
+/// Returns the topic of the focused widget or of its nearest parent with one. Fields are named by the key of
+/// their parameter, sliders by the key with ".slider" appended. No chapter if there is none.
 ManualPlace topicOf(const QWidget* focus);
 
 }  // namespace drillwave

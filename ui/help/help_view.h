@@ -18,11 +18,11 @@ class HelpView : public QTextBrowser {
     explicit HelpView(const ManualBook& book, QWidget* parent = nullptr);
 
     const ManualPlace& place() const { return m_history[m_at].place; }
-    /// Goes there; the place before stays behind it. What is not there leads to the chapter's beginning.
+    /// Goes to a place; the last one stays in the history. Unknown headings lead to the chapter's beginning.
     void go(const ManualPlace& place);
-    /// Marks these words wherever they are, and brings the first of them behind the place into view.
+    /// Marks these words wherever they are, and scrolls to the first of them below the place.
     void mark(const QStringList& words);
-    /// The chapter anew, as of another book or in other colours; where it is scrolled to it stays.
+    /// Lays out the chapter again, for example in other colours; keeps the scroll position.
     void layOut();
 
     bool hasBackward() const { return m_at > 0; }

@@ -38,7 +38,7 @@ class ManualBook {
     const BookChapter* find(const QString& name) const;
     /// Whether there is such a place.
     bool has(const ManualPlace& place) const;
-    /// Puts Markdown behind a chapter that is there, in place of what was put there before.
+    /// Appends Markdown to a chapter of the book and replaces what was appended before.
     void append(const QString& name, const QString& markdown);
 
   private:

@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-// What in a text of the manual leads to another place of it: "theory §3", "(T34)", names of parameters,
-// outputs and commands.
+// Links in a text of the manual to other places in it: "theory §3", "(T34)", names of parameters, outputs and
+// commands.
 
 /// A stretch of a line that is a link.
 struct ManualLink {
@@ -20,7 +20,7 @@ struct ManualLink {
     ManualPlace to;
 };
 
-/// Those in a line of a chapter, in order, that lead to a place which is there.
+/// Returns the links in a line of a chapter, in order, whose place exists.
 QList<ManualLink> linksIn(const QString& line, const QString& chapter, const ManualBook& book);
 
 /// Where a piece of code leads that names a parameter, an output, a command or a page; no chapter where it
@@ -37,8 +37,8 @@ struct ManualColours {
 };
 ManualColours manualColours(const QPalette& palette);
 
-/// Fills a document with a chapter, in lines of so many pixels: links where places and names are told, tables
-// with lines, code set apart.
+/// Fills a document with a chapter, `width` pixels wide: places and names as links, tables with lines, code
+// set apart.
 void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book, qreal width,
                 const QPalette& palette);
 

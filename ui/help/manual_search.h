@@ -23,8 +23,8 @@ struct ManualHit {
 /// The words of what was typed; between quotes several are one.
 QStringList soughtWords(const QString& typed);
 
-/// What the window calls so in a language, in the English that some chapters are in: short texts whose
-/// translation has those words, the shortest first; none of no words.
+/// Returns short English texts of the window whose translation has these words, because some chapters are in
+/// English; the shortest first, none for no words.
 QStringList englishOf(const QString& words, const Language& language);
 
 /// The sections of all chapters as plain text, read once.

@@ -20,7 +20,7 @@ namespace drillwave {
 class LocalStyle;
 struct SolvedBlow;
 
-// What a page shows of a blow beside the blow itself: known to the page alone, carried by the job.
+// Data that a page shows beside the blow itself: only the page knows their type, the job carries them.
 
 /// A value of a page's own type, made on the job's thread and never changed once made.
 class PageData {
@@ -56,18 +56,18 @@ struct MarchedQuestion {
     bool operator==(const MarchedQuestion&) const = default;
 };
 
-/// What is wanted. Pages that can be seen tell how their data are made; the others' are not.
+/// Input of a solver job. Visible pages pass a function that makes their data; hidden pages do not.
 struct SolveRequest {
     Scenario scenario;
     UnitSystem units = UnitSystem::dimensionless;
     ChosenUnits chosenUnits = {};               ///< of kinds that do not follow `units`
     UnitSystem physicalUnits = UnitSystem::si;  ///< SI or US: of sentences, also where `units` are none
     std::vector<PreparePage> pages;
-    std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
+    std::uint64_t number = 0;   ///< counts requests: identifies the answer to the last question
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
-    /// Of a drill string, whose sure answer takes a tenth of a second or more: one with a larger error.
+    /// For drill strings that take 0.1 s or more to solve: a first answer with a larger error.
     bool quick = false;
-    /// The pages show this one of the scenario's many blows in place of its single one.
+    /// Shows this one of the scenario's many blows instead of its single blow.
     std::optional<MarchedQuestion> marched = {};
 };
 
@@ -81,7 +81,7 @@ struct SolvedBlow : Blow {
     ShownUnits units;
     std::vector<PageData> pages;  ///< one for each of the request's that was not empty
 
-    /// What a page has asked for; nullptr when it has not, or there is no blow.
+    /// Returns the data of a page; nullptr if it asked for none, or there is no blow.
     template <class Value>
     const Value* page() const {
         for (const PageData& data : pages)
@@ -102,7 +102,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver,
 /// An answer that only says why there is none.
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);
 
-// What takes a while to be solved is solved once, however often pages look at it.
+// Results that take a while are solved once, however often pages look at them.
 
 /// Whether a blow is the answer to a request but for its units and pages, and worth being taken for it: of a
 /// drill string; a rod is solved sooner than its histories are copied.

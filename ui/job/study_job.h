@@ -22,7 +22,7 @@ namespace drillwave {
 
 // How far a study is, whatever it computes: for the status line and the pages alike.
 
-/// Of the points of a study.
+/// Count of the points of a study.
 struct StudyProgress {
     std::size_t done = 0;
     std::size_t wanted = 0;  ///< 0 while nobody knows
@@ -35,14 +35,14 @@ inline constexpr std::chrono::seconds unaskedTime{10};
 /// stopped: by the user, or after unaskedTime; what had been found stays. failed: see problem().
 enum class StudyState { idle, running, finished, stopped, failed };
 
-/// What can be seen of a study from outside.
+/// State and progress of a study as seen from outside.
 class StudyActivity : public QObject {
     Q_OBJECT
 
   public:
     explicit StudyActivity(QObject* parent = nullptr);
 
-    /// Of the study asked for last.
+    /// State of the study asked for last.
     StudyState state() const { return m_state; }
     StudyProgress progress() const { return m_progress; }
     /// Why there is no result, in a sentence; empty unless the state is failed.
@@ -82,8 +82,8 @@ class StudyActivity : public QObject {
     bool m_isOutOfTime = false;
 };
 
-/// What a running study tells, from whichever of its threads, until it returns. What comes faster than the
-/// window can show it is passed over: the last of each kind is always seen.
+/// Receives progress and values from a running study, on any of its threads, until it returns. The window may
+/// skip some of them, but always shows the last of each kind.
 template <class Value>
 struct StudyFeed {
     std::stop_token stop;  ///< asked for: the study returns soon, with anything
@@ -96,7 +96,7 @@ struct StudyFeed {
 template <class Value>
 class StudyJob : public StudyActivity {
   public:
-    /// Holds its input by value. What it throws becomes problem().
+    /// Holds its input by value. The text of an exception becomes problem().
     using Study = std::function<Value(const StudyFeed<Value>&)>;
 
     /// Stops the study in flight and waits for its end when it goes.
@@ -104,7 +104,7 @@ class StudyJob : public StudyActivity {
 
     void submit(Study study);
     void resume() override;
-    /// Stops the study. What it has shown so far stays.
+    /// Stops the study. Values shown so far stay.
     void cancel() override;
     void forget() override;
     /// The last that was shown, or the result; nullptr before the first.
@@ -116,7 +116,7 @@ class StudyJob : public StudyActivity {
         std::shared_ptr<const Value> value;
         QString problem;
     };
-    // What has been told and shown since the window looked last.
+    // Values and progress reported since the window looked last.
     struct Mail {
         std::uint64_t study = 0;
         std::optional<StudyProgress> progress;
@@ -139,7 +139,7 @@ class StudyJob : public StudyActivity {
     std::uint64_t m_valueOf = 0;
     std::shared_ptr<const Value> m_value;
 
-    // What the threads hand each other, under the lock.
+    // Shared by the threads, under the lock.
     std::mutex m_lock;
     Mail m_mail;
     bool m_announced = false;  // take() is on its way through the event loop
@@ -169,7 +169,7 @@ void StudyJob<Value>::start() {
     m_problem.clear();
     m_worker.submit([this, number, study = m_study](const std::stop_token& stop) -> Worker::Delivery {
         End ended = run(study, feed(number, stop));
-        // What was stopped for the next study is not finished, whatever it says.
+        // A study that was stopped for the next one is not finished, whatever it reports.
         if (stop.stop_requested()) ended = {};
         return [this, number, ended = std::move(ended)] { end(number, ended); };
     });

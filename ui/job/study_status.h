@@ -22,8 +22,8 @@ namespace drillwave {
 /// Shorter waits are not noticed, and a mark or a line that comes and goes is.
 inline constexpr std::chrono::milliseconds usualPatience{150};
 
-/// Follows questions and answers. A late answer is said to be on its way, with a button to stop it; a stopped
-/// one stays out of date until it is asked for again. What must not be done with an old result waits here.
+/// Follows questions and answers. Shows that a late answer is on its way, with a button to stop it; a stopped
+/// one stays out of date until it is requested again. Actions that need a current result wait here.
 class SolveStatus : public QWidget {
     Q_OBJECT
 
@@ -33,10 +33,10 @@ class SolveStatus : public QWidget {
     /// How long a question may be without an answer before the old one is marked.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
 
-    /// The input has changed, or something else is wanted of it: what is shown is the answer to something
-    /// else.
+    /// Notes that the input has changed or that another result is needed: the answer on show is out of
+    /// date.
     void asked();
-    /// The answer to the present input is shown; its summary in a line. What waited is done.
+    /// Notes that the answer to the present input is shown; `summary` is one line. Runs the waiting action.
     void answered(const QString& summary);
     /// A quick answer to the present input is shown, and the sure one is on its way: nothing is out of date,
     /// but what waits is for the sure one.
@@ -49,10 +49,10 @@ class SolveStatus : public QWidget {
     /// Whether what is shown is marked as out of date.
     bool isMarked() const { return m_marked; }
 
-    /// Calls `then` as soon as what is shown is current: now, or when the answer comes; `what` names it in
-    /// the status line. Asks anew where solving was stopped. Only the last one waits.
+    /// Calls `then` as soon as the answer is current: now, or when it arrives; `what` names it in the status
+    /// line. Solves again if solving was stopped. Only the last one waits.
     void whenCurrent(const QString& what, std::function<void()> then);
-    /// What waits is not done; says so with the reason.
+    /// Drops the waiting action and shows the reason.
     void callOff(const QString& reason);
     bool isWaiting() const { return bool(m_waiting); }
 
@@ -62,7 +62,7 @@ class SolveStatus : public QWidget {
   signals:
     /// isCurrent() has changed.
     void currentChanged(bool current);
-    /// What is shown is out of date and is to look like it, or is so no more.
+    /// The answer on show is out of date and should look so, or is current again.
     void marked(bool outOfDate);
     /// The user stops the solver, or wants the answer after all.
     void stopRequested();
@@ -113,7 +113,7 @@ class StudyStatus : public QWidget {
     /// From now on of this activity, whose name goes before; nullptr for none.
     void follow(StudyActivity* activity, const QString& name);
 
-    /// What it says; empty while it shows nothing.
+    /// The text of the line; empty while it shows nothing.
     QString text() const;
     QPushButton* button() const { return m_button; }
 

@@ -20,7 +20,7 @@ class Worker : public QObject {
     Q_OBJECT
 
   public:
-    /// What a task leaves to be done on the window's thread.
+    /// Work that a task leaves for the window's thread.
     using Delivery = std::function<void()>;
     /// Done on the worker's thread, throws nothing. It may ignore `stop`, or end early on it.
     using Task = std::function<Delivery(const std::stop_token& stop)>;
@@ -56,7 +56,7 @@ class Worker : public QObject {
     std::stop_source m_stop;  // of what is in flight
     QTimer m_patience;        // runs out when what is in flight may be stopped for what is waiting
 
-    // What the two threads hand each other, under the lock.
+    // Shared by the two threads, under the lock.
     std::mutex m_lock;
     std::condition_variable m_changed;
     Task m_task;  // from start() until it is done

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every page of the window has in common.
+// Interface of all pages of the window.
 #pragma once
 
 #include <QWidget>
@@ -24,8 +24,8 @@ class Page : public QWidget {
     /// Whether it has something to show of such a scenario; a page that has not cannot be chosen, has no tab
     /// where its answer is elsewhere(), and is asked for nothing.
     virtual bool shows(const Scenario& /*scenario*/) const { return true; }
-    /// Of scenarios that it does not show: why not and where the answer is, in one line. Empty where the user
-    /// makes one that it shows by its tab.
+    /// Why it does not show a scenario and where the answer is, in one line. Empty if the user can make a
+    /// scenario that it shows by its tab.
     virtual QString elsewhere() const { return {}; }
     /// Whether elsewhereRequested() leads there.
     virtual bool leadsElsewhere() const { return false; }
@@ -34,13 +34,13 @@ class Page : public QWidget {
     virtual PreparePage prepare() const = 0;
     /// Shows an answer to a request for it, or for other pages.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
-    /// Whether it can show one of many blows in place of a single one.
+    /// Whether it can show one of many blows instead of a single one.
     virtual bool showsMarched() const { return false; }
     /// Brings everything into view.
     virtual void fit() = 0;
-    /// What of it can be written to files, in the order of a menu.
+    /// Returns the exports of the page, in the order of a menu.
     virtual QList<PageExport> exports() const = 0;
-    /// What it computes beside the blow, for the status line; nullptr where it computes nothing.
+    /// Returns the study that it runs beside the blow, for the status line; nullptr if it runs none.
     virtual StudyActivity* activity() const { return nullptr; }
     /// Whether what it shows answers the present input: what does not is not copied.
     virtual void setCurrent(bool current) = 0;

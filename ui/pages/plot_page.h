@@ -23,7 +23,7 @@ class PlotPage : public Page {
   protected:
     /// The page's plot, made by the page once, where it comes in the order of its widgets.
     PlotWidget* makePlot();
-    /// What draws in the plot takes the window's style, is fitted, and says where keys may go.
+    /// Connects a frame that draws in the plot with the window's style, fitting and keyboard.
     void useFrame(StudyFrame& frame, const QString& accessibleName);
     /// Shows what the frame has drawn since, in words as well.
     void redraw();

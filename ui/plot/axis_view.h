@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of an axis is in view: ranges that stay usable, and its scale, linear or logarithmic.
+// View of an axis: ranges that stay usable, and its scale, linear or logarithmic.
 #pragma once
 
 #include <qcustomplot.h>

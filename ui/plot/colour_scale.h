@@ -23,14 +23,14 @@ class ColourScale {
     /// For values on either side of a level: dark blue below, light orange above, hardly any colour at the
     /// level. Lightness grows all the way, so that it can be read in grey, too.
     static const ColourScale& aboutLevel();
-    /// From dark blue over green to light yellow, likewise.
+    /// From dark blue over green to light yellow; lightness grows all the way.
     static const ColourScale& ramp();
     /// The one that fits the background.
     static const ColourScale& forBackground(const QColor& background) {
         return isDark(background) ? onDark() : onLight();
     }
 
-    /// Of value/limit; what is outside −1 … 1 has the colours of the ends, NaN is transparent.
+    /// Returns the colour of value/limit; outside −1 … 1 that of the ends, transparent for NaN.
     QRgb colour(double share) const;
     /// The same for a colour bar.
     QCPColorGradient gradient() const;

@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-/// A ring with lines through it, thin on a pale ground so that they are seen on any colour, and a label, on
-/// the layer "overlay", which it redraws alone.
+/// A ring with lines through it, thin on a pale ground so that they are seen on any colour, and a label.
+/// Redraws only its layer "overlay".
 class CrossMark {
   public:
     explicit CrossMark(QCustomPlot& plot) : m_plot(plot), m_mark(plot) {}

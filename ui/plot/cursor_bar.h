@@ -16,8 +16,8 @@ class QToolButton;
 
 namespace drillwave {
 
-/// Names the curve, to be chosen among the visible ones, and what is read from it in a table. Its height
-/// follows from its width alone, never from what it says.
+/// Names the curve, chosen among the visible ones, and shows its readings in a table. The height depends only
+/// on the width, never on the text.
 class CursorBar : public QFrame {
     Q_OBJECT
 

@@ -7,8 +7,8 @@
 namespace drillwave {
 
 /// QCPGraph draws a solid line on screen piece by piece, which is fast: where many points meet the pieces
-/// cover each other, flat stretches come out thicker and each point is a dot. Here the line is one path of no
-/// more points than can be told apart on the device, which is as fast and has the same dashes all along.
+/// cover each other, flat stretches come out thicker and each point is a dot. Here the line is one path
+/// without points that the device cannot show apart, which is as fast and has the same dashes all along.
 class CurveGraph : public QCPGraph {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ class CurvePath : public QCPCurve {
     void drawCurveLine(QCPPainter* painter, const QVector<QPointF>& lines) const override;
 };
 
-/// A graph of the plot that owns the axes; in place of QCustomPlot::addGraph().
+/// Adds a graph to the plot that owns the axes; instead of QCustomPlot::addGraph().
 CurveGraph* addCurve(QCPAxis* keyAxis, QCPAxis* valueAxis);
 
 /// Points that no device pixel of that size tells apart from the line through the others are left out: of

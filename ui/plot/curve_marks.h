@@ -31,7 +31,7 @@ class CurveMarks : public QObject {
   public:
     explicit CurveMarks(QCPGraph* graph);
 
-    /// These in place of the last ones, in the units of the axes.
+    /// Replaces the marks, in the units of the axes.
     void present(const QVector<CurveMark>& marks, const ShownUnit& x, const ShownUnit& y);
     void clear();
     void setStyle(const PlotStyle& style);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a curve of a plot stands for: its units, and the exact function behind its drawn points.
+// Meaning of a curve of a plot: its units, and the exact function behind its drawn points.
 #pragma once
 
 #include <QStringList>
@@ -11,8 +11,8 @@ namespace drillwave {
 
 /// Everything is in the units the curve is shown in: x as on the horizontal axis, y as on the vertical one.
 struct CurveMeaning {
-    QString xName = {};  ///< "t"; empty: what the axis says
-    QString yName = {};  ///< "F"; likewise
+    QString xName = {};  ///< "t"; empty for the label of the axis
+    QString yName = {};  ///< "F"; empty for the label of the axis
     QString xUnit = {};  ///< "ms"; empty for a mere number
     QString yUnit = {};  ///< "kN"
     /// The words at x = 0, 1, … of an axis of words; between them there is nothing, and no slope.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the two numbers of a point of a curve are called.
+// Names of the two numbers of a point of a curve.
 #pragma once
 
 #include <qcustomplot.h>

@@ -44,7 +44,7 @@ class CurveReader : public QObject {
     /// The curve below a point of the plot is read from now on, or one of the axes there. While there are
     /// cursors, a curve between the same axes stays.
     void aim(QPointF pixel);
-    /// What cursors A and B say about graph(); nothing unless both are placed.
+    /// Returns the reading of graph() at cursors A and B; nothing unless both are placed.
     std::optional<CursorReading> reading() const;
     /// The strip below the plot, in words; empty while there is none.
     QString text() const;

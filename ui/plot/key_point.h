@@ -30,7 +30,7 @@ struct KeyPlaces {
     std::function<QVector<QPointF>()> marks = [] { return QVector<QPointF>(); };
     /// Further places that a click takes, each a thing by itself: cells of a coarse map.
     std::function<QVector<QPointF>()> targets = [] { return QVector<QPointF>(); };
-    /// What is at a place, beside the numbers of the curve.
+    /// Describes a place, beside the numbers of the curve.
     std::function<QString(QPointF)> words = [](QPointF) { return QString(); };
 };
 
@@ -69,7 +69,7 @@ class KeyPoint : public QObject {
     void setHidden(bool hidden);
     bool isHidden() const { return m_hidden; }
     void setStyle(const PlotStyle& style) { m_mark.setStyle(style); }
-    /// What it reads, empty while it is not shown.
+    /// Its label, empty while it is not shown.
     QString text() const { return m_mark.text(); }
 
   private:

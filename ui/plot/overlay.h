@@ -6,7 +6,7 @@ class QCustomPlot;
 
 namespace drillwave {
 
-/// Draws it anew, and nothing else of the plot. One that has not been drawn yet draws it with all else.
+/// Redraws only the overlay of the plot. One that has not been drawn yet is drawn with all else.
 void redrawOverlay(QCustomPlot& plot);
 
 }  // namespace drillwave

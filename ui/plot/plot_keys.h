@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keys do in a plot.
+// Keyboard control of a plot.
 #pragma once
 
 #include <QObject>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What mouse and wheel do in a plot.
+// Mouse and wheel control of a plot.
 #pragma once
 
 #include <QPointF>
@@ -13,7 +13,7 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Told of the plot's events by the plot, which owns it: see PlotWidget for what they do.
+/// Receives the plot's events from the plot, which owns it: see PlotWidget for the gestures.
 class PlotMouse {
   public:
     explicit PlotMouse(PlotWidget& plot) : m_plot(plot) {}
@@ -27,7 +27,7 @@ class PlotMouse {
     void doubleClick(const QMouseEvent& event);
 
   private:
-    // What the mouse does between press and release.
+    // The gesture between press and release.
     enum class Gesture { none, pan, box, cursor };
 
     void click(const QMouseEvent& event);

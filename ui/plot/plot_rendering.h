@@ -20,7 +20,7 @@ struct Millimetres {
     double height;
 };
 
-/// Of PNG, where nothing else is asked for.
+/// Default resolution of PNG.
 inline constexpr double standardDpi = 200;
 
 /// The plot in a format of plotFormats(); `dpi` is that of PNG. PNG and SVG are the same bytes for the same

@@ -33,8 +33,8 @@ struct PlotStyle {
     /// Black on white, for files.
     static PlotStyle forPaper();
 
-    /// Pen of the index-th curve of a plot: of the first lineKinds colour and dash pattern both differ
-    /// (nothing by colour alone), of sixteen one of them.
+    /// Returns the pen of the index-th curve of a plot: the first lineKinds differ both in colour and in dash
+    /// pattern (never only in colour), sixteen of them in one of the two.
     QPen linePen(int index) const;
     /// The same of an earlier result, which stays faintly behind: thin, translucent and dotted.
     QPen ghostPen(int index) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a plot is in view, and the ways in which a user moves it.
+// View of a plot, and the ways in which a user moves it.
 #pragma once
 
 #include <QPointer>
@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Every step can be taken back. Points and pixels are those of the plot; a step draws the plot anew.
+/// Every step can be taken back. Points and pixels are those of the plot; a step redraws the plot.
 class PlotView {
   public:
     explicit PlotView(QCustomPlot& plot) : m_plot(plot), m_history(plot) {}
@@ -20,7 +20,7 @@ class PlotView {
     void activateAt(QPointF point);
     /// Whether the point is between the axes of a rect that has been used.
     bool isInside(QPointF point) const;
-    /// What a wheel or a drag at this point is about: the axis below it, or both of the rect.
+    /// Returns the axes that a wheel or drag at this point acts on: the axis below it, or both of the rect.
     QList<QCPAxis*> axesAt(QPointF point) const;
 
     /// Changes the ranges at a point by `factor` (less than 1 zooms in) around it; false where there is no

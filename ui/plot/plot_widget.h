@@ -51,8 +51,8 @@ class PlotWidget : public QCustomPlot {
     /// Applies the style of the present palette now, and again whenever palette or font change.
     void followPalette(Restyle restyle);
 
-    /// What a curve of this plot stands for: units for all that is read from it, and where there are such the
-    /// exact functions behind its points. Set it again with every result; forgotten with the curve.
+    /// Sets the meaning of a curve: units for all readings, and the exact functions behind its points if
+    /// there are any. Set it again with every result; forgotten with the curve.
     void setMeaning(const QCPAbstractPlottable* curve, const CurveMeaning& meaning);
     /// The cursors, and what they read.
     CurveReader& reader() { return m_reader; }
@@ -66,7 +66,7 @@ class PlotWidget : public QCustomPlot {
     void markPoint(const std::optional<CurvePoint>& point);
     /// A point of a curve in words.
     QString words(const CurvePoint& point) const;
-    /// What is marked at the pointer, in words; empty when nothing is.
+    /// The mark at the pointer, in words; empty when there is none.
     QString hoverText() const { return m_hover.text(); }
 
     void setCurveVisible(QCPAbstractPlottable* curve, bool visible);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read from a curve, as the cells of a small table.
+// Readings of a curve, as the cells of a small table.
 #pragma once
 
 #include <QList>
@@ -31,7 +31,7 @@ using ReadingCells = QList<ReadingCell>;
 /// Places and values at the cursors, their differences, mean, slope and integral. The meaning has both names.
 ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meaning);
 
-/// Least and largest value and where they are, what is in view, its mean and integral. Likewise.
+/// Least and largest value with their places in the view, mean and integral. The meaning has both names.
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning);
 
 /// Digits of a number where there is room for it.

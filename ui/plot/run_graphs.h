@@ -59,8 +59,8 @@ class RunDrawings : public QObject {
     /// which they are, with the letters of the runs: "N A".
     void setBands(const QString& name) { m_bands = name; }
 
-    /// These in place of the last ones. Curves of the same runs stay: hidden ones are hidden, and what is
-    /// read goes on being read.
+    /// Replaces the curves. Those of the same runs stay: hidden ones are still hidden, and one that is read
+    /// is still read.
     void present(const QVector<Drawing>& drawings) {
         const bool isSame = std::ranges::equal(drawings, m_drawings, [](const auto& a, const auto& b) {
             return a.number == b.number && a.title == b.title;
@@ -94,7 +94,7 @@ class RunDrawings : public QObject {
     void makeAnew() {
         QCustomPlot& plot = *m_x->parentPlot();
         for (Plottable* graph : std::as_const(m_graphs)) {
-            if (m_legend) graph->removeFromLegend(m_legend);  // the plot would do so from its own alone
+            if (m_legend) graph->removeFromLegend(m_legend);  // the plot does so only for its own
             plot.removePlottable(graph);
         }
         m_graphs.clear();

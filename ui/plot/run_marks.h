@@ -29,7 +29,7 @@ class RunMarks : public QObject {
   public:
     RunMarks(QCustomPlot* plot, QCPAxis* x, QCPAxis* y);
 
-    /// These in place of the last ones; true where they are others, and the plot is to be drawn anew.
+    /// Replaces the marks; true if they differ, so that the plot needs a replot.
     bool present(const QVector<RunMark>& marks);
     void setStyle(const PlotStyle& style);
     const QVector<RunMark>& marks() const { return m_marks; }

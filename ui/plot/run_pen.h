@@ -9,8 +9,8 @@ class QSize;
 
 namespace drillwave {
 
-/// Number 0, 1, 2 …: a colour that no curve of a page has, of contrast 4.5 at least with the background, and
-/// a dash. Of the first six both differ, of thirty-six one of them; none is solid.
+/// Returns the pen of run 0, 1, 2 …: a colour that no curve of a page has, of contrast 4.5 at least with the
+/// background, and a dash. The first six differ in both, thirty-six in one of them; none is solid.
 QPen runPen(int number, const PlotStyle& style);
 
 /// A piece of that line, for a list. Takes the colours of the palette.

@@ -8,8 +8,8 @@ class QWidget;
 
 namespace drillwave {
 
-/// What a window is to be as large as before it is shown, when what the window manager puts about it is not
-/// known yet: as wanted, or as its screen has room.
+/// Returns the size for a window that is not shown yet and whose frame is not known: as wanted, but no larger
+/// than its screen has room for.
 QSize firstSize(const QWidget& window, const QSize& wanted);
 
 /// Moves a window that was placed on a screen which is not there any more, so that its title can be grasped,

@@ -15,7 +15,7 @@ namespace drillwave {
 class ProofPlot;
 class ProofTable;
 
-/// Both studies are run by a button alone. A study of another scenario is not shown.
+/// Only a button starts the two studies. A study of another scenario is not shown.
 class AccuracyPage : public StudyPage {
     Q_OBJECT
 

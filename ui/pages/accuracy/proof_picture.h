@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of the proofs: error against run time, and how near the extreme cases are to failing.
+// Picture of the proofs: error against run time, and how near the extreme cases are to failing.
 #pragma once
 
 #include <QLocale>

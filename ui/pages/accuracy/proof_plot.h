@@ -20,7 +20,7 @@ class ProofPlot : public StudyFrame {
     void present(const ProofPicture& picture);
     /// The row of the study whose point is nearest to a pixel, if one is near.
     std::optional<int> rowAt(QPointF pixel) const;
-    /// What a row of the study is, for who goes there by keys.
+    /// Sets the function that names a row of the study, for users who go there by keys.
     void setNames(std::function<QString(int)> nameOf) { m_nameOf = std::move(nameOf); }
     /// From point to point.
     KeyPlaces keyPlaces() const override;

@@ -13,7 +13,7 @@ namespace drillwave {
 
 enum class Proof { accuracy, stability };
 
-/// What is asked. Asked again it is another question: run times are measured anew.
+/// A request for a study. A repeated one counts as new, so that run times are measured again.
 struct ProofQuestion {
     Proof proof = Proof::accuracy;
     Scenario scenario;  ///< of the accuracy
@@ -21,11 +21,11 @@ struct ProofQuestion {
     bool operator==(const ProofQuestion&) const = default;
 };
 
-/// What there is of the one that was asked for.
+/// The result so far of the study requested.
 struct ProofAnswer {
     ProofQuestion question;
     std::shared_ptr<const Accuracy> accuracy;
-    std::shared_ptr<const StringAccuracy> stringAccuracy;  ///< in its place of a drill string
+    std::shared_ptr<const StringAccuracy> stringAccuracy;  ///< instead of `accuracy` for drill strings
     std::shared_ptr<const StabilityReport> stability;
 };
 

@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-/// What the four plots of a blow show (paper, Figs. 3–5), times global, in the units of `units`.
+/// Data of the four plots of a blow (paper, Figs. 3–5), times global, in the units of `units`.
 struct BlowCurves {
     static constexpr int waveCount = 4;
 

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// What the graphs of BlowPlots mean. The functions share the blow, so they may outlive everything else.
+/// Meanings of the graphs of BlowPlots. The functions share the blow, so they may outlive everything else.
 /// Forces have exact values and integrals, the latter as impulses ("N s", "I₀"); impulse and momentum have
 /// exact values.
 struct BlowMeanings {
@@ -24,7 +24,7 @@ struct BlowMeanings {
     CurveMeaning momentum;
 };
 
-/// Of a force over time that is known by its points alone.
+/// Returns the meaning of a force over time that is known only by its points.
 CurveMeaning forceMeaning(const ShownUnits& units);
 
 /// Requires a solved blow with its curves.

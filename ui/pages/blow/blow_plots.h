@@ -42,9 +42,9 @@ class BlowPlots : public StudyFrame {
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
     /// In its legend only while the closed form holds.
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs[1]; }
-    /// Of the hammer on a string.
+    /// The hammer's force on a drill string.
     QCPGraph* faceForceGraph() const { return m_plots[1].graphs[2]; }
-    /// Of the pinned runs, in the legend of the force.
+    /// Graphs of the pinned runs, in the legend of the force.
     const QVector<QCPGraph*>& sumsOfRuns() const { return m_plots[0].runs->graphs(); }
     const QVector<QCPGraph*>& forcesOfRuns() const { return m_plots[1].runs->graphs(); }
     QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }

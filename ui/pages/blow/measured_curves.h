@@ -30,7 +30,7 @@ class MeasuredCurves : public QObject {
     static QPen pen(const PlotStyle& style, int index);
 
   private:
-    /// What a graph shows now: points need not be made anew for every result.
+    /// Contents of a graph, so that points are rebuilt only when these change.
     struct Shown {
         MeasuredSignal signal;
         double timeFactor = 0;

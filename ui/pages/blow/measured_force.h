@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the model says of a force that was measured.
+// Comparison of the model with a measured force.
 #pragma once
 
 #include <functional>

@@ -14,7 +14,7 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// What stands side by side.
+/// A column of the table.
 struct CompareColumn {
     QString title;                               ///< "now", "A  k 300 MN/m"
     const Scenario* scenario;                    ///< not nullptr
@@ -28,11 +28,11 @@ struct CompareRow {
     QString name;
     QString unit;                                ///< empty for plain numbers
     std::vector<std::optional<double>> numbers;  ///< one for each column; none where it has none
-    QStringList words;                           ///< in place of numbers: shapes of the blow
+    QStringList words;                           ///< instead of numbers: shapes of the blow
     /// Where numbers are multiples of what rods and strings have of their own: whose each is. Only those of
     /// the same can be compared.
     std::vector<bool> ofString = {};
-    bool isSigned = false;  ///< a margin, which is told with its sign
+    bool isSigned = false;  ///< a margin, which is printed with its sign
 
     bool hasNumbers() const { return !numbers.empty(); }
     /// The word, or the number to five digits; empty where the column has none.

@@ -55,7 +55,7 @@ class CurvePage : public StudyPage {
     void showEvent(QShowEvent* event) override;
 
   private:
-    /// What the controls say: a question, or why there is none. Neither before the first scenario.
+    /// State of the controls: a question, or why there is none. Neither before the first scenario.
     struct Wish {
         std::optional<CurvePageQuestion> question;
         QString problem;
@@ -99,7 +99,7 @@ class CurvePage : public StudyPage {
     QCheckBox* m_own;
     OutputBox* m_output;
     GoalField* m_goal;
-    /// Of each output that has had one, in SI or not as the results were then.
+    /// The last goal of each output, in SI or dimensionless as the results were then.
     struct Goal {
         double value = 0;
         OutputUnits units = OutputUnits::dimensionless;
@@ -117,7 +117,7 @@ class CurvePage : public StudyPage {
     std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as they are drawn
     RunListPtr m_shownRuns;
     AskedStudy<CurvePageQuestion, CurvePageStudy> m_study;  // goes first: its threads work
-    RunLines m_runLines;                                    // likewise
+    RunLines m_runLines;                                    // goes even before
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of a study along a parameter.
+// Picture of a study along a parameter.
 #pragma once
 
 #include <QLocale>

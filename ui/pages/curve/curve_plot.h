@@ -24,7 +24,7 @@ class CurvePlot : public StudyFrame {
     /// In the order of CurvePicture::lines.
     const QVector<QCPGraph*>& graphs() const { return m_graphs; }
 
-    /// What a click means: the nearest place worth it within some pixels of it, a mark or a curve.
+    /// Target of a click: the nearest mark or curve within some pixels.
     struct Target {
         double x = 0;   ///< as shown
         int line = -1;  ///< of the picture; -1 away from all of them

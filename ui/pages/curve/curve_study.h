@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page Curve computes: an output along a parameter, and what it is compared with.
+// Study of the page Curve: an output along a parameter, and the curves to compare it with.
 #pragma once
 
 #include <functional>
@@ -34,18 +34,18 @@ struct CurvePageQuestion {
 struct CurvePageStudy {
     CurvePageQuestion question;
     CurveStudy curve;
-    /// Of e along β, for the same family; β is k over the k0 of the ReferenceScale.
+    /// e along β for the same family; β is k over the k0 of the ReferenceScale.
     std::optional<CurveStudy> reference;
     std::optional<CurveStudy> closedForm;
 };
 
-/// What a study sets itself does not matter to it: it is the same question whatever the scenario has there.
+/// Fixes a parameter that the study varies, so that scenarios which differ only there compare equal.
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
-/// What makes it unusable; empty when it can be studied.
+/// Returns the reasons why a question cannot be studied; empty when it can.
 std::vector<Message> problemsOf(const CurvePageQuestion& question);
 
-/// Told what there is of a curve that grows.
+/// Receives a growing curve as it is so far.
 using CurvePagePreview = std::function<void(const CurvePageStudy& soFar)>;
 
 /// The curve is that of studyCurve(), or of sampleCurve() where it is sampled, bit for bit. Requires

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a result is to be, in a line to type it.
+// Field for the target value of a result.
 #pragma once
 
 #include <QLineEdit>
@@ -19,8 +19,8 @@ class GoalField : public QLineEdit {
 
     /// In SI, or as it is of a ratio.
     std::optional<double> value() const { return m_value; }
-    /// Shows another one in that unit, which bare numbers have too, and tells nobody. What is being typed
-    /// stays where nothing else has changed.
+    /// Shows another value in that unit, which bare numbers have too, without a signal. Text being typed
+    /// stays if none of the three has changed.
     void present(std::optional<double> value, Quantity quantity, const Unit& unit);
     /// Why the text is no goal; empty when it is.
     const QString& problem() const { return m_problem; }

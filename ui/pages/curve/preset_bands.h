@@ -21,7 +21,7 @@ class PresetBands : public QObject {
   public:
     explicit PresetBands(QCPAxisRect* rect);
 
-    /// These in place of the last ones.
+    /// Replaces the bands.
     void present(const QVector<PresetBand>& bands);
     void setStyle(const PlotStyle& style);
 

@@ -16,11 +16,11 @@ inline constexpr std::uint64_t sampledPoints = 101;
 
 using RunLines = RunStudies<CurveQuestion, CurveStudy>;
 
-/// What the page asks, of the scenario of a run: one line, for the value that the run has of the family.
+/// Returns the page's question for the scenario of a run: one line, for the run's value of the family.
 /// Nothing where the run has no such parameter or no such output.
 std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Scenario& run);
 
-/// On the calling thread alone. Nothing after a stop.
+/// Works only on the calling thread. Nothing after a stop.
 std::optional<CurveStudy> runLine(const CurveQuestion& question, const std::stop_token& stop);
 
 }  // namespace drillwave

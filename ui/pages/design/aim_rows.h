@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a design is to be good at, as a sentence made of boxes.
+// Objectives of a design, as a sentence made of boxes.
 #pragma once
 
 #include <QWidget>
@@ -40,7 +40,7 @@ class AimRow : public QWidget {
     QToolButton* m_remove;
 };
 
-/// One to three aims; the first decides. The customary ones until the user chooses, and again where the
+/// One to three objectives; the first decides. Shows the defaults until the user chooses, and again if the
 /// scenario does not have what was chosen.
 class AimRows : public QWidget {
     Q_OBJECT

@@ -26,7 +26,7 @@ struct DesignQuestion {
     bool operator==(const DesignQuestion&) const = default;
 };
 
-/// What there is so far.
+/// The answer so far.
 struct DesignAnswer {
     DesignReport report;                     ///< of as many samples as its study says
     std::uint64_t wanted = 0;                ///< samples of the last answer

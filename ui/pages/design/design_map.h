@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first aim over two choices: colours in place of many curves.
+// Map of the first objective over two design variables: colours instead of many curves.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ inline constexpr std::uint64_t leastRowsOfMap = 4;
 /// Whether what is chosen are two numbers along ranges, which a map can have as its axes.
 bool hasMap(const DesignStudy& study);
 
-/// Of such a study, in shown units: the last choice across, the first one upward, and in colours the
-/// statistic of the first aim, which is `value`.
+/// Returns the map of a study that hasMap(), in shown units: the last variable across, the first one upward,
+/// and the statistic of the first objective, which is `value`, in colours.
 MapPicture designMap(const DesignReport& report, const DesignUnits& units, const AimedOutput& value);
 
 /// Where a design is on it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of a study of designs.
+// Picture of a study of designs.
 #pragma once
 
 #include <QLocale>
@@ -46,11 +46,11 @@ struct DesignPicture {
     QString statisticName;   ///< "in the worst 5 %"
     QVector<DesignSeries> series;
     int marked = 0;                          ///< the series of the robust best, which has the band
-    std::optional<MapPicture> map;           ///< in place of series, which are none then
+    std::optional<MapPicture> map;           ///< instead of series, which are empty then
     std::optional<QPointF> robust, nominal;  ///< best; beside series the nominal one at its nominal value
     QVector<QPointF> ties;
 
-    QString firstAim, secondAim;  ///< names of the axes; the second empty where there is one aim alone
+    QString firstAim, secondAim;  ///< names of the axes; the second empty for a single objective
     QVector<QPointF> designs;     ///< second over first aim, design by design; NaN without statistics
     QVector<bool> pareto;
     int robustNumber = -1;
@@ -96,7 +96,7 @@ QString choiceName(const SweepAxis& choice);
 /// With its sense: "largest efficiency in the worst 5 %".
 QString aimWords(const DesignAim& aim);
 
-/// Of a study that has a best design.
+/// Requires a study that has a best design.
 DesignPicture designPicture(const DesignReport& report, const DesignUnits& units);
 
 }  // namespace drillwave

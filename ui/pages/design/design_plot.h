@@ -29,9 +29,9 @@ class DesignPlot : public StudyFrame {
     QVector<QCPGraph*> curves() const;
     /// The value of a curve over words at the one nearest to x.
     static std::function<double(double x)> atWords(const QCPGraph& graph);
-    /// Whether colours take the place of curves.
+    /// Whether colours replace the curves.
     bool isMap() const { return m_picture.map.has_value(); }
-    /// What is at a place of the map, in words; empty elsewhere.
+    /// Describes a place of the map in words; empty elsewhere.
     QString mapWords(QPointF place) const;
     /// The design nearest to a click, in the coordinates of its rect; nothing where there is none near.
     std::optional<std::uint64_t> designAt(const QCPAxisRect* rect, QPointF coordinates) const;

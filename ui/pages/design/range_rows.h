@@ -21,7 +21,7 @@ class DensityMark;
 class QuantityField;
 class UnitChoice;
 
-/// What the ranges are of.
+/// Use of the ranges.
 enum class RangeUse { uncertain, chosen };
 
 /// One range with what it takes besides: how it scatters, or how many values are tried. Text that is no value
@@ -33,7 +33,7 @@ class RangeRow : public QWidget {
     /// The units must outlive it.
     RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent);
 
-    /// Offers what applies to the scenario. What is chosen anew gets half its value to half as much again.
+    /// Offers the parameters that apply to the scenario. One just chosen gets half to 1.5 times its value.
     void present(const Scenario& scenario);
     const StudyRange& range() const { return m_range; }
     void setRange(const StudyRange& range);
@@ -41,7 +41,7 @@ class RangeRow : public QWidget {
     std::string text() const;
     /// Shows what such a text says. False, and nothing changes, where the row has no controls for it.
     bool setText(const std::string& text);
-    /// What is wrong with the text in a field, with its name; empty where nothing is.
+    /// Returns why the text in a field is wrong, with the field's name; empty if all are right.
     QString problem() const;
     void setRemovable(bool removable);
 
@@ -75,8 +75,8 @@ class RangeRow : public QWidget {
     QToolButton* m_remove;
 };
 
-/// Rows that can be added and removed. Where a parameter has no meaning in a scenario any more, all rows are
-/// proposed anew.
+/// Rows that can be added and removed. Once a parameter does not apply to the scenario any more, ranges are
+/// proposed for all rows again.
 class RangeRows : public QWidget {
     Q_OBJECT
 
@@ -87,7 +87,7 @@ class RangeRows : public QWidget {
 
     /// Offers what applies to the scenario, and proposes ranges the first time.
     void present(const Scenario& scenario);
-    /// The scenario that is presented next is another document, for which ranges are proposed anew.
+    /// Notes that the next scenario is another document, for which ranges are proposed again.
     void forget() { m_isProposed = false; }
     /// The texts of the rows, and those that no row can show.
     std::vector<std::string> texts() const;

@@ -36,7 +36,7 @@ class DrillingPage : public StudyPage {
     int marches() const { return m_march.started(); }
     int scans() const { return m_scan.started(); }
     const DrillingPlot& drillingPlot() const { return *m_plot; }
-    /// What there is now; nullptr at first.
+    /// The march so far; nullptr at first.
     const DrillingAnswer* answer() const { return m_march.value(); }
     const DrillingScanAnswer* scanAnswer() const { return m_scan.value(); }
     const StudyActivity& scanActivity() const { return m_scan.job(); }

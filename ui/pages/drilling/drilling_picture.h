@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of many blows and of a scan of them, in the units it is shown in.
+// Picture of many blows and of a scan of them, in the units on show.
 #pragma once
 
 #include <QPointF>
@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Of values in SI.
+/// Units of the picture, for values in SI.
 struct DrillingShown {
     ShownUnit length;  ///< gaps and penetrations
     ShownUnit rate;    ///< of penetration
@@ -21,7 +21,7 @@ struct DrillingShown {
     bool operator==(const DrillingShown&) const = default;
 };
 
-/// Those in which a scenario that has a drill is shown, with `along` for the parameter that is scanned.
+/// Returns the units for a scenario that has a drill, with `along` for the parameter that is scanned.
 DrillingShown drillingShown(const Scenario& scenario, const Unit& along, const ShownUnits& units);
 
 /// Points over the number of a blow, which begins with 1.
@@ -49,7 +49,7 @@ struct MarchPicture {
 MarchPicture marchPicture(const std::vector<DrillingBlow>& blows, const DrillingSettings& settings,
                           const DrillingUnits& units, const DrillingResult* result,
                           const QVector<QPointF>& corOverGap, const DrillingShown& shown);
-/// Gaps and penetrations alone.
+/// Returns only gaps and penetrations.
 BlowPoints blowPoints(const std::vector<DrillingBlow>& blows, const DrillingUnits& units,
                       const DrillingShown& shown);
 
@@ -80,7 +80,7 @@ ScanPicture scanPicture(const DrillingScan& scan, const DrillingScan* constantFo
 
 /// All that a plot shows; either may be missing.
 struct DrillingPicture {
-    QString message = {};  ///< in place of all else: why there is nothing to show
+    QString message = {};  ///< shown instead of all else: why there is nothing to show
     DrillingShown units;
     std::optional<MarchPicture> march;
     BlowPoints before;  ///< of an earlier scenario, faintly

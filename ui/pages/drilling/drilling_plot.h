@@ -11,8 +11,8 @@ namespace drillwave {
 class MarchRects;
 class ScanRects;
 
-/// Shows a sequence of blows, a scan of sequences, or both. The mark "here" is at the scenario's value along
-/// the scan.
+/// Shows a march, a scan below it, or only one of them. A mark in the scan shows the value that the scenario
+/// has.
 class DrillingPlot : public StudyFrame {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page Drilling asks: a march of many blows, and a scan of such marches over a parameter.
+// Studies of the page Drilling: a march of many blows, and a scan of such marches over a parameter.
 #pragma once
 
 #include <QPointF>

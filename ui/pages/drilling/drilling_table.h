@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many blows have in common, in numbers with their errors.
+// Statistics of many blows, with their errors.
 #pragma once
 
 #include <QTableWidget>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many blows of a pinned run come to, laid over those of the scenario.
+// Statistics of many blows of a pinned run, laid over those of the scenario.
 #pragma once
 
 #include <optional>

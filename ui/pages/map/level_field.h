@@ -13,7 +13,7 @@ class LevelField : public QLineEdit {
     Q_OBJECT
 
   public:
-    /// Most levels, so that contours can still be told apart.
+    /// Maximum number of levels, so that contours can be distinguished.
     static constexpr std::size_t mostLevels = 12;
 
     explicit LevelField(QWidget* parent = nullptr);

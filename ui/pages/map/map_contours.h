@@ -18,7 +18,7 @@ class MapContours {
   public:
     explicit MapContours(QCPAxisRect* map) : m_map(map) {}
 
-    /// Those of a map in place of the last ones; none without a map.
+    /// Replaces the contours by those of a map; none without a map.
     void present(const std::optional<MapPicture>& picture, const PlotStyle& style);
 
   private:

@@ -21,7 +21,7 @@ class MapCrosshair : public QObject {
   public:
     MapCrosshair(QCustomPlot* plot, QCPAxisRect* map, QCPAxisRect* below, QCPAxisRect* beside);
 
-    /// In units of the axes; hidden without. Replots the overlay layer alone, when something has changed.
+    /// Moves it, in units of the axes, or hides it. Replots only the overlay layer, and only after a change.
     void setPlace(const std::optional<QPointF>& place);
     const std::optional<QPointF>& place() const { return m_place; }
     void setStyle(const PlotStyle& style);

@@ -26,7 +26,7 @@ class MapPage : public StudyPage {
     MapPlot* map() const { return m_plot; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }
-    /// What there is of the map, of the question asked last or of an earlier one; nullptr at first.
+    /// The map so far, for the last question or for an earlier one; nullptr at first.
     const MapReport* report() const { return m_study.value(); }
 
   protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of a map: its values in the units on show, and which colour stands for which.
+// Picture of a map: its values in the units on show, and its colours.
 #pragma once
 
 #include <QLocale>
@@ -23,7 +23,7 @@ struct MapColours {
     double largest = 1;           ///< > least
     std::optional<double> level;  ///< that matters: e = 1, margin 0
 
-    /// Of a value, −1 … 1 for ColourScale::colour(); NaN for none.
+    /// Maps a value to −1 … 1 for ColourScale::colour(); NaN for none.
     double share(double value) const;
     const ColourScale& scale() const;
     /// For a bar from `least` to `largest`.
@@ -40,7 +40,7 @@ struct MapPicture {
     std::vector<PresetPoint> presets;
 
     const MapGrid& grid() const { return report->grid; }
-    /// What the axes and the colours are called, with units.
+    /// Labels of axes and colours, with units.
     QString xLabel() const;
     QString yLabel() const;
     QString outputLabel() const;

@@ -37,7 +37,7 @@ class MapPlot : public StudyFrame {
     QCPGraph* cutAlongX() const { return m_alongX; }
     /// The point of the map nearest to a place in shown units; nullopt outside.
     std::optional<MapGrid::Place> pointAt(QPointF shown) const;
-    /// What is below a pixel, in words: both parameters, and the value or why there is none. Empty outside.
+    /// Describes the point below a pixel: both parameters, and the value or why there is none. Empty outside.
     QString readout(QPointF pixel) const;
     /// Anywhere on the map, to the presets.
     KeyPlaces keyPlaces() const override;

@@ -17,7 +17,7 @@ class MapPresets {
   public:
     explicit MapPresets(QCPAxisRect* map) : m_map(map) {}
 
-    /// Those of a map in place of the last ones; none without a map.
+    /// Replaces the presets by those of a map; none without a map.
     void present(const std::optional<MapPicture>& picture, const PlotStyle& style);
 
   private:

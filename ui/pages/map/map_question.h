@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// What is asked.
+/// A map to be computed.
 struct MapQuestion {
     MapStudy study;
     std::vector<double> levels;  ///< in the units of the map
@@ -24,8 +24,8 @@ struct MapQuestion {
     bool operator==(const MapQuestion& other) const;
 };
 
-/// Throws nothing; a map that is stopped has the points that it has. What there is so far is shown within
-/// about 100 ms even where blows are slow, and after that now and then.
+/// Throws nothing; a stopped map keeps its points. Feeds a first part within about 100 ms even if blows are
+/// slow, and further parts now and then.
 MapReport answerMap(const MapQuestion& question, const StudyFeed<MapReport>& feed);
 
 }  // namespace drillwave

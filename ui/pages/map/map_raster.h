@@ -17,8 +17,8 @@ class AxisPlaces {
     AxisPlaces() = default;
     explicit AxisPlaces(const SweepAxis& axis) : m_axis(axis) {}
 
-    /// Of the value nearest to a place (SI), even in ratios on a logarithmic axis; nullopt half a step beyond
-    /// the ends.
+    /// Returns the index of the value nearest to a place (SI), by ratio on a logarithmic axis; nullopt more
+    /// than half a step beyond the ends.
     std::optional<std::size_t> nearest(double si) const;
 
   private:

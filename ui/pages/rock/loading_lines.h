@@ -21,7 +21,7 @@ class LoadingLines : public QObject {
   public:
     explicit LoadingLines(QCPAxisRect* rect);
 
-    /// Those behind the first, which has its own name; more than are told apart are marked without names.
+    /// Shows the lines after the first, which has its own name; too many lines are marked without names.
     void present(const QVector<RockLine>& lines, const QLocale& locale);
     /// Names along their lines, at any zoom.
     void place();

@@ -43,8 +43,8 @@ struct RockCurve {
     std::vector<RunOverlay<RockCurve>> runs = {};  ///< laid over it
 };
 
-/// Of a solved blow; without a path where the histories were not kept. The penetration follows from the force
-/// by the law of the rock alone, ContactLaw::penetration(). While apart it is what stays.
+/// Returns the path of a solved blow, empty without histories. Penetration follows from the force only by
+/// ContactLaw::penetration(); while bit and rock are apart, it is the rest that stays.
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
 /// Penetration and force at a global time in shown units; at either end of the path before and behind it.

@@ -28,7 +28,7 @@ class RockPlot : public StudyFrame {
     QCPCurve* path() const { return m_path; }
     /// Names curve and axes.
     void name();
-    /// Those of pinned runs.
+    /// Curves of pinned runs.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:

@@ -38,22 +38,22 @@ struct RodCurves {
     }
     /// The largest at a place, in lengths of rod or string.
     RodForce forceAt(Load line, double section) const;
-    /// Where it begins, likewise.
+    /// Where rod or string begins, in the same lengths.
     double rear() const { return string ? string->rear() : 0; }
     const RodForce& largest(Load line) const { return envelope.largest[line]; }
     /// As shown.
     double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
-    /// Of a section of a string [Pa].
+    /// Returns the shown strength of a section of a string; `strength` in Pa.
     std::optional<double> shownStrength(const std::optional<double>& strength) const {
         return strength ? std::optional(*strength * strengthFactor) : std::nullopt;
     }
     double position(const RodForce& force) const { return force.section * units.length.factor; }
 };
 
-/// Of a string whose waves were not kept, no lines; of a rod its histories are required. A stop ends the work
-/// early, with lines that are too low.
+/// Returns no lines for strings whose waves were not kept; requires the histories of rods. A stop ends the
+/// work early, with lines that are too low.
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
 
 /// For each line position, stress and the time at which it occurs, side by side, in the units shown.

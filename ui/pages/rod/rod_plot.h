@@ -27,13 +27,13 @@ class RodPlot : public StudyFrame {
     /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
     void setGhost(const RodCurves* before);
 
-    /// What a point of the plot stands for, in its coordinates: the extreme that is marked near it, or the
-    /// largest stress at that position by the curve nearest to it. Nothing beside the rod.
+    /// Returns the extreme that is marked near a point of the plot, or the largest stress at that position by
+    /// the nearest curve. Nothing beside the rod.
     std::optional<RodForce> forceAt(QPointF coordinates) const;
     /// Along the curves, to the extremes that are marked.
     KeyPlaces keyPlaces() const override;
     QCPGraph* graph(Load line) const { return m_graphs[static_cast<std::size_t>(line)]; }
-    /// Those of pinned runs: compression to the bit and tension back from it.
+    /// Curves of pinned runs: compression to the bit and tension back from it.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:

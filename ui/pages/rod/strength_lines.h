@@ -15,8 +15,8 @@
 
 namespace drillwave {
 
-/// Of a rod a line across the plot, in tension and, of the yield strength, in compression; of a string steps
-/// over neighbours that have the same.
+/// For rods a line across the plot, in tension and for the yield strength in compression as well; for drill
+/// strings steps over neighbouring sections with the same strength.
 class StrengthLines {
   public:
     enum class Kind { yield, fatigue };

@@ -18,7 +18,7 @@ struct RodStretch {
     double rear = 0, front = 0;
     double toStress = 0;  ///< from a force [F0] on a square metre to stresses as scales have them
     Section section;
-    int number = 0;  ///< in the string from 1, repeats written out; in the hammer likewise, below 0
+    int number = 0;  ///< in the string from 1, repeats written out; in the hammer downward from −1
     QString name;
     QString words;                                         ///< "3rd rod", "hammer 1"
     std::optional<double> yieldStrength, fatigueStrength;  ///< [Pa]
@@ -45,7 +45,7 @@ struct StringRod {
 /// From a force [F0] at a place ξ of a section to the stress there, as scales have it.
 double stressOf(const RodStretch& section, double force, double share);
 
-/// Of a blow on a string.
+/// Returns the sections for a blow on a drill string.
 StringRod stringRod(const Blow& blow);
 
 /// Compression and tension while the blow lasts, and later where it was followed so long; a place where

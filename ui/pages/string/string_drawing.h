@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Lengths run from the rear of the hammer to the rock; diameters are drawn larger by a factor that is told.
-/// The upper half of a section has the colour of its largest tension, the lower half that of its largest
-/// compression. A click, and the keys Left, Right, Home and End, choose a section.
+/// Lengths run from the rear of the hammer to the rock; diameters are exaggerated by a factor that the
+/// drawing shows. The upper half of a section has the colour of its largest tension, the lower half that of
+/// its largest compression. A click, and the keys Left, Right, Home and End, choose a section.
 class StringDrawing : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ class StringDrawing : public QWidget {
     std::optional<std::size_t> sectionAt(QPointF point) const;
     /// Where a section of the chain is drawn.
     QRectF sectionRect(std::size_t section) const;
-    /// Of a section: its name, impedance, and largest stresses with place and time.
+    /// Describes a section: its name, impedance, and largest stresses with place and time.
     QString textOf(std::size_t section) const;
     /// By what factor diameters are larger than lengths; 0 where there is nothing to draw.
     double exaggeration() const;

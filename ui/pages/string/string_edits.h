@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be done with the sections that are selected in the table: added to, doubled, taken away, moved,
-// repeated. Each is one step of the document's history.
+// Actions on the sections that are selected in the table: add, duplicate, remove, move, repeat. Each is one
+// step of the document's history.
 #pragma once
 
 #include <QAction>
@@ -25,7 +25,7 @@ class StringEdits : public QObject {
 
     /// In the order of a bar.
     const QList<QAction*>& actions() const { return m_actions; }
-    /// What can be added: presets, and the sections of the example strings.
+    /// Menu of sections to add: presets, and the sections of the example strings.
     QMenu* addMenu() const { return m_addMenu; }
     /// The presets that can replace the selected sections.
     QMenu* replaceMenu() const { return m_replaceMenu; }
@@ -34,7 +34,7 @@ class StringEdits : public QObject {
     void add(const std::vector<Section>& sections);
     /// Where they belong in a string: adapters at the shank, bits at the rock.
     void addAt(StringEnd end, const std::vector<Section>& sections);
-    /// In place of the hammer.
+    /// Replaces the hammer.
     void useHammer(const SectionPreset& piston);
     /// Replaces the selected sections. Requires at least one section.
     void replace(const std::vector<Section>& sections);

@@ -47,7 +47,7 @@ class StringModel : public QAbstractTableModel {
     static bool isOccasional(int column) { return column >= presetName; }
     bool isUsed(int column) const;
 
-    /// What the last columns show; nullptr before the first.
+    /// The blow whose results the last columns show; nullptr before the first.
     void present(const SolvedBlowPtr& blow);
 
     const std::vector<StringRow>& rows() const { return m_rows; }

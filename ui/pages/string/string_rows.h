@@ -17,7 +17,7 @@ struct StringRow {
     SectionSpot spot;
     Section section;
     std::uint64_t place = 1;  ///< the first one in its hammer or string
-    /// Of the repeat that it is in.
+    /// The repeat that contains the section.
     struct Repeat {
         int times = 1;
         std::size_t index = 0, size = 1;  ///< which of the sections of the repeat
@@ -57,7 +57,7 @@ struct RowResult {
     std::uint64_t useSection = 1;      ///< the place of that
 };
 
-/// What a solved blow on that string says: by row, and by section of the chain.
+/// Results of a solved blow on that string: by row, and by section of the chain.
 struct StringResults {
     std::vector<RowResult> rows;
     std::vector<SectionStress> sections;

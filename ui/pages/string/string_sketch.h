@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// What is drawn, and in which units its axes are; these are of values in SI.
+/// A drill string to draw, with the units of the axes for values in SI.
 struct SketchedString {
     DrillString drillString;
     ShownUnit length;  ///< along the string

@@ -26,7 +26,7 @@ class JointMarksItem : public WavePictureItem {
 
     void setBlow(const SolvedBlowPtr& blow) override;
     void setStyle(const PlotStyle& style) override;
-    /// Those in view that have room, the longest section first.
+    /// The names in view that have room, the longest section first.
     QVector<Name> names() const;
     /// Where the lines in view are [px from the left].
     QVector<double> lines() const;

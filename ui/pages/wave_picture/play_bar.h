@@ -23,7 +23,7 @@ class PlayBar : public QWidget {
   public:
     explicit PlayBar(QWidget* parent = nullptr);
 
-    /// What is played and scrubbed, t/t0; `secondsPerUnit` is t0 [s], 0 where there is none.
+    /// Sets the span to play and scrub, t/t0; `secondsPerUnit` is t0 [s], 0 where there is none.
     void setSpan(const TimeSpan& span, double secondsPerUnit);
     /// Where the time cursor is, t/t0.
     void setTime(double t);

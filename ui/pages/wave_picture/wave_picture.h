@@ -21,7 +21,7 @@ struct PictureWindow {
     bool operator==(const PictureWindow&) const = default;
 };
 
-/// What a picture is to show, at the pixels of its screen.
+/// Contents of a picture, at the pixels of its screen.
 struct WavePictureNeed {
     WaveQuantity field = WaveQuantity::force;
     std::optional<PictureWindow> window;  ///< all that is of interest when there is none
@@ -44,7 +44,7 @@ struct PictureUnits {
 /// `units` gives times and forces; what else there is follows from the scenario.
 PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units);
 
-/// What the waves of a run are at most, which is known beforehand: they are looked up when they are drawn.
+/// Upper limits of the waves of a run, known beforehand: the waves are looked up when they are drawn.
 struct RunWaves {
     double largestForce = 0;     ///< magnitude [F0] in the time of interest
     double largestVelocity = 0;  ///< [F0/Z]
@@ -57,7 +57,7 @@ struct RunWaves {
 /// As wavePicture().
 RunWaves runWaves(const Blow& blow);
 
-/// What there is beside the picture of a drill string.
+/// Data beside the picture of a drill string.
 struct StringPicture {
     StringRod rod;                              ///< its sections
     double end = 0;                             ///< until when it was followed [t0]

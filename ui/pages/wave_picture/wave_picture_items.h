@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an x–t picture consists of: the coloured field, the fronts of the blow, the times of contact.
+// Items of an x–t picture: the coloured field, the fronts of the blow, the times of contact.
 #pragma once
 
 #include <qcustomplot.h>
@@ -28,7 +28,7 @@ class WavePictureItem : public QCPAbstractItem {
 
   protected:
     const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
-    /// What the axes show, in x/L and t/t0.
+    /// The view of the axes, in x/L and t/t0.
     RasterGrid view() const;
     /// A place in the plot [px].
     QPointF pixel(double xi, double t) const;
@@ -37,7 +37,7 @@ class WavePictureItem : public QCPAbstractItem {
     PlotStyle m_style;
 };
 
-/// The field in colours. In a file it is computed anew for the resolution of the file.
+/// The field in colours. For a file it is computed again at the resolution of the file.
 class WaveFieldItem : public WavePictureItem {
     Q_OBJECT
 

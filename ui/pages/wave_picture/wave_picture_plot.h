@@ -19,11 +19,11 @@ class WavePicturePlot : public StudyFrame {
   public:
     explicit WavePicturePlot(QCustomPlot* plot);
 
-    /// What has to be computed to show the present view at the present size.
+    /// Returns the picture needed to show the present view at the present size.
     WavePictureNeed need() const;
     /// Shows a blow that comes with a picture; the view stays where it is unless it was fitted.
     void present(const SolvedBlowPtr& blow);
-    /// What is on show, or nullptr.
+    /// The blow on show, or nullptr.
     const SolvedBlowPtr& shown() const { return m_blow; }
     /// Its picture, or nullptr.
     const WavePicture* picture() const { return m_blow ? m_blow->page<WavePicture>() : nullptr; }
@@ -48,7 +48,7 @@ class WavePicturePlot : public StudyFrame {
     QString readout(const QPointF& pixel) const;
 
   signals:
-    /// What is on show is not what need() says any more.
+    /// The picture on show does not match need() any more.
     void needChanged();
     void viewChanged();
 
