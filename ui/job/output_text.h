@@ -13,8 +13,8 @@ namespace drillwave {
 
 // In which unit an output is shown.
 
-/// Of an output's values in its measure (Output::measure). Plain numbers, works and shares, which are plain
-/// in SI too, have none. `size` is that of the values where there is no dimensionless number: N, W or m/s.
+/// Returns the unit of an output's values in its measure (Output::measure). Plain numbers, works and shares
+/// have none, also in SI. `size` is the size of values without a dimensionless number: N, W or m/s.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
 
 /// The same for a column: an energy in SI has the unit of energies.

@@ -59,7 +59,7 @@ class RunDrawings : public QObject {
     /// which they are, with the letters of the runs: "N A".
     void setBands(const QString& name) { m_bands = name; }
 
-    /// Replaces the curves. Those of the same runs stay: hidden ones are still hidden, and one that is read
+    /// Replaces the curves. Curves of the same runs stay: hidden ones are still hidden, and one that is read
     /// is still read.
     void present(const QVector<Drawing>& drawings) {
         const bool isSame = std::ranges::equal(drawings, m_drawings, [](const auto& a, const auto& b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user should know about a scenario or its solution, in words.
+// Alerts about a scenario or its solution, in words.
 #pragma once
 
 #include <QLabel>
@@ -61,8 +61,11 @@ class AlertLink : public QToolButton {
     Q_OBJECT
 
   public:
-    /// Follows a list that lives as long; hidden while the list is empty.
-    explicit AlertLink(const AlertList& list, QWidget* parent = nullptr);
+    /// Behaviour for an empty list: the row stays and says so, or goes.
+    enum class WithoutAny { said, hidden };
+
+    /// Follows a list that lives as long.
+    AlertLink(const AlertList& list, WithoutAny withoutAny, QWidget* parent = nullptr);
 
   private:
     void present();

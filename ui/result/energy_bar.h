@@ -18,8 +18,8 @@ QString energyPartName(EnergyPart part);
 /// The share of the whole, 0 … 1; what rounding makes negative is 0.
 double energyShare(const ImpactSummary& summary, EnergyPart part);
 
-/// A horizontal bar in parts told apart by pattern, colour and, where they fit, words. Empty where
-/// there is no result.
+/// A horizontal bar whose parts differ in pattern, colour and, where they fit, words. Empty without a
+/// result.
 class EnergyBar : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ class EnergyBar : public QWidget {
 
     void present(const ImpactSummary& summary);
     void clear();
-    /// What is written in a part; empty where it does not fit.
+    /// The words in a part; empty where they do not fit.
     QString labelOf(EnergyPart part) const;
 
     QSize sizeHint() const override;

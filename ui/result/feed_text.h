@@ -15,20 +15,20 @@ namespace drillwave {
 
 // The required feed of all four cases, which takes a study of all gaps: found beside the blow.
 
-/// Follows the blow on show as soon as its values rest. What was found for an earlier one stays meanwhile.
+/// Follows the blow on show as soon as its values rest. Keeps the estimate of the earlier one until then.
 class WorstNeed : public QObject {
     Q_OBJECT
 
   public:
     explicit WorstNeed(QObject* parent = nullptr);
 
-    /// Of this blow from now on; one without a thrust has none.
+    /// Starts the study for a blow; one without a thrust has no estimate.
     void ask(const SolvedBlow& blow);
-    /// Of no blow, until it is asked again.
+    /// Stops following blows until the next ask().
     void askNothing();
     /// The estimate of all four cases; nothing where there is none, or none yet.
     std::optional<FeedEstimate> estimate() const;
-    /// The largest of the four required forces [N], likewise.
+    /// The largest of the four required forces [N]; nothing where there is none, or none yet.
     std::optional<double> thrust() const;
     /// Why there is none, in a sentence; may be empty.
     QString problem() const;

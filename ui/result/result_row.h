@@ -37,7 +37,7 @@ class PlaceLink : public QLabel {
     void paintEvent(QPaintEvent* event) override;
 };
 
-/// What a row says of a blow.
+/// Content of a row for a blow.
 struct ResultEntry {
     /// How it is written; empty where it is not given.
     using Text = std::function<QString(const SolvedBlow&)>;
@@ -82,7 +82,7 @@ class ResultRow {
     /// "section: name<tab>value", with a reference and "<tab>difference".
     QString text() const;
 
-    /// What a rod or a string alone has is not there for the other.
+    /// Shows the row only if its entry concerns the scenario.
     void offer(const Scenario& scenario) const;
     void present(const SolvedBlow& blow) const;
     /// Against a reference of that title; nullptr for none.
@@ -103,19 +103,19 @@ class ResultRow {
 /// Its text can be selected; the menu is that of the panel.
 void makeSelectable(QLabel& label);
 
-// What the rows of the result panel say.
+// Entries of the rows of the result panel.
 
 /// By this name the rows are found that wait for the study of all gaps.
 inline const QString worstName = QStringLiteral("worstNeed");
 
-/// Of all outputs of a group, in its order; of a largest stress the place, too, in a row below.
+/// Returns all outputs of a group, in its order; below a largest stress its place as well.
 QList<ResultEntry> outputEntries(OutputGroup group);
 
 /// Required and installed feed. `worst` is of the blow on show and must outlive the
 /// rows; `worstOf` gives the need of any blow.
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf);
 
-/// What all shares of the energy are of, where the hammer is followed, whose work on the string is less.
+/// Returns the hammer energy, the reference of all energy shares where the hammer is followed.
 ResultEntry hammerEnergyEntry();
 
 /// The coefficient of restitution, with its error in the tooltip.

@@ -20,7 +20,7 @@ class StaleVeil : public QWidget {
     /// Nothing of what is below shows through: it is of another scenario.
     void setOpaque(bool opaque);
 
-    /// What is written on it.
+    /// The words on it.
     static QString words();
 
   protected:

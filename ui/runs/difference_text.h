@@ -21,10 +21,10 @@ QString relativeText(double value, double reference);
 /// "+0.2047", "−3.1", "±0".
 QString signedText(double difference, int digits = 4);
 
-// What distinguishes one scenario from another, in few words.
+// Differences between two scenarios, in few words.
 
-/// What the second scenario has instead, in the units of the fields: "k 300 MN/m, L 12 ft", "half sine". At
-/// most a few changes, the rest as "…". Empty where they differ in nothing but the title.
+/// Returns the values of the second scenario that differ, in the units of the fields: "k 300 MN/m, L 12 ft",
+/// "half sine". At most a few changes, the rest as "…". Empty if only the titles differ.
 QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units);
 
 }  // namespace drillwave

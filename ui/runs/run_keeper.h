@@ -29,7 +29,7 @@ class RunKeeper : public QObject {
 
     /// Document and runs must outlive it.
     RunKeeper(Document& document, Runs& runs, QObject* parent = nullptr, Write write = &RunsFolder::write);
-    /// Writes what has not been written yet; a failure is told to nobody, who may be gone already.
+    /// Writes the rest. Reports no failure, because the receivers may be gone already.
     ~RunKeeper() override;
 
     /// Wanted, as far as no writing has failed.
@@ -40,13 +40,13 @@ class RunKeeper : public QObject {
     bool holdsOthers();
     /// From now on; begins to write. Returns why not; then nothing is kept. That writing has failed comes
     /// with failed(), or from finish().
-    /// What somebody else has put there is replaced only if that is asked for.
+    /// Replaces files of other programs only for ExistingFiles::replaced.
     QString keep(ExistingFiles existing = ExistingFiles::kept);
     /// From now on no more; takes the files of the runs, but for those that somebody else has changed, and
     /// the folder where nothing else is in it, away.
     void giveUp();
-    /// Waits until all is written. Returns why that has failed, which is told to nobody else; then nothing is
-    /// kept any more.
+    /// Waits until all is written. Returns why that has failed, without failed(); then nothing is kept any
+    /// more.
     QString finish();
 
   signals:
@@ -57,7 +57,7 @@ class RunKeeper : public QObject {
     void failed(const QString& what, const QString& problem);
 
   private:
-    /// What is to be written: the runs as they are when writing begins.
+    /// Runs to write, as they are when writing begins.
     struct Order {
         enum class Reason { wish, change } reason;
         ExistingFiles existing;

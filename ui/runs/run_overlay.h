@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page lays over its plot of the pinned runs.
+// Curves of the pinned runs laid over the plot of a page.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +26,14 @@ struct RunOverlay {
     std::weak_ptr<const SolvedBlow> blow;  ///< what is drawn does not keep it
     ShownUnits units;
     std::shared_ptr<const Curves> curves;
-    /// Of the same blow in the same units, where the curves are the same.
+    /// Compares overlays: of the same blow in the same units if the curves are the same.
     bool operator==(const RunOverlay& other) const {
         return number == other.number && title == other.title && curves == other.curves;
     }
 };
 
-/// Of the solved runs that are to be shown, in the units of the present blow. Those that `made` holds already
-/// are taken from there; `make` makes the others from a blow and its units. On any thread.
+/// Returns overlays for the solved runs on show, in the units of the present blow. Takes those in `made` from
+/// there; `make` makes the others from a blow and its units. On any thread.
 template <class Curves, class Make>
 std::vector<RunOverlay<Curves>> runOverlays(const RunList& runs, const SolvedBlow& now,
                                             const std::vector<RunOverlay<Curves>>& made, const Make& make) {

@@ -51,15 +51,15 @@ class Runs : public QObject {
     const RunListPtr& list() const { return m_list; }
     /// nullptr where there is none of that number.
     const Run* find(int number) const;
-    /// What the others, and the present result, are compared with; nullptr for the present result itself.
+    /// The run to compare the others and the present result with; nullptr for the present result itself.
     const Run* reference() const;
 
     /// Adds a run, named by what changed against the reference, or the run before it; by `title` where there
     /// is none. The first one becomes the reference. `blow` may be nullptr: it is solved then. Returns why
     /// not.
     QString pin(ScenarioDocument contents, SolvedBlowPtr blow, const QString& title);
-    /// Adds kept runs under their numbers where those are free. Those that are there already, with the same
-    /// scenario and name, are not added again. Returns the titles of those for which there is no room.
+    /// Adds kept runs under their numbers where those are free. Runs that exist already, with the same
+    /// scenario and name, are not added again. Returns the titles of runs for which there is no room.
     QStringList add(const std::vector<KeptRun>& kept);
     /// As they are kept.
     std::vector<KeptRun> toKeep() const;
@@ -116,7 +116,7 @@ class RunSolver : public QObject {
 
 // Which runs can be laid over a blow.
 
-/// Those on rods for a rod, those on drill strings for a string: the others have other axes.
+/// Returns the runs on rods for a rod, on drill strings for a string: the others have other axes.
 RunList runsLike(const Scenario& scenario, const RunList& runs);
 
 }  // namespace drillwave

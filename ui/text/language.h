@@ -15,7 +15,7 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// What the user has chosen; nullptr for that of the system.
+/// The language chosen by the user; nullptr for that of the system.
 const Language* chosenLanguage();
 /// For the windows that are opened from now on.
 void chooseLanguage(const Language* language);
@@ -23,7 +23,7 @@ void chooseLanguage(const Language* language);
 /// The first of the wanted ("de-AT", "sv", "C") that there is, in the order in which a user prefers them
 /// (QLocale::uiLanguages()); English where none is.
 const Language& firstLanguage(const QStringList& wanted);
-/// What is chosen, else what the system prefers.
+/// The chosen language, else the one preferred by the system.
 const Language& languageToSpeak();
 
 /// While one lives, its thread has the texts of the program in English whatever the window speaks: for files.
@@ -61,10 +61,10 @@ const Language& spokenLanguage();
 /// chosen by kind.
 class LocalStyle : public ReadingStyle {
   public:
-    /// `system` is taken as SI where it is dimensionless: what is told in sentences has no other unit.
+    /// `system` counts as SI if it is dimensionless, because sentences have no dimensionless values.
     LocalStyle(const QLocale& locale, UnitSystem system, ChosenUnits chosen);
 
-    /// Of the one at the window as it is now: QLocale() and what is chosen there.
+    /// Returns the style of the window as it is now: QLocale() and the chosen units.
     static LocalStyle of(const UnitChoice& units);
 
     std::string number(double value, int digits) const override;

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// What stands where there is no number.
+/// Text for a missing number.
 inline const QString noNumber = QStringLiteral("–");
 
 /// The locale, writing "12345" for "12.345" and "12,345": a group separator of one is the decimal sign of

@@ -17,7 +17,7 @@ class ScrolledLabel : public QScrollArea {
     /// `label` is to be wrapped and becomes the child.
     ScrolledLabel(QLabel* label, double shareOfWindow, QWidget* parent);
 
-    /// Of the label; the room for it is there as soon as the layout around is activated.
+    /// Sets the text of the label; its room is there as soon as the layout around is activated.
     void setText(const QString& text);
     QString text() const;
 

@@ -34,11 +34,11 @@ struct ShownUnit {
     QString axisLabel(const QString& words) const;
 };
 
-/// Of values in SI: shown value = SI value · factor.
+/// Returns the unit for values in SI: shown value = SI value · factor.
 ShownUnit shownUnit(const Unit& unit);
 
-/// The same quantity in the unit in which a value (before the factor) is best read: 36.06 N where that of the
-/// plots says 0.03606 kN. What has one to four digits before the point in `unit` stays in it.
+/// Returns the unit of the same quantity in which a value (before the factor) is best read: 36.06 N instead
+/// of the 0.03606 kN of the plots. A value with one to four digits before the point in `unit` stays in it.
 ShownUnit readable(const ShownUnit& unit, double value);
 
 /// The units of all that is plotted or listed for one blow.
@@ -56,7 +56,7 @@ struct ShownUnits {
     ChosenUnits chosen = {};
     bool operator==(const ShownUnits&) const = default;
 
-    /// Of values in SI that are about as large as `size` and have no dimensionless number, such as thrusts.
+    /// Returns the unit for values in SI about as large as `size` without a dimensionless number (thrusts).
     ShownUnit of(UnitKind kind, double size) const;
 };
 

@@ -43,7 +43,7 @@ QString shownUnitName(std::string_view name);
 
 // A quantity as a field for it shows it: all of a short number, six digits of a long one.
 
-/// Of a value in SI, without the name of the unit.
+/// Formats a value in SI, without the name of the unit.
 QString fieldText(double si, Quantity quantity, const Unit& unit, const QLocale& locale);
 
 }  // namespace drillwave

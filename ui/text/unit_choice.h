@@ -18,7 +18,7 @@ class UnitChoice : public QObject {
     /// Begins with what was kept last.
     UnitChoice();
 
-    /// Of results and plots.
+    /// The units of results and plots.
     UnitSystem system() const { return m_system; }
     /// SI or US: of fields, whose values always are physical, also while results are dimensionless.
     UnitSystem physicalSystem() const { return m_physical; }
@@ -37,7 +37,7 @@ class UnitChoice : public QObject {
     void choose(UnitSystem system);
     /// All of that kind follow, fields with a unit of their own too. nullptr: as the system has it.
     void choose(UnitKind kind, const Unit* unit);
-    /// Of one field only, in every scenario. Nobody else is told.
+    /// Sets the unit of one field, in every scenario, without changed().
     void chooseForField(const Parameter& parameter, const Unit& unit);
 
   signals:

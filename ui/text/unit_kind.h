@@ -54,7 +54,7 @@ std::span<const UnitKindRow> unitKinds();
 const UnitKindRow& rowOf(UnitKind kind);
 
 /// The unit of the system in which a value of that size (SI) is best read: the largest that the size is not
-/// less than one of, ten of in US units, or the smallest. That of SI where `system` is dimensionless.
+/// less than one of, ten of in US units, or the smallest. A dimensionless `system` counts as SI.
 const Unit& handyUnit(UnitKind kind, double size, UnitSystem system);
 
 /// nullopt for a ratio.

@@ -25,7 +25,7 @@ class BlowGhost : public QObject {
     BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown, QObject* parent);
 
   private:
-    /// What a preset leaves of the case before it.
+    /// How long the blow before a preset stays.
     enum class Stay { no, overThisChange, untilTheNextChange };
 
     void set(const SolvedBlowPtr& before);

@@ -64,7 +64,7 @@ class FormNotice : public Notice {
     QAction* toString() const { return m_toString; }
     QAction* toUniformRod() const { return m_toUniformRod; }
     QAction* toRig() const { return m_toRig; }      ///< of dimensionless groups, by a RigDialog
-    QAction* toForce() const { return m_toForce; }  ///< in place of the hammer of a string
+    QAction* toForce() const { return m_toForce; }  ///< instead of the hammer of a string
 
   private:
     void convert(const Conversion& conversion, const QString& step, const QString& done);
@@ -78,7 +78,7 @@ class FormNotice : public Notice {
     bool m_isConverting = false;
 };
 
-// What to look at in the example that is open.
+// Hint for the example that is open.
 
 class ExampleNote : public Notice {
     Q_OBJECT

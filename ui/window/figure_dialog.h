@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of the paper, computed anew, with the numbers that the paper prints beside the exact ones.
+// A figure of the paper, computed again, with the numbers that the paper prints beside the exact ones.
 #pragma once
 
 #include <QDialog>

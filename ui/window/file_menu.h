@@ -44,8 +44,8 @@ class FileMenu : public QMenu {
     /// Document, questions and watch must outlive the menu. `exports` becomes a part of it.
     FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports, QWidget* window);
 
-    /// Opens a scenario file, or the scenario of a result, in place of the present one, unsaved or not; tells
-    /// why if it cannot. True when opened.
+    /// Opens a scenario file, or the scenario of a result, instead of the present one, unsaved or not;
+    /// reports why if it cannot. True when opened.
     bool openFile(const QString& path);
     void openExample(const Example& example);
     /// Takes what was dropped onto the window: a scenario, the CSV file of a result, or that of a hammer

@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow {
     bool wantsRestart() const { return m_wantsRestart; }
 
     Document& document() { return m_document; }
-    /// What is on show.
+    /// The blow on show.
     const SolvedBlowPtr& shown() const { return m_shown; }
 
   protected:

@@ -41,11 +41,11 @@ class MarchedNotice : public Notice {
     /// The pages must outlive it.
     explicit MarchedNotice(PageTabs& pages, QWidget* parent = nullptr);
 
-    /// What `what` says in words.
+    /// Shows this blow; `what` describes it in words.
     void open(const MarchedQuestion& blow, const QString& what);
     /// The scenario is another one.
     void forget();
-    /// The blow that a page is to show in place of the single one.
+    /// The blow that a page should show instead of the single one.
     std::optional<MarchedQuestion> blowOf(const Page& page) const;
 
   signals:

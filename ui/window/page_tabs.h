@@ -16,8 +16,8 @@ namespace drillwave {
 class StaleVeil;
 class TabStrip;
 
-/// What a page is about, in the order of the tabs: the blow of the scenario, many blows, or some side by
-/// side.
+/// Subject of a page, in the order of the tabs: the blow of the scenario, studies, or several
+/// runs.
 enum class PageGroup { thisBlow, studies, runs };
 
 /// The pages one upon the other. The tabs are elsewhere in the window, over its whole width.
@@ -55,7 +55,7 @@ class PageTabs : public QStackedWidget {
     void saveChoice() const;
 
   signals:
-    /// Of the page on show.
+    /// The needs of the page on show have changed.
     void needsChanged();
     void exportRequested(const drillwave::PageExport& wanted);
     /// Other pages can be chosen than before.

@@ -13,7 +13,7 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Sets the units of a document. What is wanted stays while a scenario has no physical units.
+/// Sets the units of a document. The choice stays while a scenario has no physical units.
 class UnitsChoice : public QMenu {
     Q_OBJECT
 

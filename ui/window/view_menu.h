@@ -20,7 +20,7 @@ class WindowLayout;
 
 // The menu of languages, in View.
 
-/// What is chosen counts for the next window; a restart is offered.
+/// The choice takes effect in the next window; a restart is offered.
 class LanguageMenu : public QMenu {
     Q_OBJECT
 
@@ -65,7 +65,7 @@ class ViewMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// What the menu is about, all of which must outlive it.
+    /// Parts of the window in the menu, all of which must outlive it.
     struct Parts {
         UnitsChoice& units;
         PageTabs& pages;

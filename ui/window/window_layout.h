@@ -15,8 +15,8 @@ namespace drillwave {
 
 // F6 and Shift+F6 take the keyboard round the areas of the window.
 
-/// The focus comes back to where it was in an area. An area that is closed is passed over; one behind
-/// another in a row of docks comes to the front.
+/// The focus comes back to where it was in an area. An area that is closed is passed over; a hidden one in a
+/// row of docks comes to the front.
 class AreaKeys : public QObject {
     Q_OBJECT
 
@@ -42,7 +42,7 @@ class WindowLayout : public QObject {
     /// addDock() and restoreSize() come before the window is shown.
     explicit WindowLayout(QMainWindow* window);
 
-    /// The first is on the left, the second on the right. `name` tells them apart in what is kept.
+    /// The first is on the left, the second on the right. `name` identifies it in the settings.
     void addDock(const QString& title, const QString& name, QWidget* content);
     /// The dock of that content comes to the front, opened where it was closed.
     void reveal(const QWidget* content);

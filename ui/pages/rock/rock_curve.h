@@ -44,7 +44,7 @@ struct RockCurve {
 };
 
 /// Returns the path of a solved blow, empty without histories. Penetration follows from the force only by
-/// ContactLaw::penetration(); while bit and rock are apart, it is the rest that stays.
+/// ContactLaw::penetration(); while bit and rock are apart, it is the remaining penetration.
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
 /// Penetration and force at a global time in shown units; at either end of the path before and behind it.
