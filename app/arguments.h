@@ -37,13 +37,13 @@ class Arguments {
     bool has(std::string_view option) const;
     std::optional<std::string> value(std::string_view option) const;
     std::vector<std::string> values(std::string_view option) const;
-    /// Of the options that are short for a key: the key and the option, in the order given.
+    /// The options that are short for a key: the key and the option, in the order given.
     const std::vector<std::pair<std::string_view, std::string_view>>& shorts() const { return m_shorts; }
-    /// That of what the command says.
+    /// The language of the command's output.
     const Language& language() const { return *m_language; }
     const ReadingStyle& style() const { return styleOf(*m_language); }
     void speak(const Language& language) { m_language = &language; }
-    /// Another word in place of the value of an option that is given once.
+    /// Replaces the value of an option that is given once.
     void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
 
@@ -52,7 +52,7 @@ class Arguments {
 
     /// The words again as a shell takes them, operands first, without the options named.
     std::string shellText(std::span<const std::string_view> without) const;
-    /// Of these the options alone.
+    /// Only the options of these words.
     std::string optionsText(std::span<const std::string_view> without) const;
 
     /// The whole number given to an option, or `fallback`. Throws CommandError (usage) when it is none or out

@@ -11,12 +11,12 @@
 
 namespace drillwave {
 
-/// The axis that `word` behind --`option` says, see parseAxis(). Throws CommandError: usage; invalid scenario
-/// for a value that the parameter cannot take.
+/// Returns the axis given by `word` after --`option`, see parseAxis(). Throws CommandError: usage; invalid
+/// scenario for a value that the parameter cannot take.
 SweepAxis axisArgument(const std::string& option, const std::string& word);
 
-/// The range that `word` says, see parseRange(), or from STOP up to START where that is lower; throws
-/// likewise.
+/// Returns the range given by `word`, see parseRange(), or from STOP up to START where that is lower; throws
+/// as axisArgument().
 SweepAxis rangeArgument(const std::string& option, const std::string& word);
 
 /// "--vary beta=1,2", for messages.
@@ -26,7 +26,7 @@ std::string quotedAxis(const std::string& option, const std::string& word);
 /// CommandError (usage).
 double quantityArgument(const std::string& option, const std::string& word, Quantity quantity);
 
-/// Every --level, likewise.
+/// Returns the values of every --level. Throws CommandError (usage) also for more than mostLevels.
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);
 
 /// The axis as it was asked for.

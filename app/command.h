@@ -19,7 +19,7 @@ struct Command {
     std::string_view operands;  ///< for the help, "FILE CASES.csv"
     std::string_view summary;   ///< one line
     std::string_view details;   ///< further lines of its help, may be empty
-    /// What follows them from tables, if anything.
+    /// Further text from tables, after the details; nullptr for none.
     std::string (*furtherHelp)(const ReadingStyle&) = nullptr;
     std::vector<OptionSpec> options;
     std::size_t leastOperands;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the options of `design` ask, read from their words.
+// Options of `design`, read from their words.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ class DesignFaults {
 bool isAimWord(const std::string& word);
 
 /// Reads all options on top of a scenario. The set-up of the file stands for each option that is not given;
-/// --draws also replaces its uncertain inputs. What is wrong is added to the faults.
+/// --draws also replaces its uncertain inputs. Adds errors to the faults.
 DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, const DesignSetup& setup,
                           DesignFaults& faults);
 

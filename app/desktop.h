@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library of the desktop is needed for: the window and pictures. Of the two programs with the same
+// Functions that need the library of the desktop: the window and pictures. Of the two programs with the same
 // commands, `drillwave-window` is linked to it (desktop_here.cpp); `drillwave`, which starts in a fraction of
-// the time, leaves what needs it to the other one (desktop_beside.cpp).
+// the time, leaves them to the other one (desktop_beside.cpp).
 #pragma once
 
 #include <memory>

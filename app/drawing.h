@@ -29,7 +29,7 @@ struct SweepRows;
 struct ThrustReport;
 class StudyAnswer;
 
-/// What a study has found. One that can be drawn has its line here, and its drawStudy() in
+/// Result of a study. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
 using StudyValue =
     std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const DesignReport*,

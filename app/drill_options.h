@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the options of `drill` ask, read from their words, and what is said before anything is marched.
+// Options of `drill`, read from their words, and the messages before anything is marched.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ namespace drillwave {
 void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite);
 
-/// What the rows are and how to get them, without axes and outputs.
+/// Returns the record of the rows and of how to get them, without axes and outputs.
 RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows);
 
 /// "blows.csv.yaml" with that in it, of a file with these rows.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What --help prints.
+// Text of --help.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace drillwave {
 
-/// What the exit codes mean, apart by commas (commands §6).
+/// Meaning of the exit codes, separated by commas (commands §6).
 inline constexpr std::string_view exitCodesHelp =
     "0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
     "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted";
 
-/// What `help` does, and what it can be asked for.
+/// Help of the command `help`, and its topics.
 inline constexpr std::string_view helpSummary =
     "print the help of a command, a chapter of the manual, a parameter, an output";
 inline constexpr std::string_view helpDetails =
@@ -32,7 +32,7 @@ std::string synopsis(const OptionSpec& option);
 /// The options of a command and those that every command has, for completions: --help and --version apart.
 std::vector<OptionSpec> optionsOf(const Command& command);
 
-/// What the help of a command says below its options; empty where there is no more.
+/// Returns the part of a command's help below its options; empty where there is none.
 std::string detailsOf(const Command& command, const ReadingStyle& style = plainStyle());
 
 /// Help of the whole program.

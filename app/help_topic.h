@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `drillwave help TOPIC` says: a command, a chapter of the manual or a section of it, a parameter, an
-// output, a symbol, or whatever else a table of the manual names.
+// Answers of `drillwave help TOPIC` for a command, a chapter of the manual or a section of it, a parameter,
+// an output, a symbol, or anything else that a table of the manual names.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command reads: a file, standard input, or a pipe.
+// Input of a command: a file, standard input, or a pipe.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ std::string inputName(const std::string& path);
 /// be written to, which is said in that style.
 FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style);
 
-/// Rows that are read twice, once to be checked and once to be solved. Those of a pipe are kept in a
-/// temporary file meanwhile, in bounded memory and on a bounded part of the disk.
+/// Rows that are read twice, once for checking and once for solving. Rows from a pipe are kept in a temporary
+/// file meanwhile, in bounded memory and on a bounded part of the disk.
 class RereadableInput {
   public:
     /// A pipe that goes on beyond this has most likely no end: some ten million rows.

@@ -40,7 +40,7 @@ class Interruption {
     std::stop_token token() const { return m_source.get_token(); }
     /// Throws CommandError (interrupted) if a stop was requested.
     void check() const;
-    /// What was asked for is in place: a signal that comes now comes too late, until the program ends.
+    /// Ignores signals until the program ends, because all output is written.
     void ignoreFromNowOn() const;
     /// The style of speakOnInterruption().
     const ReadingStyle& style() const;

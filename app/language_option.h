@@ -10,11 +10,11 @@
 
 namespace drillwave {
 
-/// What every command takes, and the window.
+/// The option of every command, and of the window.
 inline constexpr OptionSpec languageOption{"language", "CODE",
                                            "use German (de), Swedish (sv) or English (en)"};
 
-/// The variable of the environment that says it for all commands.
+/// Environment variable with the language of all commands.
 inline constexpr const char* languageVariable = "DRILLWAVE_LANGUAGE";
 
 /// Returns the language of the variable, "de" or "de_DE.UTF-8"; English where the variable names none.
@@ -23,8 +23,8 @@ const Language& languageOfEnvironment();
 /// Throws CommandError (usage) where the variable is there and names no language.
 void checkLanguageVariable();
 
-/// That of the option, which goes from the words; nullptr without. Throws CommandError (usage) where it names
-/// none, and where it is there twice.
+/// Takes the option out of the words; nullptr without it. Throws CommandError (usage) if it names no language
+/// or is given twice.
 const Language* takeLanguage(std::vector<std::string>& words);
 
 }  // namespace drillwave

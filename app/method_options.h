@@ -14,8 +14,8 @@ namespace drillwave {
 /// The two options, for a command's table of options.
 std::vector<OptionSpec> methodOptionSpecs();
 
-/// What they choose; without --method that of a result which is solved again, as loadScenarioInput() found
-/// it, or else exact. Throws CommandError (usage).
+/// Returns the method given by the options; without --method that of a result which is solved again, as
+/// loadScenarioInput() found it, or else exact. Throws CommandError (usage).
 MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult = {});
 
 /// Throws CommandError (usage) if the method says nothing about this scenario, which `path` names.

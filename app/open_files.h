@@ -6,10 +6,10 @@
 
 namespace drillwave {
 
-/// What a command ends with that cannot open a file for this reason of the system (errno).
+/// Returns the error for a file that cannot be opened for this reason of the system (errno).
 CommandError tooFewFiles(int reason);
 
-/// Throws it unless so many files can be opened now.
+/// Throws tooFewFiles() unless so many files can be opened now.
 void checkOpenFiles(int count);
 
 }  // namespace drillwave

@@ -53,7 +53,7 @@ void checkName(const std::string& path);
 /// Throws CommandError (unwritable output) when a file of that name exists and may not be overwritten.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
-/// The same for a file and what was left beside it, when what a run that died there left is mended.
+/// Checks a file and those left beside it, after repairing what a run that died has left in the folder.
 void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
 
 /// One output. All failures throw CommandError (unwritable output), at opening already where they can be
@@ -74,7 +74,7 @@ class OutputFile {
     const FileSum& sum() const { return m_sum; }
     /// A file to be beside this one, which must be no stream.
     void add(NamedFile beside);
-    /// Puts all of it in place as one (writeWholeFolder()), in place of what was left beside the file; of a
+    /// Writes everything as one (writeWholeFolder()) and replaces what was left beside the file; for a
     /// stream, finds out whether everything has found room. Throws CommandError (interrupted) on a stop.
     void commit(const Interruption* interruption = nullptr);
 

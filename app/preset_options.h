@@ -26,7 +26,7 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
 /// The presets of a file, of standard input ("-") or a pipe, or the built-in ones without one. Throws
 /// CommandError.
 PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle& style);
-/// Those of a text that `path` names.
+/// Returns the presets in a text that `path` names.
 PresetFile parsedPresets(std::string_view text, const std::string& path);
 
 }  // namespace drillwave

@@ -19,7 +19,7 @@ inline constexpr std::chrono::seconds linesBetween{15};
 /// "42 s", "3 min 20 s", "5 h 12 min".
 std::string durationText(double seconds);
 
-/// Where progress is told.
+/// Output for the progress.
 struct ProgressOutput {
     std::FILE* stream = stderr;
     std::chrono::milliseconds between = linesBetween;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `sweep` and `table` have in common: outputs, threads, parts, and the file that the rows go to.
+// Options of `sweep` and `table` alike: outputs, threads, parts, and the file that the rows go to.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ struct RowOptions {
 /// `method` is that of the result which FILE is. Throws CommandError (usage).
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method);
 
-/// What failures are of.
+/// Unit in which failures are counted.
 enum class RowNoun { row, point };
 
 /// "2 rows: it needs more wave pieces than permitted …", and what to do about it.

@@ -20,7 +20,7 @@ inline constexpr OptionSpec setOption{"set", "KEY=VALUE", "change parameters, e.
 /// The options of a command that takes a scenario: --set and the presets, then those of its own.
 std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own = {});
 
-/// What FILE may be, for the help.
+/// Help for the operand FILE.
 inline constexpr std::string_view scenarioOperandHelp =
     "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
     "a built-in example, or - for standard input.";

@@ -25,11 +25,11 @@ OptionSpec plotsOptionSpec();
 /// The pictures of a study, one in each format.
 class StudyPlots {
   public:
-    /// Of a study whose numbers are the file of -o: FILE.png beside FILE.csv. Throws CommandError (usage)
-    /// where -o is missing, standard output, or a device.
+    /// Pictures beside the file of -o with the numbers of the study: FILE.png for FILE.csv. Throws
+    /// CommandError (usage) where -o is missing, standard output, or a device.
     static StudyPlots besideFile(const Arguments& arguments);
-    /// Of a study that writes into the folder of -o: NAME.png. Throws CommandError (usage) where -o is
-    /// missing or standard output.
+    /// Pictures in the folder of -o, into which the study writes: NAME.png. Throws CommandError (usage) where
+    /// -o is missing or standard output.
     static StudyPlots inFolder(const Arguments& arguments, std::string_view name);
 
     bool areWanted() const { return !m_order.formats.empty(); }
@@ -49,8 +49,8 @@ class StudyPlots {
     PictureOrder m_order;
 };
 
-/// Writes a study's file with the pictures of StudyPlots::besideFile(), in place of an earlier one with what
-/// was left beside it. Throws CommandError: unwritable output; interrupted.
+/// Writes a study's file with the pictures of StudyPlots::besideFile(), and replaces an earlier one with the
+/// files beside it. Throws CommandError: unwritable output; interrupted.
 void writeStudy(const std::string& path, std::string_view text, std::vector<NamedFile> pictures,
                 Overwrite overwrite, const Interruption& interruption);
 

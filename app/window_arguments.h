@@ -10,12 +10,12 @@
 
 namespace drillwave {
 
-/// What they ask of the window.
+/// The request to the window.
 struct WindowArguments {
     std::string file;                  ///< to open, empty without
     const Example* example = nullptr;  ///< to open, where there is no file of its name
     bool resetsUi = false;
-    const Language* language = nullptr;  ///< to speak this once, in place of the one that is chosen
+    const Language* language = nullptr;  ///< to speak this once, instead of the chosen one
 };
 
 /// Throws CommandError: usage, for an option, a language or a command that is not known and for a second

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a word of a command line may be, from the tables that the commands are made of: for a shell to
-// complete.
+// Kinds of words on a command line, from the tables that the commands are made of: for completion by a
+// shell.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ enum class ValueKind {
     statistic,  ///< "mean", what follows the @ of an aim or a limit
     output,     ///< one of the table of outputs
     outputs,    ///< several, with commas between them
-    formats,    ///< of pictures, likewise
+    formats,    ///< formats of pictures, with commas between them
     method,
     language,
     rod,
@@ -39,10 +39,10 @@ std::string_view name(ValueKind kind);
 /// Options that may stand before a command.
 inline constexpr std::string_view programOptions[]{"--help", "--version", "--language", "--reset-ui"};
 
-/// What an option takes.
+/// Returns the kind of an option's value.
 ValueKind valueKind(const OptionSpec& option);
 
-/// What stands where no option is: of the first operand, and of all behind it.
+/// Returns the kind of the operands of a command: of the first one and of all after it.
 ValueKind operandKind(const Command& command);
 
 /// Returns whether words of a kind are typed in stages, up to the next of "=", ":" and "@".

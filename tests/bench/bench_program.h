@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What programs that measure the window begin with.
+// Start of programs that measure the window.
 #pragma once
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 namespace drillwave::test {
 
-/// Of the process, resident.
+/// Resident memory of the process.
 inline double megabytes() {
     QFile file(QStringLiteral("/proc/self/statm"));
     if (!file.open(QIODevice::ReadOnly)) qFatal("no /proc/self/statm here");

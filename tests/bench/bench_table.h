@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a benchmark prints, row by row as it is measured: for people, as CSV or as JSON.
+// Table of a benchmark, printed row by row as it is measured: for people, as CSV or as JSON.
 #pragma once
 
 #include <cmath>

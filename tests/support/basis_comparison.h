@@ -15,13 +15,13 @@
 
 namespace drillwave::test {
 
-/// What one representation makes of a blow, and the processor time it takes, s.
+/// Result of one representation for a blow, and its processor time [s].
 struct BasisResult {
     Impact impact;
     double seconds = 0;
 
     bool isSolved() const { return impact.outcome == Outcome::rebounded; }
-    /// Of e; NaN where one of the two is not solved.
+    /// Difference in e; NaN where one of the two is not solved.
     double differenceTo(const BasisResult& other) const {
         if (!isSolved() || !other.isSolved()) return std::numeric_limits<double>::quiet_NaN();
         return std::abs(impact.cor - other.impact.cor);
@@ -32,7 +32,7 @@ struct BasisResult {
     }
 };
 
-/// One blow, compared. What has not been tried is not solved.
+/// One blow, compared. Representations that were not tried are not solved.
 struct BasisFinding {
     Scene scene;
     bool isSuited = false;  ///< ExactSolver would try the closed basis

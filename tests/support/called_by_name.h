@@ -13,8 +13,8 @@ struct NamedProgram {
     int (*main)(int, char**);
 };
 
-/// What the program returns whose name is the last part of argv[0]. 2 where none has it, and their names on
-/// stderr.
+/// Runs the program whose name is the last part of argv[0] and returns its exit code. Returns 2 where none
+/// has it, and prints their names on stderr.
 inline int runCalled(int argc, char** argv, const std::vector<NamedProgram>& programs) {
     const std::string_view path = argc > 0 ? argv[0] : "";
     const std::string_view called = path.substr(path.rfind('/') + 1);

@@ -14,7 +14,7 @@ struct CatalogueEntry {
     auto operator<=>(const CatalogueEntry&) const = default;
 };
 
-/// What is to be translated: context and source.
+/// Key of a translation: context and source.
 using CatalogueKey = std::pair<QString, QString>;
 using CatalogueEntries = QMap<CatalogueKey, CatalogueEntry>;
 
@@ -37,7 +37,7 @@ inline CatalogueEntries readCatalogue(const QString& path) {
     return entries;
 }
 
-/// That of a language, "de".
+/// Returns the path of the catalogue of a language, "de".
 inline QString cataloguePath(const QString& code) {
     return QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/languages/drillwave_%1.ts").arg(code);
 }

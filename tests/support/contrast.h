@@ -8,7 +8,7 @@
 
 namespace drillwave::test {
 
-/// What text of usual size needs at least.
+/// Smallest contrast for text of usual size.
 inline constexpr double leastContrast = 4.5;
 
 inline double luminance(const QColor& colour) {

@@ -110,7 +110,7 @@ inline ImportDialog& ImportFixture::open(const QString& path, ImportUse use) {
 }
 
 inline bool ImportFixture::settle(ImportDialog& dialog) {
-    // What one answer proposes is asked anew.
+    // One answer may propose values that start the next study.
     return QTest::qWaitFor(
         [&dialog] {
             if (dialog.isBusy()) return false;

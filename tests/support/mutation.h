@@ -14,7 +14,7 @@ inline std::size_t below(std::size_t limit, Random& random) {
     return limit == 0 ? 0 : random() % limit;
 }
 
-/// What a mutation inserts: YAML's punctuation, numbers at the edge, keys and units, bytes that are no text.
+/// Texts for insertion: YAML's punctuation, numbers at the edge, keys and units, bytes that are no text.
 inline const std::vector<std::string> fragments{":",
                                                 ": ",
                                                 "\n",

@@ -16,7 +16,7 @@
 
 namespace drillwave::test {
 
-/// What one dimensionless unit of a problem is in SI.
+/// Dimensionless units of a problem in SI.
 struct NetworkUnits {
     double impedance = 1;  ///< Zr [kg/s]
     double time = 1;       ///< t0 [s]
@@ -28,7 +28,7 @@ struct NetworkUnits {
     double length() const { return velocity * time; }
 };
 
-/// Of a hammer of one section that strikes; sections are to be added.
+/// Returns a problem with a hammer of one section that strikes; sections are to be added.
 inline Problem struck() {
     Problem problem;
     problem.drive = ElasticHammer{};

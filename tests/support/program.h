@@ -14,7 +14,7 @@
 
 namespace drillwave::test {
 
-/// What a run of the program left behind.
+/// Result of a run of the program.
 struct Finished {
     int exitCode = -1;  ///< −1 when it did not end by itself in a minute
     QByteArray out;
@@ -24,7 +24,7 @@ struct Finished {
 Finished run(const QStringList& words,
              const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
 
-/// What `words` prints; the test ends where that fails.
+/// Returns the output of `words`; the test ends where that fails.
 QByteArray output(const QStringList& words);
 
 /// The cells of a CSV without quotes, line by line, without its "#" lines.
@@ -33,7 +33,7 @@ QList<QList<QByteArray>> rowsOf(const QByteArray& csv);
 /// A line for a shell in that folder that finds the built program as `drillwave`, as people paste it.
 Finished shell(const QString& line, const QString& folder = QDir::tempPath());
 
-/// What `words --json` prints; the test ends where that fails. Constant, so that its [] reads and never adds.
+/// Returns the output of `words --json`; the test ends where that fails. Constant, so that its [] never adds.
 const QJsonObject json(const QStringList& words);
 
 /// Waits until a started program runs so many threads: with two, the one that waits for signals is there and

@@ -36,7 +36,7 @@ inline QString pseudo(const QString& source) {
     return text;
 }
 
-/// What stands outside of all marks: values, and words that nobody has translated.
+/// Returns the text outside of all marks: values, and words that nobody has translated.
 inline QString outsideMarks(const QString& text) {
     QString outside;
     int depth = 0;

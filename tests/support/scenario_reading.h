@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold of every scenario file that is read, and texts to begin with.
+// Conditions on every scenario file that is read, and texts to begin with.
 #pragma once
 
 #include <stdexcept>
@@ -54,7 +54,7 @@ inline bool readAndSaved(const std::string& text) {
     const PulseForce force = pulseForceOf(document.scenario);
     if (!force.isRigidBody() && force.impulseUntil(force.end) != 1)
         throw std::logic_error("the impulse is not 1");
-    // Written anew, and patched after a change.
+    // Written again, and patched after a change.
     if (parseScenario(scenarioText(document.scenario), "").scenario != document.scenario)
         throw std::logic_error("written anew it is another scenario");
     double& gamma =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers to the window's questions that a test has prepared, and a record of what it was told.
+// Answers to the window's questions that a test has prepared, and a record of its messages.
 #pragma once
 
 #include <QPrinter>
@@ -16,7 +16,7 @@ struct ScriptedAnswers {
     QString import;
     QString save;
     QString exportTo;
-    QString printTo;  ///< a PDF file in place of paper
+    QString printTo;  ///< a PDF file instead of paper
     QString folder;
     std::optional<PictureChoice> picture;
     bool confirm = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands to be read in an SVG picture.
+// Texts in an SVG picture.
 #pragma once
 
 #include <QStringList>

@@ -14,7 +14,7 @@
 
 namespace drillwave::test {
 
-/// In place of what is there, with Enter.
+/// Replaces the text of a field and presses Enter.
 inline void type(QuantityField& field, const QString& text) {
     field.setFocus();
     field.selectAll();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user would find wrong with a window at a glance, found without looking.
+// Faults in the layout of a window that a user would see at a glance.
 #pragma once
 
 #include <QStringList>

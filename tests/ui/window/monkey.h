@@ -28,7 +28,7 @@ class Monkey : public QObject {
     QStringList record() const;
     /// Whether acts are also printed before they are done.
     void setTalkative(bool talkative) { m_talkative = talkative; }
-    /// What a modal dialog or an endless loop of events did not let go; empty while all is well.
+    /// A modal dialog or an endless loop of events that blocks the monkey; empty while all is well.
     QString stuck() const { return m_stuck; }
 
   private:

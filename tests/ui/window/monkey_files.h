@@ -18,7 +18,7 @@ class MonkeyFiles {
     const QStringList& toSave() const { return m_toSave; }
     /// Where to export, as files or folders.
     const QStringList& toExport() const { return m_toExport; }
-    /// Writes one of them anew, spoils it or removes it, as another program would; `choice` from 0.
+    /// Writes one of them again, spoils it or removes it, as another program would; `choice` from 0.
     void change(int choice);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a window says anywhere: on its controls, in menus, tables and plots, and to assistive tools.
+// Texts of a window: on its controls, in menus, tables and plots, and for assistive tools.
 #pragma once
 
 #include <QStringList>
