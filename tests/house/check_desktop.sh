@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Checks what a desktop is told of the program, by its own tools where they are there: check_desktop.sh SOURCE_FOLDER BUILD_FOLDER
+# Checks the program's files for a desktop, by its own tools where they are there: check_desktop.sh SOURCE_FOLDER BUILD_FOLDER
 # - the entry in the menu and what catalogues of programs show are valid;
-# - scenarios are told by their ending or their key, and other YAML is not taken for one.
+# - scenarios are recognised by their ending or their key, and other YAML is not taken for one.
 set -euo pipefail
 desktop=$(readlink -f "$1/packaging/desktop")
 build=$(readlink -f "$2/packaging")

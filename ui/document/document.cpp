@@ -311,7 +311,7 @@ QString Document::open(const QString& path) {
     try {
         const std::string native = nativePath(absolute);
         ScenarioInput input = loadInput(native);
-        // What is saved is a scenario: not over a result.
+        // Saving writes a scenario, which must not replace a result.
         const QString toSave = input.isResult ? QString() : absolute;
         const Message changes = changesSentence(input.version, input.document.scenario);
         take(std::move(input.document), toSave, absolute);

@@ -21,7 +21,7 @@ class MeasuredEdit : public QUndoCommand {
     void undo() override { exchange(); }
     void redo() override { exchange(); }
     int id() const override { return m_gesture == 0 ? -1 : ownId; }
-    // What was before this one stays.
+    // The state before this command stays.
     bool mergeWith(const QUndoCommand* other) override {
         if (static_cast<const MeasuredEdit*>(other)->m_gesture != m_gesture) return false;
         setObsolete(m_other == m_current);

@@ -134,7 +134,7 @@ QString lockOf(const QString& file) {
     return QFileInfo(file).dir().filePath(QFileInfo(file).completeBaseName() + QStringLiteral(".lock"));
 }
 
-// Of instances that died with nothing unsaved.
+// Removes the locks of instances that died with nothing unsaved.
 void removeDeadLocks(const QDir& folder) {
     for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.lock")}, QDir::Files)) {
         if (folder.exists(info.completeBaseName() + QStringLiteral(".recovery"))) continue;

@@ -25,7 +25,7 @@ QString csvFilter() {
     return ExportMenu::tr("CSV (*.csv);;All files (*)");
 }
 
-/// Of a line of the menu, as it stands elsewhere: "&Data of this plot…".
+/// Returns the text of a menu entry without its marks: "&Data of this plot…".
 QString plainTitle(QString title) {
     return title.remove(u'&').remove(u'…').trimmed();
 }

@@ -34,7 +34,7 @@ QCPRange rangeOf(const FigurePanel& panel, std::vector<double> FigureCurve::*val
     return {low - room, high + room};
 }
 
-/// Where all lines are solid, dashes make them differ not by colour alone.
+/// Adds dashes if all lines are solid, so that they differ not only in colour.
 QPen penOf(const FigurePanel& panel, const FigureCurve& curve, const PlotStyle& style) {
     using Line = FigureCurve::Line;
     if (std::ranges::all_of(panel.curves, [](const FigureCurve& one) { return one.line == Line::solid; }))

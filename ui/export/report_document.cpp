@@ -45,7 +45,7 @@ void ReportDocument::layOut(double plotHeight, Ending place) {
     for (const int position : m_broken) setBreak(m_text.findBlock(position), QTextFormat::PageBreak_Auto);
     m_broken.clear();
     m_images.setHeight(plotHeight);
-    m_text.setPageSize(m_text.pageSize());  // lays all of it out anew
+    m_text.setPageSize(m_text.pageSize());  // lays all of it out again
     if (place == Ending::ownPage) breakBefore(ending());
     keepTogether();
 }
@@ -78,14 +78,14 @@ void ReportDocument::saveLastPage() {
 void ReportDocument::breakBefore(const QTextBlock& heading) {
     setBreak(heading, QTextFormat::PageBreak_AlwaysBefore);
     m_broken.push_back(heading.position());
-    m_text.setPageSize(m_text.pageSize());  // lays all of it out anew
+    m_text.setPageSize(m_text.pageSize());  // lays all of it out again
 }
 
 void ReportDocument::keepTogether() {
     constexpr double foot = 1.0 / 8;  // of a page: a table of a few lines
     const QAbstractTextDocumentLayout& layout = *m_text.documentLayout();
     const QSizeF size = m_text.pageSize();
-    // Of its first line: a picture goes to the next page without its block.
+    // By the first line of a block: a picture goes to the next page without its block.
     const auto pages = [&](const QTextBlock& block) {
         const double line = block.layout()->lineCount() > 0 ? block.layout()->lineAt(0).y() : 0;
         return (layout.blockBoundingRect(block).top() + line) / size.height();

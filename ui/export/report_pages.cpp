@@ -42,7 +42,7 @@ class Pages {
     }
 
   private:
-    // What stands on every page.
+    // Draws head and foot of a page.
     void drawEdges(QPainter& painter, int page, int pages) const {
         painter.setFont(m_document.font());
         const QRectF head(0, 0, m_document.text().pageSize().width(), m_edge);

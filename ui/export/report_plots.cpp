@@ -31,8 +31,8 @@ QString blowCaption(const BlowReport& report) {
            (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("Measured signals are dashed."));
 }
 
-// Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the tables,
-// the next two a page, the others the last one.
+// Adds the curves if the waves were kept. On paper, the first one of a rod fills the page of the tables, the
+// next two a page, the others the last one.
 void addCurves(std::vector<ReportPlot>& plots, const BlowReport& report, const PaperReader& reader,
                const std::stop_token& stop) {
     const Blow& blow = report.blow;

@@ -23,7 +23,7 @@ Pictures drawn(const PaperPlot& paper, const std::string& title, const PictureOr
 
 }  // namespace
 
-// Of several outputs the first: the page shows one at a time.
+// Draws the first of several outputs: the page shows one at a time.
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader) {
     const CurveQuestion& asked = report.study.question;
     CurvePageStudy study;

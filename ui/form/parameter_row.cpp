@@ -15,9 +15,9 @@ namespace drillwave {
 
 namespace {
 
-// What the tip of a field says of its parameter.
+// The tip of a field about its parameter.
 
-// The same twice: for a tooltip, and for a screen reader.
+// The same text twice: for a tooltip, and for a screen reader.
 struct ParameterTip {
     QString html;
     QString plain;
@@ -27,7 +27,7 @@ QString withUnit(const QString& number, const Unit& unit) {
     return unit.name.empty() ? number : number + QChar(QChar::Nbsp) + shownUnitName(unit.name);
 }
 
-// An end that is no end is told in words.
+// Describes infinite ends in words.
 QString hardText(const Range& range, Quantity quantity, const Unit& unit) {
     const auto text = [&](double si) { return fieldText(si, quantity, unit, QLocale()); };
     if (!std::isfinite(range.high))
@@ -111,7 +111,7 @@ void ParameterRow::nameWidgets(const QString& sectionTitle) {
     }
 }
 
-// By the name and the field. What counts over many blows alone changes no result of one.
+// Adds the action to the name and the field. A parameter of many blows changes no result of a single one.
 void ParameterRow::offerGoal() {
     if (m_parameter.scope == Scope::manyBlows) return;
     auto* action = new QAction(tr("Find the value that gives…"), m_field);

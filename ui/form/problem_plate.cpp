@@ -10,7 +10,7 @@ namespace {
 
 constexpr int edge = 4;  // to the sides and from the field [px]
 
-// What scrolls, or the window where nothing does.
+// Returns the viewport that scrolls the field, or the window if there is none.
 QWidget* hostOf(QWidget* field) {
     const auto isViewport = [](const QWidget* widget) {
         const auto* area = widget ? qobject_cast<QAbstractScrollArea*>(widget->parentWidget()) : nullptr;

@@ -31,7 +31,7 @@ void append(QPolygonF& points, const PulseSegment& segment, double end, double p
     }
 }
 
-// Of so many points that several fall on one pixel, the lowest and the highest of each bunch.
+// Keeps the lowest and the highest point of each bunch if several points fall on one pixel.
 QPolygonF thinned(const QPolygonF& points) {
     const qsizetype bunch = points.size() / static_cast<qsizetype>(mostSegments) + 1;
     if (bunch <= 2) return points;

@@ -43,7 +43,7 @@ double stepSize(double value, int direction) {
     return std::pow(10, decade - 1);
 }
 
-// That of a spin box, with the actions of the field below.
+// Opens the menu of a spin box, with the actions of the field below.
 void openMenu(QAbstractSpinBox& field, QLineEdit& line, QAbstractSpinBox::StepEnabled steps,
               const QContextMenuEvent& event) {
     QMenu* menu = line.createStandardContextMenu();

@@ -25,8 +25,8 @@ const QString groupsSection = QStringLiteral("groups");
 const QString stringSection = QStringLiteral("string");
 const QString machineSection = QStringLiteral("machine");
 
-// Where in the form a parameter is: what a string has beside its sections stands together, and so does what
-// counts over many blows alone.
+// Section of a parameter in the form: a string's parameters outside its sections stand together, and so do
+// those that only many blows have.
 QString formSection(const Parameter& parameter) {
     if (parameter.scope == Scope::manyBlows) return machineSection;
     const QString section = fromView(parameter.section());
@@ -182,7 +182,7 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
     for (const Parameter& parameter : parameters()) {
         if (formSection(parameter) != section) continue;
         addRow(parameter, title, grid, box->content());
-        // What is measured in scales where a scenario has no units; one of the two rows is shown.
+        // A parameter in scales for scenarios without units; one of the two rows is shown.
         if (const KeptParameter inScale = inScales(parameter)) addRow(*inScale, title, grid, box->content());
     }
     if (section == machineSection) m_indexing = new IndexingBox(m_document, grid, box->content());
@@ -222,8 +222,8 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     });
 }
 
-// What the file says, or a new scenario where there is none. Its first click may have moved the slider: that
-// is a step of its own.
+// Resets a parameter to the file, or to a new scenario without one. The first click may have moved the
+// slider: that is a step of its own.
 void ScenarioPanel::reset(const Parameter& parameter) {
     const Scenario& file = m_document.source().scenario;
     if (!parameter.applies(file)) return;
@@ -288,8 +288,8 @@ void ScenarioPanel::showScenario() {
     }
 }
 
-// What follows from the rest comes last, folded; what is all that is given comes first. Each is remembered
-// as it was left.
+// Places derived groups last, folded, and groups that are the whole input first. Each is remembered as it was
+// left.
 void ScenarioPanel::placeGroups(ScenarioForm form) {
     if (m_placedFor == form) return;
     m_placedFor = form;

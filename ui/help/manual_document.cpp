@@ -17,13 +17,13 @@ namespace drillwave {
 
 namespace {
 
-// What stands between two citations of one chapter.
+// Whether a text between two citations joins them to one chapter.
 bool goesOn(const QString& between) {
     static const QRegularExpression comma(QStringLiteral("^(, | %1 )$").arg(QStringView(andWords)));
     return comma.match(between).hasMatch();
 }
 
-// "theory §3", and "§3" alone, which is of this chapter or, behind "theory §1 and", of that one.
+// Links "theory §3" and a bare "§3", which is of this chapter or, after "theory §1 and", of that one.
 void addSections(const QString& line, const QString& chapter, const ManualBook& book,
                  QList<ManualLink>& links) {
     static const QRegularExpression citation(
@@ -112,7 +112,7 @@ bool isCode(const QTextBlock& block) {
     return format.hasProperty(QTextFormat::BlockCodeFence) || format.nonBreakableLines();
 }
 
-// What is to be typed, and formulas, may go on in the next line; what a program prints keeps its columns.
+// Input to be typed and formulas may go on in the next line; output of a program keeps its columns.
 bool mayBreak(const QTextBlock& block) {
     const QString language = block.blockFormat().stringProperty(QTextFormat::BlockCodeLanguage);
     return language == QStringLiteral("sh") || !block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);

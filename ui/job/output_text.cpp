@@ -17,8 +17,7 @@ QString shown(double value, const ShownUnit& unit) {
     return quantityText(value, unit, QLocale());
 }
 
-// Shares of the energy are known to 1e-12: what is smaller is rounding.
-/// Of the largest compression or tension over all sections.
+/// Returns the place of the largest compression or tension over all sections; nullopt without sections.
 std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& blow) {
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
     if (stresses.empty()) return std::nullopt;
@@ -96,6 +95,7 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
             return shown(value, blow.units.energy);
         case Measure::share:
         case Measure::energy:
+            // Shares of the energy are known to 1e-12.
             return percentText(std::abs(value) < 1e-12 ? 0 : value, 4, QLocale());
         default:
             return shown(value, outputUnit(output, blow.units, value));

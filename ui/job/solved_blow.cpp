@@ -23,7 +23,7 @@ void preparePages(SolvedBlow& blow) {
         if (prepare) blow.pages.push_back(prepare(blow));
 }
 
-// What the pages hold to make their data, lists of runs among it, does not live as long as the answer.
+// Drops the functions of the pages, which may hold lists of runs, so that they do not outlive the job.
 void dropMeans(SolveRequest& request) {
     request.pages.clear();
     request.stop = {};

@@ -139,7 +139,7 @@ QString progressText(const StudyProgress& progress, double seconds, const QLocal
     QString text = QString::number(progress.done);
     if (progress.wanted > 0) text += QLatin1Char('/') + QString::number(progress.wanted);
     if (seconds < rateSeconds || progress.done == 0) return text;
-    // What goes on beyond what was thought of it takes as long as it takes.
+    // No time left is known for a study that takes longer than estimated.
     if (progress.wanted > 0 && progress.done >= progress.wanted) return text;
     const double rate = double(progress.done) / seconds;
     const auto left = double(progress.wanted) - double(progress.done);

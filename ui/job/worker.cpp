@@ -10,7 +10,7 @@
 namespace drillwave {
 namespace {
 
-// Of the calling thread alone: Linux keeps it for each, and 0 means who calls.
+// Acts only on the calling thread: Linux keeps the value for each, and 0 means the caller.
 void yieldToTheWindow() {
 #ifdef Q_OS_LINUX
     constexpr int steps = 5;

@@ -20,7 +20,7 @@ class UnitScale {
         m_size = straight(m_range.upper) - m_begin;
     }
 
-    // What is not positive has no place on a logarithmic scale: it is far below.
+    // A value that is not positive has no place on a logarithmic scale: it is far below.
     double share(double coordinate) const {
         if (m_logarithmic && coordinate <= 0) return -1e3;
         return (straight(coordinate) - m_begin) / m_size;

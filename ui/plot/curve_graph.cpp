@@ -9,7 +9,7 @@
 namespace drillwave {
 namespace {
 
-// Of a device pixel: what is nearer cannot be seen.
+// Width of a column in device pixels: closer points cannot be seen apart.
 constexpr double sameColumn = 0.5;
 
 bool isFinite(QPointF point) {
@@ -36,7 +36,7 @@ class PixelColumn {
     std::array<qsizetype, 4> m_kept{};  // first, lowest, highest, last
 };
 
-// Of a device pixel: how far a line may pass by a point of it.
+// Largest distance of a line from a point of it, in device pixels.
 constexpr double sameLine = 0.05;
 
 // Leaves out the points of a line that run straight on, as far as a line through the last that stays passes

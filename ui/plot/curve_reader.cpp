@@ -117,7 +117,7 @@ CurveMeaning CurveReader::meaning() const {
     return meaning;
 }
 
-// Also of one cursor alone.
+// Works for a single cursor, too.
 ReadingCells CurveReader::cellsAtCursors() const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const std::optional<double> a = position(PlotCursor::a);

@@ -71,7 +71,7 @@ QList<QCPGraph*> KeyPoint::curves() const {
     return found;
 }
 
-// Of all curves, as far as they are in view, each place once.
+// Returns the points of all curves that are in view, each place once.
 QVector<QPointF> KeyPoint::points(Qt::Orientation along) const {
     QVector<QPointF> found;
     for (const QCPGraph* curve : curves())
@@ -82,7 +82,7 @@ QVector<QPointF> KeyPoint::points(Qt::Orientation along) const {
     return found;
 }
 
-// Of the part of a curve that is in view, in keys; where none is, of all of it.
+// Returns the ends of the part of a curve that is in view, in keys; those of all of it if none is.
 std::pair<double, double> KeyPoint::ends(const QCPGraph& curve) const {
     const QCPRange view = m_places.rect->axis(QCPAxis::atBottom)->range();
     const double first = curve.data()->constBegin()->key;
@@ -152,7 +152,7 @@ void KeyPoint::move(int right, int up) {
     const QPointF wanted = toPixel(*m_place) + QPointF(right, -up);
     const QPointF kept(std::clamp(wanted.x(), view.left(), view.right()),
                        std::clamp(wanted.y(), view.top(), view.bottom()));
-    // What does not move keeps all its digits.
+    // A coordinate that does not move keeps all its digits.
     const QPointF there = toPlace(kept);
     if (m_places.on == KeyPlaces::On::area)
         return put({right != 0 ? there.x() : m_place->x(), up != 0 ? there.y() : m_place->y()});
@@ -172,7 +172,7 @@ void KeyPoint::putAtPoint(const QVector<QPointF>& sorted, qsizetype steps) {
         put(sorted[std::clamp<qsizetype>(here + steps, 0, sorted.size() - 1)]);
 }
 
-// Those that lie on each other come one after the other, in their order in the legend.
+// Curves that lie on each other come one after the other, in their order in the legend.
 void KeyPoint::changeCurve(bool up) {
     struct Height {
         double pixel;

@@ -9,7 +9,7 @@ namespace drillwave {
 namespace {
 
 constexpr double step = 3;  // between the points along a graph [px]
-// What a square pixel that is lost costs, and what a point that is covered: words are read before lines.
+// Cost of a lost square pixel, and of a covered point: words are read before lines.
 constexpr double ofWords = 10, ofCut = 10, ofPoint = 3;
 
 double area(const QRectF& rect) {

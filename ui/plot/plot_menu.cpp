@@ -8,7 +8,7 @@
 namespace drillwave {
 namespace {
 
-// The key is told in the menu and handled by the plot while it has the focus: as a shortcut of the action it
+// The menu shows the key, and the plot handles it while it has the focus: as a shortcut of the action it
 // would be dead, the menu being there only while it is open.
 QString withKey(const QString& text, const QKeySequence& key) {
     return text + QLatin1Char('\t') + key.toString(QKeySequence::NativeText);

@@ -69,8 +69,8 @@ QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title, const 
     return bytes;
 }
 
-// Puts the time of SOURCE_DATE_EPOCH [s since 1970] in place of the present one, for documents that shall
-// come out the same tomorrow (reproducible-builds.org). The length stays, as the file counts its bytes.
+// Writes the time of SOURCE_DATE_EPOCH [s since 1970] instead of the present one, for documents that must
+// have the same bytes tomorrow (reproducible-builds.org). Keeps the length, as the file counts its bytes.
 void fixCreationDate(QByteArray& pdf) {
     bool isNumber = false;
     const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isNumber);

@@ -34,7 +34,7 @@ void setColors(PlotStyle& style, const QColor& background, const QColor& text) {
                    [dark](QRgb light, QRgb bright) { return QColor::fromRgb(dark ? bright : light); });
 }
 
-// In place of the ticks that an axis has from the start.
+// Replaces the ticks that an axis has from the start.
 void writeNumbers(QCPAxis& axis) {
     const QSharedPointer<QCPAxisTicker> present = axis.ticker();
     if (const QCPAxisTicker& ticker = *present; typeid(ticker) != typeid(QCPAxisTicker)) return;

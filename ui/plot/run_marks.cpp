@@ -109,7 +109,7 @@ void RunMarks::draw() {
     }
 }
 
-// What else is written on the axes of the marks, and the points themselves.
+// Returns the rects of other texts on the axes of the marks, and of the points themselves.
 QVector<QRectF> RunMarks::taken() const {
     QVector<QRectF> rects;
     const QCPAxisRect* axes = m_x->axisRect();

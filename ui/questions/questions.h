@@ -20,7 +20,7 @@ class Questions {
     enum class Recovery { restore, discard, later };
 
     virtual ~Questions() = default;
-    /// What to do with changes that would be lost.
+    /// Asks whether to save or drop changes that would be lost.
     virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
     /// Whether to close the window although something has not been written: what, and why.
     virtual bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) = 0;
@@ -44,7 +44,7 @@ class Questions {
     /// Whether to do something that cannot be undone; `action` is the name of the button that does it.
     virtual bool confirm(QWidget* parent, const QString& question, const QString& details,
                          const QString& action) = 0;
-    /// What to do with changes that were not saved when the program ended unexpectedly.
+    /// Asks whether to restore changes that were not saved when the program ended unexpectedly.
     virtual Recovery recover(QWidget* parent, const QString& name, const QString& details) = 0;
     /// Whether to open the window again now, with everything that is in it.
     virtual bool restartNow(QWidget* parent, const QString& question, const QString& details) = 0;
@@ -53,8 +53,8 @@ class Questions {
 };
 
 /// Asks by dialogs. On a platform without a screen nobody could answer, so there every question is answered
-/// by "cancel" or "later", but a window may always be closed: its unsaved changes are dropped. What is told
-/// goes to the error output.
+/// by "cancel" or "later", but a window may always be closed: its unsaved changes are dropped. Messages are
+/// printed to the error output.
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;

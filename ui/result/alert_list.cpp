@@ -64,7 +64,7 @@ void AlertList::takeFocus() {
     if (!m_labels.isEmpty()) m_labels.first()->setFocus(Qt::OtherFocusReason);
 }
 
-// Labels stay: made anew they would flicker, and take a selection or the focus with them.
+// Labels are reused: new ones would flicker, and take a selection or the focus with them.
 QLabel* AlertList::labelAt(qsizetype row) {
     while (m_labels.size() <= row) {
         auto* label = new QLabel(this);

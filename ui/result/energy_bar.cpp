@@ -32,7 +32,7 @@ QColor colourOf(EnergyPart part, const QPalette& palette) {
     return dark ? QColor(0x9f, 0xd6, 0x9b) : QColor(0x2f, 0x74, 0x35);
 }
 
-// Solid, hatched, striped and dotted: to be told apart without colour.
+// Solid, hatched, striped and dotted, so that parts differ without colour.
 Qt::BrushStyle patternOf(EnergyPart part) {
     switch (part) {
         case EnergyPart::rock:

@@ -25,7 +25,7 @@ namespace drillwave {
 
 namespace {
 
-// Of the values that are read first.
+// Sets a larger, bold font, for values that are read first.
 void makeHeavy(QLabel& label) {
     QFont font = label.font();
     font.setPointSizeF(font.pointSizeF() * 1.15);
@@ -154,7 +154,7 @@ void ResultRow::present(const SolvedBlow& blow) const {
     if (m_entry.warning) setWarning(*m_value, solved && m_entry.warning(blow));
     const QString note = solved && m_entry.note ? m_entry.note(blow) : QString();
     m_value->setToolTip(note.isEmpty() ? m_entry.meaning : m_entry.meaning + QStringLiteral(".\n") + note);
-    // What has no name of its own goes on from the row above.
+    // A value without a name belongs to the row above.
     m_value->setAccessibleName(m_entry.name.isEmpty()
                                    ? m_value->text()
                                    : QStringLiteral("%1: %2").arg(m_entry.name, m_value->text()));

@@ -51,7 +51,7 @@ void RunKeeper::moveTo(const QString& path) {
     m_runs.reserve({});
 }
 
-// What is kept goes with its file.
+// Kept runs go with their file.
 void RunKeeper::leave() {
     finishAndTell();
     const bool wasKept = m_kept;
@@ -186,7 +186,7 @@ void RunKeeper::Job::run() {
     foreignNumbers = folder.foreignNumbers();
 }
 
-// What has come of a job that is done.
+// Takes the result of a finished job.
 QString RunKeeper::take() {
     const std::shared_ptr<Job> job = std::exchange(m_job, nullptr);
     if (!job->problem->isEmpty()) return fail(translated(*job->problem));

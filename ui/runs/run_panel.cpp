@@ -208,7 +208,7 @@ void RunPanel::fillRow(QTreeWidgetItem& row, const SolvedBlowPtr& blow, const Ru
         row.setText(change, {});
 }
 
-// What the user did to a row.
+// Takes an edit of the user in a row.
 void RunPanel::take(QTreeWidgetItem* row, int column) {
     if (m_filling || column != name || !row->data(name, numberRole).isValid()) return;
     const int number = row->data(name, numberRole).toInt();
@@ -217,7 +217,7 @@ void RunPanel::take(QTreeWidgetItem* row, int column) {
     const bool shown = row->checkState(name) == Qt::Checked;
     const QString before = run->title();
     QString text = row->text(name);
-    // The list is made anew by what follows; not before the row has told this.
+    // The calls below rebuild the list; not before the row has finished this signal.
     QMetaObject::invokeMethod(
         this,
         [=, this] {

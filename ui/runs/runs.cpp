@@ -17,7 +17,7 @@ namespace drillwave {
 
 namespace {
 
-// A run of a file stays as it was first solved: another result is to be told every time.
+// A run of a file keeps the result of its first solution, so that a different one is reported every time.
 std::optional<double> corToKeep(const Run& run) {
     return !run.kept && run.isSolved() ? std::optional(run.blow->summary.cor) : run.kept;
 }

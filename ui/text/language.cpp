@@ -29,7 +29,7 @@ QString codeOf(const Language& language) {
     return fromView(language.code);
 }
 
-// What a sentence tells is of one quantity; people measure a rod and what the bit does in other units.
+// Sentences use other units for a rod than for the motion of the bit; the size decides.
 std::optional<UnitKind> kindOf(double si, Quantity quantity) {
     constexpr double leastOfRods = 0.3;   // [m]
     constexpr double leastModulus = 5e9;  // [Pa]
@@ -102,7 +102,7 @@ void speak(const Language& language) {
     static QPointer<QTranslator> ofQt, ours;
     delete ofQt;
     delete ours;
-    // That of Qt goes first, so that what ours has of its texts is found before.
+    // The translator of Qt goes first, so that those of its texts that ours translates are found in ours.
     ofQt = new QTranslator(qApp);
     if (ofQt->load(QStringLiteral("qtbase_") + codeOf(language),
                    QLibraryInfo::path(QLibraryInfo::TranslationsPath)))

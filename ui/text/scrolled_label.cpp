@@ -20,7 +20,7 @@ ScrolledLabel::ScrolledLabel(QLabel* label, double shareOfWindow, QWidget* paren
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus);  // the label has it
-    // What is behind shows through.
+    // The background shows through.
     viewport()->setAutoFillBackground(false);
     label->setAutoFillBackground(false);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);

@@ -262,7 +262,7 @@ TypedQuantity typedQuantity(const QString& typed, Quantity quantity, const Unit&
     static const QRegularExpression operators(QStringLiteral(R"([*×/÷(]|\d\s*[+-])"));
     const TypedQuantity result =
         arithmetic.problem.isEmpty() ? sum(summands, quantity, defaultUnit) : refused(arithmetic.problem);
-    // Of one number with a wrong unit the plain reading has said what is wrong.
+    // For a single number with a wrong unit the plain reading has the better message.
     return result.valid() || text.contains(operators) ? result : simple;
 }
 

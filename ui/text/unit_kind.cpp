@@ -117,7 +117,7 @@ const Unit& customaryUnit(const Parameter& parameter, UnitSystem system) {
     const std::optional<UnitKind> kind = kindOf(parameter);
     if (!kind || system != UnitSystem::us) return parameter.displayUnit();
     const UnitKindRow& row = rowOf(*kind);
-    // What both share keeps the prefix of the table of parameters.
+    // A kind with the same units in both systems keeps the prefix of the table of parameters.
     if (row.us.data() == row.si.data()) return parameter.displayUnit();
     const double middle = std::sqrt(parameter.plausible.low * parameter.plausible.high);
     return handyUnit(*kind, middle, system);

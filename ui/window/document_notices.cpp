@@ -45,7 +45,7 @@ void FileNotice::tell(FileWatch::State state) {
         say(tr("%1 has been changed by another program, and here as well.").arg(name));
     else
         say(tr("%1 has been changed by another program.").arg(name));
-    // What is shown is in no file any more: closing must not drop it unasked.
+    // The scenario on show is in no file any more: closing must not drop it unasked.
     if (state == FileWatch::State::missing) m_document.markUnsaved();
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int exactDigits = 6;
 
-/// Those that the paper prints with a figure.
+/// Returns the numbers that the paper prints with a figure.
 std::vector<Discrepancy> numbersOf(int figure) {
     std::vector<Discrepancy> all = discrepancies();
     const std::string name = "Fig. " + std::to_string(figure);

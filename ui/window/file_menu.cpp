@@ -233,7 +233,7 @@ void FileMenu::take(const QStringList& paths) {
                (isCsv(paths.first()) && isResult(paths.first()))) {
         if (mayDiscard()) openFile(paths.first());
     } else if (isCsv(paths.first())) {
-        // What is no table of a blow as it stands may become one.
+        // A file that is no table of a blow as it is may become one by an import.
         if (!m_document.useTable(paths.first()).isEmpty()) emit importRequested(paths.first());
     } else if (isTableName(paths.first())) {
         emit importRequested(paths.first());

@@ -299,7 +299,7 @@ void MainWindow::wire() {
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
 }
 
-// What is asked of the job, and what waits for its answer.
+// Connects the changes that start a job, and the parts that wait for its answer.
 void MainWindow::wireSolving() {
     const auto askAnew = [this](const QString& reason) {
         m_solveStatus->callOff(reason);
@@ -367,7 +367,7 @@ void MainWindow::seekGoal(const QString& key) {
     m_curvePage->seek(parameter);
 }
 
-// What the page on show can write, and what it computes.
+// Connects the menu and the status line to the page on show.
 void MainWindow::followPage() {
     const Page& page = m_pages->current();
     m_exportMenu->setExports(page.exports());

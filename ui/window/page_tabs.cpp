@@ -15,10 +15,10 @@ namespace drillwave {
 namespace {
 
 const QString pageKey = QStringLiteral("window/page");
-// What the page Curve was called by earlier versions.
+// Name of the page Curve in earlier versions.
 const QString formerCurve = QStringLiteral("drillwave::StiffnessPage");
 
-// What is kept of a page from one run to the next, in any language.
+// Returns the name under which settings keep a page, in any language.
 QString nameOf(const Page& page) {
     return QLatin1String(page.metaObject()->className());
 }
@@ -84,7 +84,7 @@ QSize PageTabs::minimumSizeHint() const {
     const int widest = layout()->minimumSize().width();
     const QLayout* parts = count() > 0 ? current().layout() : nullptr;
     if (!parts) return {widest, QStackedWidget::minimumSizeHint().height()};
-    // That of the room, which it is about to have.
+    // The width of the parent, which the tabs are about to have.
     const int width = std::max(widest, parentWidget() ? parentWidget()->width() : this->width());
     return {widest, parts->hasHeightForWidth() ? parts->minimumHeightForWidth(width)
                                                : current().minimumSizeHint().height()};

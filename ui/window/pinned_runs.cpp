@@ -16,7 +16,7 @@
 namespace drillwave {
 namespace {
 
-// Those that the page can lay over its own plot.
+// Returns the runs that the page can lay over its own plot.
 RunListPtr runsFor(const Page& page, const RunListPtr& all) {
     const auto fits = [&](const Run& run) { return page.shows(run.contents.scenario); };
     if (std::ranges::all_of(*all, fits)) return all;

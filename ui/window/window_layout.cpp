@@ -48,7 +48,7 @@ void AreaKeys::addTo(QMenu& menu) {
     menu.addAction(tr("Pre&vious area"), QKeySequence(Qt::SHIFT | Qt::Key_F6), this, [this] { go(-1); });
 }
 
-// From outside all areas, such as the tabs, one comes to the first or the last.
+// From outside all areas, such as the tabs, the focus goes to the first or the last.
 void AreaKeys::go(int step) {
     const QWidget* focus = QApplication::focusWidget();
     const auto holds = [focus](const QWidget* area) { return area == focus || area->isAncestorOf(focus); };
@@ -99,7 +99,7 @@ void WindowLayout::addTo(QMenu& menu) {
 }
 
 void WindowLayout::restoreSize() {
-    // What the window manager puts about it is known only later, and may be known too late to be looked at.
+    // The frame is known only later, perhaps too late to be looked at.
     m_window->resize(firstSize(*m_window, usualSize));
     if (m_window->restoreGeometry(Settings().value(geometryKey).toByteArray()))
         keepOnScreen(*m_window);

@@ -16,7 +16,7 @@ namespace drillwave {
 // F6 and Shift+F6 take the keyboard round the areas of the window.
 
 /// The focus comes back to where it was in an area. An area that is closed is passed over; a hidden one in a
-/// row of docks comes to the front.
+/// row of docks is raised.
 class AreaKeys : public QObject {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ class WindowLayout : public QObject {
 
     /// The first is on the left, the second on the right. `name` identifies it in the settings.
     void addDock(const QString& title, const QString& name, QWidget* content);
-    /// The dock of that content comes to the front, opened where it was closed.
+    /// Raises the dock of that content, and opens it if it was closed.
     void reveal(const QWidget* content);
     /// Docks to be shown or hidden, and everything to be put back.
     void addTo(QMenu& menu);

@@ -83,7 +83,7 @@ void AccuracyPage::runOrCancel() {
     m_study.ask({.proof = proof(), .scenario = scenario(), .run = ++m_runs});
 }
 
-// Run by the button alone; what is measured for another scenario is of no use.
+// Starts nothing, as only the button does; stops a study of another scenario.
 void AccuracyPage::ask() {
     if (isRunning() && m_study.question()->proof == Proof::accuracy &&
         m_study.question()->scenario != scenario())
@@ -105,7 +105,7 @@ void AccuracyPage::takeOver() {
     }
 }
 
-// What there is to be shown of the present scenario; nullptr for nothing.
+// Returns the data for the present scenario; nullptr if there are none.
 const void* AccuracyPage::accuracyOfThis() const {
     if (m_accuracyOf != scenario()) return nullptr;
     if (m_stringAccuracy && !m_stringAccuracy->rows.empty()) return m_stringAccuracy.get();
@@ -192,7 +192,7 @@ QString AccuracyPage::sentence() const {
         .arg(numberText(blow()->impact.cor, 6, locale), magnitudeText(blow()->impact.corError, locale));
 }
 
-// Of a point of the plot.
+// Name of a point of the plot.
 QString AccuracyPage::nameOf(std::size_t row) const {
     if (proof() == Proof::stability)
         return m_stability && row < m_stability->rows.size()

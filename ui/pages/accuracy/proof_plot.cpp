@@ -17,7 +17,7 @@ void makeLogarithmic(QCPAxis& axis) {
     axis.setNumberPrecision(0);
 }
 
-// Shape, colour and filling differ: nothing by colour alone.
+// Shape, colour and filling differ, never only the colour.
 QCPScatterStyle scatterOf(ProofSeries::Points points, int index, const PlotStyle& style) {
     using Shape = QCPScatterStyle::ScatterShape;
     constexpr Shape shapes[] = {QCPScatterStyle::ssDisc,     QCPScatterStyle::ssSquare,

@@ -31,7 +31,7 @@ QString numberCell(double value, NumberStyle style) {
     return numberText(value, 3, locale);
 }
 
-// Those of the table of the command.
+// Returns the columns that the command prints as well.
 std::vector<const StudyColumn<AccuracyRow>*> shownColumns() {
     std::vector<const StudyColumn<AccuracyRow>*> columns;
     for (const StudyColumn<AccuracyRow>& column : accuracyColumns)
@@ -96,7 +96,7 @@ void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
         if (column == 0) return rowName(row);
         if (row.outcome != Outcome::rebounded) return column == 1 ? translated(row.reason) : QString();
         const StudyColumn<AccuracyRow>& shown = *columns[static_cast<std::size_t>(column - 1)];
-        // What follows from all rows is there when they are.
+        // These two follow from all rows, so they come last.
         const bool isMissing = !accuracy->isRelated && (shown.key == "order" || shown.key == "speed");
         return isMissing ? noNumber : numberCell(shown.value(row), shown.style);
     });

@@ -18,7 +18,7 @@ const QStringList waveNames{QStringLiteral("N"),   QStringLiteral("N₀ₚ"), QS
                             QStringLiteral("N₂ₚ"), QStringLiteral("N₃ₙ"), QStringLiteral("N₄ₚ…"),
                             QStringLiteral("N₅ₙ…")};
 
-// The sum is a broad band below the waves, which lie on it while they are alone; the later ones are muted.
+// The sum is a broad band below the waves, which cover it where only one is present; later ones are muted.
 QPen wavePen(const PlotStyle& style, int index) {
     QPen pen = style.linePen(std::max(0, index - 1));
     const auto mute = [&pen](const QColor& color, int alpha, double width) {
@@ -86,7 +86,7 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : StudyFrame(plot) {
     setStyle(PlotStyle::forPaper());
 }
 
-// Of its graphs.
+// Names of the graphs of a plot.
 QStringList BlowPlots::namesOf(std::size_t plot) {
     switch (plot) {
         case waves:
@@ -154,7 +154,7 @@ void BlowPlots::addPlot(std::size_t index, QCPMarginGroup* margins) {
     if (index == waves) added.runs->setBands(names.first());
 }
 
-// Of what is right of the title. Runs have letters where their names have no room, before a line is added.
+// Wraps the legends right of the titles. Runs get letters where names have no room, before a line is added.
 void BlowPlots::wrapLegends() {
     for (const Plot& plot : m_plots) {
         QStringList names;
@@ -209,7 +209,7 @@ void BlowPlots::showClosedForm() {
     showWhereThere(force, *closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
 }
 
-// A string has two waves at a place, one either way; those of a rod are told apart by their number.
+// A string has two waves at a place, one either way; those of a rod are numbered.
 void BlowPlots::nameWaves() {
     const bool ofString = m_curves.place.has_value();
     waveGraph(0)->setName(ofString ? tr("Nₚ to the bit") : waveNames[1]);
@@ -232,7 +232,7 @@ void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphDa
         m_style.applyTo(*legend);
 }
 
-// Of the waves their sum only: all of them would be too many to be told apart.
+// Shows only the sum of the waves: all of them would be too many to distinguish.
 void BlowPlots::showRuns() {
     QVector<RunCurve> sums, forces, impulses, momenta;
     m_runsEnd = 0;

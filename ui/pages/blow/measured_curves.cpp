@@ -70,7 +70,7 @@ void MeasuredCurves::match(const std::vector<MeasuredSignal>& measured) {
         m_plots->removeOverlay(m_graphs.takeAt(static_cast<qsizetype>(i)));
         m_shown.erase(m_shown.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    // What is left is in order; what is missing comes in between.
+    // The rest is in order; missing ones are inserted.
     for (std::size_t i = 0; i < measured.size(); ++i) {
         if (i < m_shown.size() && sameKind(i)) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);

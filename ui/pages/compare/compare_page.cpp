@@ -22,7 +22,7 @@ namespace {
 
 constexpr QSize lineSize{30, 12};  // [px]
 constexpr int leastLetters = 8;    // of a line in a header
-constexpr int presentResult = -1;  // in place of the number of a run
+constexpr int presentResult = -1;  // instead of the number of a run
 
 }  // namespace
 

@@ -139,7 +139,7 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
     }
 }
 
-/// What the installed thrust has to spare, which rods and hammers are compared for.
+/// Adds the margins of the installed thrust, for which rods and hammers are compared.
 void addMargins(CompareTable& table, const Columns& columns, UnitSystem system, const ChosenUnits& chosen) {
     const auto base = std::ranges::find_if(
         columns, [](const CompareColumn& each) { return isSolved(each) && each.blow->feed; });

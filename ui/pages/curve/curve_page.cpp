@@ -211,7 +211,7 @@ StudyFamily CurvePage::askedFamily() const {
     return family;
 }
 
-// Of the words of the command, so that both have the same values.
+// Built from the words of the command, so that both have the same values.
 CurvePage::Wish CurvePage::wish() const {
     const StudyRange& range = m_axis->range();
     if (!range.parameter) return {};

@@ -74,12 +74,12 @@ CurveMark markOf(const CurveFeature& feature, double xFactor, double valueFactor
     return mark;
 }
 
-/// What is marked: not the ends of the range, nor what is the same everywhere.
+/// Whether a feature gets a mark: ends of the range and features present everywhere do not.
 bool isMarked(const CurveFeature& feature) {
     return feature.shape != CurveFeature::Shape::end && feature.shape != CurveFeature::Shape::everywhere;
 }
 
-/// Where the goal is taken; what is told as a crossing there is not told twice.
+/// Returns the marks where the goal is reached; crossings at these places get no further mark.
 QVector<CurveMark> goalMarks(const CurveLine& line, double goal, double xFactor) {
     QVector<CurveMark> marks;
     if (!line.goal) return marks;
@@ -210,7 +210,7 @@ QStringList otherGoals(const CurvePicture& picture, const CurvePageStudy& study,
     return words;
 }
 
-/// Of the line that is marked.
+/// Summary of the marked line.
 QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, const QLocale& locale) {
     const DrawnCurve* line = picture.markedLine();
     if (!line) return tr("There is no answer anywhere in this range.");

@@ -21,7 +21,7 @@ SweepAxis inGroups(SweepAxis axis, std::string_view group, double unit) {
     return axis;
 }
 
-/// By its groups alone, which is all that e depends on.
+/// Takes only the groups, on which alone e depends.
 CurveQuestion referenceOf(const CurvePageQuestion& question) {
     CurveQuestion reference = question.curve;
     const Groups groups = groupsOf(question.curve.base);

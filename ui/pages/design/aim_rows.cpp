@@ -81,7 +81,7 @@ AimRow::AimRow(const QString& words, QWidget* parent)
     connect(m_remove, &QToolButton::clicked, this, &AimRow::removed);
 }
 
-// What is the worst end depends on the sense.
+// The name of the worst end depends on the sense.
 void AimRow::nameStatistics() {
     const Sense sense = m_sense->currentIndex() == 0 ? Sense::largest : Sense::least;
     for (int i = 0; i < m_statistic->count(); ++i)

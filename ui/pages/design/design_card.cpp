@@ -198,7 +198,7 @@ QString worstSentence(const DesignReport& report, std::size_t a, const DesignUni
         .arg(words[0], words[1], words[2]);
 }
 
-/// What the words of the command line say of its options, the window says of its own.
+/// Replaces remarks about options of the command line by remarks about controls of the window.
 QString remarkText(const DesignRemark& remark) {
     if (remark.code == "flat_optimum") return {};  // said already
     if (remark.code == "energy_varies")

@@ -67,7 +67,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     });
 }
 
-// What is asked, line below line.
+// Makes the controls of the study, line below line.
 QWidget* DesignPage::makeQuestions() {
     auto* questions = new QWidget(this);
     m_uncertain =
@@ -196,7 +196,7 @@ void DesignPage::excludePresetKeys() {
     m_choices->exclude(m_presets->keys());
 }
 
-// Of the words of the command, so that both have the same values.
+// Built from the words of the command, so that both have the same values.
 DesignPage::Wish DesignPage::wish() const {
     DesignStudy study;
     study.base = scenario();

@@ -193,7 +193,7 @@ void DesignPlot::clear() {
     showBars();
 }
 
-// The series that has the best design has its band, the others their first aim alone.
+// The series of the best design has its band, the others only their first aim.
 void DesignPlot::makeGraphs() {
     const auto nameOf = [&](const DesignSeries& series) {
         return series.name.isEmpty() ? m_picture.statisticName : series.name;

@@ -113,7 +113,7 @@ void DrillingPage::ask() {
     m_march.ask(drillingQuestion(scenario()));
 }
 
-// What was complete stays faintly behind what comes.
+// Keeps the complete march of the earlier scenario, to be drawn faintly behind the new one.
 void DrillingPage::keepBefore() {
     if (m_complete && m_complete->question != drillingQuestion(scenario())) m_before = m_complete;
 }

@@ -138,7 +138,7 @@ std::optional<long> MarchRects::blowAt(const QCPAxisRect* rect, double x) const 
     return blow;
 }
 
-// Those that count.
+// Marks the counted blows.
 void MarchRects::showSettled(const Series& series, const MarchPicture& picture) {
     series.settled->setVisible(picture.blows > 0);
     series.settled->topLeft->setCoords(double(picture.settle) + 0.5, 0);

@@ -113,7 +113,7 @@ QString MapPage::axisWord(const AxisFields& fields) const {
                                   range.tail());
 }
 
-// Of the words of the command, so that both have the same values.
+// Built from the words of the command, so that both have the same values.
 MapStudy MapPage::study() const {
     return {.base = scenario(),
             .x = parseAxis(axisWord(*m_x).toStdString()).axis,
@@ -121,8 +121,8 @@ MapStudy MapPage::study() const {
             .output = column()};
 }
 
-// Of a parameter that the fields have chosen themselves: all there is of the elasticity, two periods of the
-// gap.
+// Sets the range of a parameter that the fields have chosen themselves: the whole range of the elasticity,
+// two periods of the gap.
 void MapPage::offer(AxisFields& fields) {
     const KeptParameter before = fields.range().parameter;
     fields.present(scenario());

@@ -19,7 +19,7 @@ constexpr double markReach = 12;    // of a click around a mark [px]
 constexpr double sameHeight = 0.5;  // of two marks or curves [px]
 /// A strength this many times the largest stress would squeeze the curves.
 constexpr double strengthInView = 2.5;
-/// Of the waves left, a peak that is not above that of the blow by this needs no number of its own.
+/// A peak of the residual waves up to this many times that of the blow needs no number of its own.
 constexpr double tellingDifference = 1.02;
 
 // By name: their factors follow the scenario.
@@ -52,7 +52,7 @@ QPen penOf(const PlotStyle& style, Load line) {
     return pen;
 }
 
-/// Of the number of a mark: towards the middle of the rod.
+/// Side of the number of a mark: towards the middle of the rod.
 Qt::AlignmentFlag sideOf(const RodForce& largest) {
     return largest.section < 0.2 ? Qt::AlignLeft : largest.section > 0.8 ? Qt::AlignRight : Qt::AlignHCenter;
 }
@@ -193,7 +193,7 @@ void RodPlot::clear() {
     for (StrengthLines& strength : m_strengths) strength.clear();
 }
 
-// What stays in the rod after the blow is left out: with it there would be four lines for each run.
+// Draws no residual waves: with them there would be four lines for each run.
 void RodPlot::showRuns() {
     QVector<RunPath> paths;
     for (const RunOverlay<RodCurves>& run : m_curves.runs)
@@ -285,7 +285,7 @@ void RodPlot::placeNames() {
     placeLabels(labels, m_rect->rect(), rings, points);
 }
 
-// What is hidden by the legend has no mark either.
+// A curve hidden by the legend has no mark either.
 void RodPlot::followLegend() {
     for (const Load line : loads) {
         const Mark& mark = m_marks[static_cast<std::size_t>(line)];
@@ -397,7 +397,7 @@ std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
     std::optional<RodForce> nearest;
     double distance = markReach;
     const auto offer = [&](const RodForce& force, double away) {
-        // Of marks and curves at one place those of the blow.
+        // The marks and curves of the blow win over those of others at the same place.
         if (!(away < distance - sameHeight)) return;
         nearest = force;
         distance = away;

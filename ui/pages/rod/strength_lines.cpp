@@ -83,7 +83,7 @@ void StrengthLines::place(const RodCurves& curves, const std::optional<double>& 
     m_name->position->setCoords(pulledAtRight ? 0 : 1, *value);
 }
 
-// Of those that have the strength.
+// Returns the longest section that has the strength.
 const RodStretch* StrengthLines::longest(const RodCurves& curves) const {
     const auto strength = ofStretch();
     const RodStretch* longest = nullptr;

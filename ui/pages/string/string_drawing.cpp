@@ -21,7 +21,7 @@ namespace {
 constexpr double sideMargin = 14;   // [px]
 constexpr double groundWidth = 16;  // [px]
 constexpr double leastHeight = 70;  // of the thickest section [px]
-constexpr double mostHeight = 190;  // likewise
+constexpr double mostHeight = 190;  // of the thickest section [px]
 constexpr double clickReach = 4;    // of a click beside a section that is thinner than the pointer [px]
 
 // 1, 2 or 5 times a power of ten, about a seventh of the whole.
@@ -82,7 +82,7 @@ double StringDrawing::largestDiameter() const {
     return largest;
 }
 
-// What the whole length takes, around the axis.
+// Returns the room for the whole length, around the axis.
 QRectF StringDrawing::area() const {
     const double top = 2 * fontMetrics().lineSpacing() + 12;
     const double tall = std::max(leastHeight / 2, height() - wordsHeight());
@@ -103,7 +103,7 @@ QRectF StringDrawing::sectionRect(std::size_t section) const {
     return {whole.left() + at.start * scale, whole.center().y() - tall / 2, it.length * scale, tall};
 }
 
-// Of several that are thinner than the pointer the nearest.
+// Returns the nearest section if several are thinner than the pointer.
 std::optional<std::size_t> StringDrawing::sectionAt(QPointF point) const {
     std::optional<std::size_t> nearest;
     double distance = clickReach;
@@ -239,7 +239,7 @@ void StringDrawing::drawMarks(QPainter& painter) const {
                      Qt::AlignLeft | Qt::AlignVCenter, tr("string"));
 }
 
-// From the shank, as places of stresses are told.
+// Draws lengths from the shank, as the places of stresses are printed.
 void StringDrawing::drawRuler(QPainter& painter) const {
     const QRectF whole = area();
     const Unit& unit = m_units.unitFor(UnitKind::length, 1);

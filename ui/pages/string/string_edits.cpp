@@ -32,7 +32,7 @@ std::optional<StringEnd> endOf(SectionPresetKind kind) {
     return std::nullopt;
 }
 
-// Of a section of an example: as it is called there.
+// Returns the end where a section of an example belongs, by its name there.
 std::optional<StringEnd> endOf(std::string_view name) {
     if (name.starts_with("adapter")) return StringEnd::shank;
     if (name.starts_with("bit")) return StringEnd::bit;

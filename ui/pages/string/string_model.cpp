@@ -221,7 +221,7 @@ QString StringModel::peakText(const RowPeak& peak) const {
     const QLocale locale;
     const QString stress = quantityText(peak.size / scales.stress, units.stress, locale);
     if (!(peak.size > 0)) return stress;
-    // What is closer to an end than this is at the end.
+    // Places closer to an end than this are at the end.
     constexpr double rounding = 1e-9;
     const double place = peak.place / scales.length < rounding ? 0 : peak.place / scales.length;
     return tr("%1 at %2 from its rear end, %3")

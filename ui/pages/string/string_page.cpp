@@ -87,7 +87,7 @@ void StringPage::fillTable() {
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setMinimumSectionSize(36);
-    // What the page is opened for stands behind the sizes.
+    // The results, for which the page is opened, come right after the sizes.
     for (const int column :
          {StringModel::reflected, StringModel::strengthShare, StringModel::tension, StringModel::compression})
         header->moveSection(header->visualIndex(column), header->visualIndex(StringModel::bore) + 1);
@@ -95,7 +95,7 @@ void StringPage::fillTable() {
     header->setHighlightSections(false);
 }
 
-// Of the cell that the menu is opened on, which is the current one then.
+// Acts on the cell where the menu is opened, which is the current one then.
 void StringPage::offerGoal() {
     auto* action = new QAction(tr("Find the value that gives…"), m_table);
     action->setObjectName(QStringLiteral("seek"));

@@ -83,7 +83,7 @@ void StringSketch::setScale(double rear, double front, double largest) {
     m_plot->yAxis->setTicker(ticks);
 }
 
-// Of bars finer than can be seen, in its outline.
+// Draws the cone as bars finer than can be seen, in its outline.
 void StringSketch::addCone(const Piece& piece, const QColor& shade) {
     constexpr int bars = 40;
     const auto at = [](double from, double to, double share) { return std::lerp(from, to, share); };

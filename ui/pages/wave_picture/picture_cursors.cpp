@@ -49,7 +49,7 @@ void PictureCursors::setStyle(const PlotStyle& style) {
         drawn.label->setColor(style.text);
         drawn.label->setBrush(halo);
     }
-    // Told apart without their direction, too.
+    // Distinguishes the lines by dashes as well as by direction.
     QPen dashed(style.text, 1.5);
     dashed.setDashPattern({6, 3});
     m_sectionLine.line->setPen(dashed);

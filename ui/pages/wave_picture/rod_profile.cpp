@@ -20,7 +20,7 @@ constexpr int profileMargin = 3;
 constexpr int sampleLength = 26;  // of the line before a name [px]
 constexpr double room = 1.06;     // above the largest value
 
-/// Those of the picture, for the dimensionless numbers of a run.
+/// Returns the units of the picture, for the dimensionless numbers of a run.
 PictureUnits unitsOfRun(const WavePicture& now, const Scales& nowScales, const SolvedBlow& run,
                         const ShownUnits& units) {
     PictureUnits own = pictureUnits(run.scenario, units);

@@ -21,8 +21,8 @@ double largestForce(const Blow& blow) {
     return largest;
 }
 
-/// What is known of the field without looking for it: the forces, and that the hammer of a string moves with
-/// v0, twice F0/Z.
+/// Returns the magnitude known without sampling the field: the forces, and that the hammer of a string moves
+/// with v0, twice F0/Z.
 double knownMagnitude(const Blow& blow, WaveQuantity field) {
     if (field == WaveQuantity::velocity) return isForced(blow.scenario) ? 0 : blow.problem.hammer().velocity;
     return std::max(blow.impact.peakForce, largestForce(blow));
@@ -60,7 +60,7 @@ RasterGrid gridOf(const WavePictureNeed& need, const PictureWindow& window) {
 PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
     if (units.force.dimensionless) {
         // F0/Z is τ v0: the momentum I0 = m v0 is carried by a pulse of length t0 in a rod of length τ t0.
-        // What a hammer of the same impedance sends into a string has half its velocity.
+        // The wave that a hammer of the same impedance sends into a string has half its velocity.
         const Scales scales = scalesOf(scenario);
         const double velocity =
             hasSections(scenario) ? scales.particleVelocity / scales.velocity : groupsOf(scenario).tau;

@@ -29,7 +29,7 @@ const QString shownFieldKey = QStringLiteral("wavePicture/field");
 const QString frontsKey = QStringLiteral("wavePicture/fronts");
 const QString velocityName = QStringLiteral("velocity");
 
-// Whose waves can be read.
+// Returns the runs that may be drawn: those whose waves can be read or are not solved yet.
 RunList runsToDraw(const Scenario& scenario, const RunList& runs) {
     RunList drawn = runsLike(scenario, runs);
     std::erase_if(drawn, [](const Run& run) { return run.isSolved() && !run.blow->impact.hasHistories(); });
