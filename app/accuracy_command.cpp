@@ -70,7 +70,7 @@ void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
                  std::to_string(limit)}));
 }
 
-/// What is written of a study: the CSV in place of its words or into a folder, with pictures.
+/// Output of a study: the CSV instead of its words or into a folder, with pictures.
 struct AccuracyFiles {
     std::string csv;
     std::string words;  ///< the table, or JSON

@@ -34,7 +34,7 @@ OptionWord split(std::string_view word) {
     return option;
 }
 
-/// What other programs call an option.
+/// Names of options in other programs.
 constexpr auto otherNames = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"jobs", "j"},
     {"threads", "j"},

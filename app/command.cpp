@@ -53,7 +53,7 @@ Arguments parseArguments(const Command& command, std::span<const std::string> wo
     if (arguments.value("o") == std::string())
         throw CommandError(ExitCode::usage,
                            translatable("-o needs a name, this one is empty; - is standard output"));
-    // What belongs beside a file is beside the one that a link leads to.
+    // The files that belong to an output are written next to the target of a link.
     if (const std::optional<std::string> path = arguments.value("o"); path && isLinkToFile(*path))
         arguments.replaceValue("o", behindLinks(*path));
     const std::size_t given = arguments.operands().size();

@@ -29,7 +29,7 @@ std::vector<double> levelsOf(const Arguments& arguments, const std::vector<Outpu
     return levelArguments(arguments, isCommon ? first : Quantity::ratio);
 }
 
-/// Of the only output; a unit may stand behind where its column has one.
+/// Returns --goal for the only output; a unit may follow the number if the column has one.
 std::optional<double> goalOf(const Arguments& arguments, const std::vector<OutputColumn>& columns) {
     const std::optional<std::string> word = arguments.value("goal");
     if (!word) return std::nullopt;

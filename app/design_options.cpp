@@ -167,7 +167,7 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, cons
         "seed", static_cast<long>(setup.seed.value_or(1)), 0, std::numeric_limits<long>::max()));
     study.keepsEnergy = arguments.has("keep-energy") || setup.keepEnergy;
     study.workLimit = workLimitOf(arguments);
-    // What could not be read is missing there: it is not told a second time that nothing is given.
+    // Words that could not be read are missing in the study: do not report missing input as well.
     const bool hasWords = !uncertain.words.empty() || arguments.has("draws");
     for (const DesignProblemLine& line : problemsOf(study, {}, unread)) {
         if (hasWords && study.dimensions() == 0 && line.isUsage) continue;

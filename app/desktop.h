@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions that need the library of the desktop: the window and pictures. Of the two programs with the same
-// commands, `drillwave-window` is linked to it (desktop_here.cpp); `drillwave`, which starts in a fraction of
-// the time, leaves them to the other one (desktop_beside.cpp).
+// Functions that need the library of the desktop: the window and pictures. There are two programs with the
+// same commands: `drillwave-window` is linked to it (desktop_here.cpp); `drillwave`, which starts in a
+// fraction of the time, leaves them to the other one (desktop_beside.cpp).
 #pragma once
 
 #include <memory>

@@ -26,7 +26,7 @@ namespace {
 
 const std::vector<std::string> drillFiles{"scenario.yaml", "summary.json", "blows.csv", "histories.csv"};
 
-/// Whose pictures stand in a folder: they are drilling.png and so on.
+/// The CSV whose pictures a folder has: drilling.png and so on.
 constexpr const char* pictureOwnerOfDrill = "drilling.csv";
 
 /// An option that is short for --set KEY=N.

@@ -25,7 +25,7 @@ std::string drawn(const Drawing& drawing, const Figure& figure, std::string_view
     return bytes;
 }
 
-/// Those of --plots; PNG and SVG without.
+/// Returns the formats of --plots; PNG and SVG without it.
 std::vector<std::string> formatsOf(const Arguments& arguments) {
     if (arguments.has("plots") && arguments.value("o").value_or("-") == "-")
         throw CommandError(ExitCode::usage, Message(translatable("%1 applies to files; add -o %2"),

@@ -50,7 +50,7 @@ std::string numberOf(std::string_view word) {
     return isNumber ? std::string(sign) + std::string(word) : std::string();
 }
 
-/// Of a chapter, all of it or a section: "theory", "theory 3", "theory §3.1".
+/// Returns all of a chapter or a section of it: "theory", "theory 3", "theory §3.1".
 std::string chapterText(std::span<const Chapter> manual, std::span<const std::string> words,
                         std::size_t width) {
     const Chapter* chapter = findChapter(manual, words[0]);
@@ -71,7 +71,7 @@ std::string chapterText(std::span<const Chapter> manual, std::span<const std::st
                                                 {shortened(words[1]), chapter->name, there}));
 }
 
-/// Of a number, an output or a word, by its name, or by its symbol.
+/// Returns the entries of a number, an output or a word, by its name or by its symbol.
 std::string referenceText(std::string_view name, std::size_t width, const ReadingStyle& style) {
     std::vector<std::string> entries;
     if (const KeptParameter parameter = findParameter(name))

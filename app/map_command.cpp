@@ -141,7 +141,7 @@ ExitCode judge(const MapReport& report, long workLimit) {
                                 reasonsOf(counts, RowNoun::point, workLimit)}));
 }
 
-/// Of a part there are rows and nothing else.
+/// Checks that a part of a map writes only rows.
 void checkPart(const Arguments& arguments) {
     if (!arguments.has("shard")) return;
     if (!arguments.has("o"))

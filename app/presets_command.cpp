@@ -15,7 +15,7 @@ namespace drillwave {
 
 namespace {
 
-/// What the presets of a kind are for; %1 is the option that takes them.
+/// Returns the use of the presets of a kind; %1 is the option that takes them.
 const char* usePattern(PresetKind kind) {
     switch (kind) {
         case PresetKind::rod:

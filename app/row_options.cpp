@@ -36,7 +36,7 @@ OutputChoice outputsOf(const Arguments& arguments) {
     return choice;
 }
 
-/// What changes where the rows go and how fast, not what they are.
+/// Options that change the file of the rows or the speed, but not the rows.
 constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots", "gaps", "resume"};
 
 Shard shardOf(const Arguments& arguments) {
@@ -52,7 +52,7 @@ Message withLimitHint(const Message& reason, long workLimit) {
     return {translatable("%1; --work-limit, now %2, permits more"), {reason, std::to_string(workLimit)}};
 }
 
-/// Of a blow within workLimitsOf().
+/// Returns the work limit for a blow, whose default is that of workLimitsOf().
 long limitOf(const Arguments& arguments, const Scenario& scenario) {
     const long ofString = WorkLimits().cells / cellsOfPiece;
     return workLimitOf(arguments, isFollowedByEvents(scenario) ? defaultWorkLimit : ofString);

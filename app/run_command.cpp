@@ -27,7 +27,7 @@ namespace {
 struct RunFiles {
     std::string directory;             ///< empty: no files
     std::vector<std::string> plots;    ///< formats
-    std::optional<OutputUnits> units;  ///< if not given, those of the scenario
+    std::optional<OutputUnits> units;  ///< none: those of the scenario
     Overwrite overwrite = Overwrite::refused;
 };
 

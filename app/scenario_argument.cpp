@@ -236,7 +236,7 @@ ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& 
 void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
                  std::span<const std::string> words) {
     assert(axes.size() == words.size());
-    // Of a string the places that an axis names are counted with the repeats of the point.
+    // The places of a string that an axis names are counted with the repeats of the point.
     std::vector<Scenario> repeated{scenario};
     for (const SweepAxis& axis : axes) {
         if (axis.key() != "string.repeat" || !hasSections(scenario)) continue;

@@ -19,7 +19,7 @@ std::string knownFormats() {
     return known;
 }
 
-/// Of a list with commas.
+/// Splits a list at its commas.
 std::vector<std::string> formatsIn(const std::string& list) {
     std::vector<std::string> formats;
     for (std::size_t begin = 0; begin <= list.size();) {

@@ -22,7 +22,7 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     return axes;
 }
 
-/// What --outputs all may hold: an axis may give the blow frequency or the thrust that the scenario lacks.
+/// Returns a scenario for --outputs all: an axis may give the blow frequency or thrust that `base` lacks.
 Scenario sampleOf(const Scenario& base, const std::vector<SweepAxis>& axes) {
     Scenario sample = base;
     for (const SweepAxis& axis : axes)

@@ -12,9 +12,9 @@ namespace drillwave {
 
 namespace {
 
-/// What does not depend on the tables. Words are sought by their beginning, lists behind their last comma;
-/// names with blanks in them are quoted. Behind an option that takes many KEY=… words further ones are
-/// sought, too.
+/// The part that does not depend on the tables. Words are sought by their beginning, lists after their last
+/// comma; names with blanks in them are quoted. After an option that takes many KEY=… words further ones are
+/// also sought.
 constexpr std::string_view bashFunctions = R"bash(
 # Bash splits words at = : and @ as COMP_WORDBREAKS says. This joins them again, and sets `before` to the part
 # of the last word that stays as it is.

@@ -95,7 +95,7 @@ std::string fishFunction(ValueKind kind) {
     return text + "    printf '%s\\n'" + list + "\nend\n";
 }
 
-/// What may stand behind an option, or where none is.
+/// Returns the flags for the values of an option, or for the operands.
 std::string choice(ValueKind kind) {
     switch (kind) {
         case ValueKind::free:

@@ -135,7 +135,7 @@ std::string manDetails(std::string_view lines) {
     for (const std::string_view line : linesOf(lines)) {
         const Entry entry = entryOf(line);
         if (indentOf(line) == 0) {
-            // A line that only announces what follows stands alone, and does not end the paragraph before it.
+            // A line that only announces the next one is a paragraph and does not end the one before it.
             const bool announces = line.ends_with(':') && line.find(' ') == std::string_view::npos;
             if (before != Before::paragraph || announces) text += ".PP\n";
             text += manText(line) + "\n";

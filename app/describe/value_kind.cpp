@@ -43,7 +43,7 @@ constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
                                           {ValueKind::rock, "rock"},
                                           {ValueKind::topic, "topic"}}};
 
-/// Those options whose name tells more than what they take.
+/// Options with a kind by their name, because the placeholder of their value says less.
 struct NamedKind {
     std::string_view option;
     ValueKind kind;
