@@ -20,7 +20,7 @@ const std::vector<OptionSpec> specs{
     {"o", "FILE", "a name"},
 };
 
-/// What the words are refused with; empty where they are not.
+/// Returns the message with which the words are refused; empty if they are not.
 std::string refusal(const Words& words) {
     try {
         Arguments::parse(words, specs);

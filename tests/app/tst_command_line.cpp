@@ -74,7 +74,7 @@ void TestCommandLine::helpAndVersionAreEverywhere() {
              help.out);
     QCOMPARE(help.error, QByteArray());
     QCOMPARE(run(words + QStringList{"-h"}).out, help.out);
-    // What else is called so follows: `thrust` is an output, too.
+    // Other things of the same name follow: `thrust` is an output, too.
     QVERIFY(run(QStringList{"help"} + words).out.startsWith(help.out));
     const Finished version = run(words + QStringList{"--version"});
     QCOMPARE(version.exitCode, 0);

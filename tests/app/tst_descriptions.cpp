@@ -51,7 +51,7 @@ QString pagePart(const QString& page, std::string_view command) {
     return begin < 0 ? QString() : page.mid(begin, page.indexOf("\n.S", begin + 1) - begin);
 }
 
-/// What bash offers for a line that ends in the last of the words.
+/// Returns the offers of bash for a line that ends in the last of the words.
 QStringList offered(const QStringList& words) {
     QProcess bash;
     bash.setWorkingDirectory("/");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `run` asks to be drawn, and what becomes of the pictures, with one who draws as the test wants.
+// The pictures that `run` requests, and their files, with a drawer as the test wants it.
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>

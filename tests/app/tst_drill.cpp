@@ -104,7 +104,7 @@ void TestDrill::aRowForEveryBlowIsWritten() {
                    "hammer_rebound_velocity [m/s],shank_offset [m]"));
     QCOMPARE(rows.size(), 61);
     QCOMPARE(rows[1][0], QByteArray("1"));
-    QCOMPARE(rows[1][12], QByteArray());  // of a hammer alone
+    QCOMPARE(rows[1][12], QByteArray());  // only hammers have it
     QCOMPARE(run(soft({"-o", path})).exitCode, 4);
     QCOMPARE(run(soft({"-o", path, "--force"})).exitCode, 0);
     QCOMPARE(output(soft({"-o", "-"})), read(path));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What FILE may be: a file, standard input, a pipe, a built-in example; and presets by name.
+// Kinds of FILE: a file, standard input, a pipe, a built-in example; and presets by name.
 #include <QTest>
 
 #include <QDir>
@@ -205,7 +205,7 @@ void TestInputs::presetsAreTakenByName() {
     QVERIFY(scenario.contains("shape: piston"));
     QVERIFY(scenario.contains("gamma: 0.3"));
     QVERIFY(report["groups"] != scenarioOf({file})["groups"]);
-    // What a preset does not name stays.
+    // A preset changes only the parameters that it lists.
     QVERIFY(scenarioOf({file, "--rock", "hard rock"})["scenario"].toString().contains("diameter: 38 mm"));
     QCOMPARE(run({"sweep", file, "--rod", "GT60", "--vary", "beta=1,2"}).exitCode, 0);
     QCOMPARE(run({"thrust", file, "--rock", "soft rock"}).exitCode, 0);

@@ -49,7 +49,7 @@ class BareSystem {
     }
     Finished sourcesCheck() const { return packaging("check-sources", {}); }
 
-    /// In place of a command, a script of bash.
+    /// Replaces a command by a script of bash.
     void standIn(const char* command, const QByteArray& script) const {
         put(QStringLiteral("bin/") + command, "#!/bin/bash\n" + script);
     }
@@ -94,7 +94,7 @@ class TestPackaging : public QObject {
         const BareSystem system;
         const Finished finished = system.packagingRun();
         QVERIFY2(finished.exitCode == 0, finished.error);
-        // Those of packaging/test, too: an administrator is asked once.
+        // Those of packaging/test are included: an administrator is asked once.
         QVERIFY(finished.out.contains("installing missing packages: g++ ") &&
                 finished.out.contains(" locales\n"));
         QVERIFY(finished.out.contains("298 MB"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What long work says of itself where nobody looks at a terminal.
+// Progress of long work where nobody looks at a terminal.
 #include <QTest>
 
 #include <cstdio>

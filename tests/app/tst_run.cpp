@@ -192,7 +192,7 @@ void TestRun::theSummaryIsForPeople() {
     const Finished warned = run({"run", example("t38_medium_rock"), "--set", "drill.thrust=1kN"});
     QVERIFY2(warned.out.contains("The feed of 1 kN is less than the mean force of the blows, 3.06 kN"),
              warned.out);
-    // What to do stands first.
+    // The recommendation stands first.
     QVERIFY2(
         finished.out.startsWith("T38 rod, medium rock\n  8 kN covers every single blow (7.253 kN required)."),
         finished.out);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows, record, contours and pictures of a study, and the files of a report, are of one run, whoever else
-// writes there and whenever a run is ended. DRILLWAVE_TRIAL=200 tries that many rounds and signals in place
-// of a few.
+// writes there and whenever a run is ended. DRILLWAVE_TRIAL=200 tries that many rounds and signals instead of
+// a few.
 #include <QTest>
 
 #include <QDir>
@@ -79,7 +79,7 @@ std::unique_ptr<QProcess> started(const QStringList& words) {
     return process;
 }
 
-/// What each writer makes where nobody else is.
+/// Returns the sets that each writer makes without company.
 const std::vector<Set>& setsOf(const Kind& kind) {
     static QMap<QStringList, std::vector<Set>> made;
     std::vector<Set>& sets = made[kind.words];

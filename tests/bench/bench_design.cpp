@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study of designs costs, and how its errors fall with the number of samples, beside plain Monte
-// Carlo: bench_design --help. ctest only tries that it runs.
+// Cost of a study of designs, and how its errors fall with the number of samples, beside plain Monte Carlo:
+// bench_design --help. ctest only tries that it runs.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -91,7 +91,7 @@ void benchSpeed(const Options& options) {
     add("string, 4 velocities", string);
 }
 
-/// Where a quantity is in what a study found; NaN where it is not told.
+/// A quantity in the findings of a study; NaN if it is missing.
 struct Told {
     const char* name;
     Estimate (*of)(const DesignFindings&, const DesignStudy&);
@@ -147,8 +147,8 @@ struct Errors {
     }
 };
 
-/// The study's statistics by independent random points in place of its own: in the order of `told`, without
-/// indices and worst cases.
+/// Returns the study's statistics by independent random points instead of its own: in the order of `told`,
+/// without indices and worst cases.
 std::vector<double> monteCarlo(const DesignStudy& study, unsigned seed) {
     const ScenarioDesigns problem(study);
     const std::vector<Distribution> distributions = problem.distributions(0);

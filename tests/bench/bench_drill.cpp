@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many blows cost, beside a plain lattice of straight cells, and how their errors fall with the cells:
+// Cost of many blows, beside a plain lattice of straight cells, and how their errors fall with the cells:
 // bench_drill --help. ctest only tries that it runs.
 #include <algorithm>
 #include <cmath>
@@ -160,7 +160,7 @@ struct Found {
     double residual = 0, time = 0;
 };
 
-/// Of a motion that repeats the last blow, of another one the means of all but the first quarter.
+/// Returns the last blow of a motion that repeats, else the means of all but the first quarter.
 Found findWith(const DrillingProblem& problem, const DrillingGrid& grid, long blows, bool repeats) {
     DrillingMarch march(problem, grid);
     std::vector<DrillingBlow> taken;
@@ -188,7 +188,7 @@ Found findWith(const DrillingProblem& problem, const DrillingGrid& grid, long bl
     return found;
 }
 
-/// Of a rod, so many cells in a round trip and some more: the end of the force lies inside a cell.
+/// Returns a grid for a rod with so many cells per round trip and some more: the force ends inside a cell.
 DrillingGrid withEndInside(const DrillingProblem& problem, int cells) {
     constexpr long tripsOfInterval = 12, more = 3;
     const double roundTrip = 2 * problem.blow.transitTime();

@@ -17,7 +17,7 @@ using namespace drillwave;
 
 namespace {
 
-// What is allocated, without what the allocator keeps for later.
+// Returns the allocated memory, without the reserves of the allocator.
 double megabytesInUse() {
     const auto found = ::mallinfo2();
     return double(found.uordblks + found.hblkhd) / 1e6;

@@ -93,7 +93,7 @@ void benchScenesOf(const Options& options) {
     for (const NamedScene& scene : benchScenes()) benchScene(table, scene);
 }
 
-/// Of random blows of one shape, or of all.
+/// Times of random blows of one shape, or of all.
 struct Sample {
     std::vector<double> seconds;
     int closed = 0, notSolved = 0;

@@ -101,7 +101,7 @@ void measurePage(MainWindow& window, const QString& name, int repeats) {
     printTimes(name, std::move(times));
 }
 
-// Of what a page's study has so far.
+// State of a page's study.
 struct OnShow {
     bool isPresent = false;  // of the present scenario
     bool isWhole = false;
@@ -175,7 +175,7 @@ void measureDragOnMap(MainWindow& window, PulseShape shape, int repeats) {
                 });
 }
 
-// Of 256 samples at first, refined to those customary.
+// Starts with 256 samples, refined to the default number.
 void measureDragOnDesign(MainWindow& window, const QString& what, int repeats) {
     auto& page = part<DesignPage>(window);
     // of a string bench_design tells
@@ -188,7 +188,7 @@ void measureDragOnDesign(MainWindow& window, const QString& what, int repeats) {
     });
 }
 
-// Of the blows as they come.
+// Follows the blows as they come.
 void measureDragOnDrilling(MainWindow& window, const QString& what, int repeats) {
     auto& page = part<DrillingPage>(window);
     measureDrag(window, page, QStringLiteral("Drilling") + what, repeats, repeats, [&] {

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The commands that faults.sh tries, what they write when all goes well, and what is held against that. Each command writes two
-# sets of files, `old` and `new`, so that it can be told which one is there.
+# sets of files, `old` and `new`, so that a test can see which one is there.
 
 quick=(run sweep curve map table join gap thrust drill scan design examples)
 drawing=(run_drawn map_drawn report figures)
@@ -80,7 +80,7 @@ write_to() {
 }
 
 # attempt [WRAPPER…]: runs the program with `words`, by the wrapper where there is one; `code`, and its messages in the file
-# err, by a pipe that no limit of files touches. What it prints goes to `to`.
+# err, by a pipe that no limit of files touches. The output goes to `to`.
 to=$work/out
 attempt() {
     "$@" "$program" "${words[@]}" 2>&1 >"$to" | cat >"$work/err"
@@ -99,7 +99,7 @@ expect() {
     return 1
 }
 
-# What work that takes long on a busy machine says every 15 seconds of how far it is, as in the log of a job, is not counted.
+# Does not count the progress that long work on a busy machine prints every 15 seconds, as in the log of a job.
 words_said() { grep -v '^[0-9]* % done ' "$work/err"; }
 says_a_line() { [ "$(words_said | wc -l)" -eq 1 ]; }
 says_lines() { [ -n "$(words_said)" ]; }

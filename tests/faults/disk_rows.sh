@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Rows of faults.sh: full disks, places that cannot be written to or are not there, the clock.
 
-# leave_out WHAT: told once at the end of the row.
+# leave_out WHAT: printed once at the end of the row.
 leave_out() { echo "$row: left out: $1" >>"$work/left_out"; }
 can_mount() {
     [ -n "${FAULTS_INSIDE:-}" ] || { leave_out "what needs a disk of its own: no namespaces of users here" && false; }
@@ -66,7 +66,7 @@ try_full_output() {
     expect "is done" ended_with 4 && expect "does not say why in a line" says_a_line
 }
 
-# What a session has around a program, missing: nothing that commands need.
+# Surroundings of a program in a session that are missing: nothing that commands need.
 surroundings=(
     "env -u HOME" "env HOME=/nonexistent" "env HOME=/proc" "env TMPDIR=/nonexistent" "env TMPDIR=/proc"
     "env XDG_RUNTIME_DIR=/nonexistent" "env XDG_CONFIG_HOME=/proc/x XDG_DATA_HOME=/proc/x XDG_CACHE_HOME=/proc/x XDG_STATE_HOME=/proc/x"
@@ -135,7 +135,7 @@ try_window() {
 
 list_clock() { printf '%s\n' "jump -3600d" "jump +3600d" "recovery -365d" "recovery +365d"; }
 
-# A time that is looked up anew at each look at the clock; what counts how long something takes goes on as it does.
+# A time that is looked up again at each look at the clock; clocks for durations go on as they do.
 faketime=$(echo /usr/lib/*/faketime/libfaketimeMT.so.1)
 with_clock() { env FAKETIME_TIMESTAMP_FILE="$work/time" FAKETIME_NO_CACHE=1 FAKETIME_DONT_FAKE_MONOTONIC=1 LD_PRELOAD="$faketime" "$@"; }
 can_set_clock() { [ -e "$faketime" ] || { leave_out "there is no libfaketime (package faketime)" && false; }; }
@@ -160,7 +160,7 @@ try_jump() {
 }
 shows_no_nonsense() { ! sed '1d;$d' "$work/err" | grep -aqE -- '-[0-9]|[0-9]{5,} (s|min|h)|nan|inf'; }
 
-# What the tests of recovery do, with a clock that is a year behind all files, or before them.
+# Runs the tests of recovery with a clock that is a year behind all files, or before them.
 try_recovery() {
     can_set_clock || return
     local test

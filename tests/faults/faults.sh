@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tries what can go wrong around the program: faults.sh [OPTION]… [ROW[=COUNT]]…
-#   --program FILE   the program that is tried; build/release/app/drillwave if not given
+#   --program FILE   the program that is tried (default: build/release/app/drillwave)
 #   --by-hand        every row as often as by hand, which takes some hours
 #   --seed N         other cases and times
-#   --case "CASE"    one case again, as it is told where it does not hold
+#   --case "CASE"    one case again, as printed where it does not hold
 #   --list           the rows, how often each is done here and by hand, and what must hold
 # All rows without one. Works in a folder of its own, which goes at the end. Needs no rights; where namespaces of users are
 # permitted it mounts small disks of its own, elsewhere what needs them is left out, and said so. Exit code 1 where something

@@ -11,7 +11,7 @@ long=$(printf 'x%.0s' {1..240})
 odd_names=("two words" $'two\nlines' "ü" $'\xff\xfe' '*?[' "it's" '"' '\' $'\e[31m' "a:b" "a=b,c" ".hidden" "$long" "$long$long"
     "$(printf "$long/%.0s" {1..30})x" "%s%n" "~" '$HOME' "#" "")
 
-# What is no file, or none that can be read.
+# Names of no file, or of none that can be read.
 no_files=(folder loop dangling dangling_deep pipe empty noise empty/x /dev/null /proc/self/mem nameless .)
 make_no_files() {
     mkdir "$place/folder"

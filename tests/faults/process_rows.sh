@@ -171,7 +171,7 @@ try_reader() {
     expect "ends otherwise than by it" ended_with 0 141 && expect "makes noise" says_nothing
 }
 
-# Where that ends nobody, it is told as any other output that cannot be written.
+# Where that ends nobody, it is reported as any other output that cannot be written.
 try_reader_told() {
     words_in "${printing[$1]}"
     env --ignore-signal=PIPE "$program" "${words[@]}" 2>"$work/err" | true

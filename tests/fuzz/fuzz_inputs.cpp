@@ -50,7 +50,7 @@ constexpr const char* usage = R"(usage: fuzz_inputs [TARGET…] [--inputs N | --
   --from I     from that one on: what an input was that did harm
 )";
 
-/// A line that somebody is to read. What it quotes is cleaned where it is printed.
+/// Requires a line for a reader. Its quotations are cleaned where they are printed.
 void requireLine(const Message& message) {
     constexpr std::size_t longest = 4000;
     const std::string line = message.text();
@@ -183,8 +183,8 @@ std::vector<std::string> wordTexts() {
             "drill.thrust=3.2kN:8kN:10"};
 }
 
-/// What of the program is fed: texts to begin with, and whether one is taken. It throws where something is
-/// wrong.
+/// A reader of the program that is fed: texts to begin with, and whether one is taken. It throws where
+/// something is wrong.
 struct Target {
     std::string_view name;
     std::vector<std::string> corpus;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What README, CONTRIBUTING and the manual tell people to type must be there: check_commands.sh ROOT
+# Commands and files in README, CONTRIBUTING and the manual must be there: check_commands.sh ROOT
 #   drillwave COMMAND         a command of app/*_command.cpp or core/report/*_answer.cpp, or an option, or a file
 #   tst_…, bench_…            a test program or benchmark
 #   packaging/…, resources/…, tests/…, core/…, ui/…, app/…   a file or folder of the sources

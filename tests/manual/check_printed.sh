@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What README and the manual say that a command prints: check_printed.sh ROOT PROGRAM
+# Output of commands quoted in README and the manual must be right: check_printed.sh ROOT PROGRAM
 # Each line of a block that begins with "```text drillwave …" must be printed by that command; but for errors of rounding, which
 # differ from machine to machine.
 set -u

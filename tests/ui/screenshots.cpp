@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the whole window, to be looked at: screenshots FOLDER [PAGE]. Every page or that one, light and
 // dark, in four sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on. Options choose the
-// units, the numbers of a locale, the language, the size of the type, and one size alone.
+// units, the numbers of a locale, the language, the size of the type, and one of the sizes.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
@@ -30,7 +30,7 @@ using namespace drillwave;
 
 namespace {
 
-/// What the pictures are to show.
+/// Options of the pictures.
 struct Wanted {
     QString page;  ///< empty: every page
     QList<QSize> sizes = {{800, 500}, {1000, 650}, {1440, 900}, {3200, 1800}};

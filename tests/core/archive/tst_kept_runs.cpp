@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs kept in a folder: read back byte for byte, and what is broken is told and left where it is.
+// Runs kept in a folder: read back byte for byte; broken files are reported and left where they are.
 #include <QTemporaryDir>
 #include <QTest>
 

@@ -146,7 +146,7 @@ void TestReportFile::everyExampleHasASourceForEveryInput() {
     }
 }
 
-// Of the loading curve of a dimensionless rock forces are in F0 and penetrations in d0.
+// The loading curve of a dimensionless rock has forces in F0 and penetrations in d0.
 void TestReportFile::numbersHaveTheQuantityOfTheForm() {
     const std::string drive = "pulse: {shape: rectangular}\n";
     const std::string groups =

@@ -14,7 +14,7 @@ using namespace drillwave::test;
 
 namespace {
 
-/// What a reader sees of the page but for the scenario.
+/// Returns the visible text of the page without the scenario.
 QString seenOf(const std::string& page) {
     QString text = QString::fromStdString(page);
     const auto drop = [&](const char* what) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a result says of itself is how it is solved again: what cannot be is refused.
+// Results are solved again as they were recorded; impossible records are refused.
 #include <QTest>
 
 #include "core/archive/result_scenario.h"

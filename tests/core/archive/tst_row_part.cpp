@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of rows told by their records: which belong together, and what is missing.
+// Parts of rows identified by their records: which belong together, and what is missing.
 #include <QTest>
 
 #include "core/archive/row_record.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an earlier study left beside a file is known by name and content, and nothing else is.
+// Files that an earlier study left beside a file are known by name and content, and no others are.
 #include <QTemporaryDir>
 #include <QTest>
 

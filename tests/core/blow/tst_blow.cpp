@@ -98,7 +98,7 @@ void TestBlow::itsAlertsAreThoseOfTheScenarioTheResultAndTheStresses() {
         QVERIFY2(codesOf(all).contains(code), code);
 }
 
-// The window asks for histories with stresses, `run` for a summary, a file of rows for e alone.
+// The window requests histories with stresses, `run` a summary, a file of rows only e.
 void TestBlow::theAlertsDoNotDependOnWhatWasAsked() {
     Scenario withoutStrength = overloadedDrill();
     withoutStrength.rod.yieldStrength.reset();

@@ -137,7 +137,7 @@ class TestBlowWaves : public QObject {
         }
     }
 
-    // What was not followed to the separation has no time of it, or that of an earlier contact.
+    // A blow that is cut off before the separation has no separation time, or that of an earlier contact.
     void aContactThatIsCutOffLastsToTheEnd() {
         Scenario scenario = test::losslessString();
         for (const auto& [milliseconds, contacts] : {std::pair(2.5, 1), std::pair(3.2, 2)}) {

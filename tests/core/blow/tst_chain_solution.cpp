@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strings with cones, for which uniform pieces stand.
+// Strings with cones, which are replaced by uniform pieces.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -130,7 +130,7 @@ class TestChainSolution : public QObject {
         QCOMPARE(blow.summary.energy.rockWork, plain.summary.energy.rockWork);
     }
 
-    // A step of the T38 string, spread out over its adapter, throws back less.
+    // A step of the T38 string, spread out over its adapter, reflects less.
     void aConeThrowsBackLessThanAStep() {
         Scenario scenario = test::losslessString();
         const double step = solveBlow(scenario, {}, Detail::ledger).summary.energy.rockWork;

@@ -102,7 +102,7 @@ class TestStringBlow : public QObject {
                 QVERIFY(std::abs(force) < 2e-3);  // a kink within a cell
         }
         QVERIFY(std::abs(peak - blow.summary.peakForce) < 2e-3);
-        // the impulse is told in that of the hammer: p0 of F0 t0
+        // the impulse is in units of that of the hammer: p0 of F0 t0
         const double hammer = blow.scales.impulse / (blow.scales.force * blow.scales.time);
         QVERIFY(std::abs(impactImpulse(blow.impact, end) / hammer - blow.summary.impulse) < 1e-7);
         QVERIFY(!solved(test::losslessString()).impact.hasHistories());
@@ -162,7 +162,7 @@ class TestStringBlow : public QObject {
         QVERIFY(std::abs(sum - 1) < 1e-12);
     }
 
-    /// Of a blow whose hammer is of whole millimetres, struck once: the string says what the rod says.
+    /// For a hammer of whole millimetres that strikes once, the string has the results of the rod.
     void aRodAsAStringHasItsStressesInTheBlowAndAfter() {
         Scenario rod;
         for (const Example& example : builtInExamples())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of the samples of a blow that are left out, against blows that need none.
+// Stated effect of the samples of a blow that are left out, against blows that need none.
 #include <QTest>
 
 #include <cmath>

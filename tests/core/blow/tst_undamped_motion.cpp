@@ -97,7 +97,7 @@ void TestUndampedMotion::aRodThatIsDisturbedComesBackToTheMotionOfTheTheory() {
     rod.gap = motion.gap * 1.001;
     rod.velocity = (motion.impactVelocity - 1 - (feed - 1) * motion.delay) * 1.001;
     for (int blow = 0; blow < 4000; ++blow) rod.strike();
-    // What 4000 blows leave of the disturbance is e^4000, and rounding.
+    // After 4000 blows the disturbance is e^−4000 of itself, and rounding.
     QVERIFY2(std::abs(rod.gap - motion.gap) < 1e-10, qPrintable(QString::number(rod.gap, 'g', 12)));
     QVERIFY(std::abs(rod.sinceBlow - motion.delay) < 1e-10);
     QVERIFY(std::abs(rod.velocity + 1 + (feed - 1) * motion.delay - motion.impactVelocity) < 1e-10);

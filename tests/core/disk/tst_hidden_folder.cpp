@@ -172,7 +172,7 @@ void TestHiddenFolder::aLivingRunIsLeftAlone() {
 
 void TestHiddenFolder::whatDiesBetweenItsStepsGoesToo() {
     const std::string folder = m_place->path().toStdString();
-    // Made and not yet locked; locked without the parts; the lock of one who had mended all.
+    // Made and not yet locked; locked without the parts; the lock of a run that had repaired all.
     for (const char* made : {".drillwave-aaaaaa", ".drillwave-bbbbbb"})
         QVERIFY(QDir(m_place->path()).mkdir(made));
     QVERIFY(!replaceFile(path(".drillwave-bbbbbb/.drillwave.lock"), ""));

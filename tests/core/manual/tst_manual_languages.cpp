@@ -58,7 +58,7 @@ QStringList numbersOf(QString text) {
     return numbers;
 }
 
-// What has words enough to be told from names, which are the same everywhere: lines and cells, without code.
+// Returns lines and cells, without code, with too many words to be names, which are the same everywhere.
 QStringList sentencesOf(const std::string& markdown) {
     static const QRegularExpression code(QStringLiteral("`[^`]*`|\\([^)]*\\)")),
         word(QStringLiteral("\\b\\p{Ll}{3,}"));
@@ -76,7 +76,7 @@ QStringList sentencesOf(const std::string& markdown) {
     return sentences;
 }
 
-// What differs between two lines of text, or nothing.
+// Returns the difference between two lines of text, or nothing.
 QString differenceOf(const std::string& english, const std::string& translated) {
     const auto first = QString::fromStdString(english), second = QString::fromStdString(translated);
     const auto told = [&](const QString& what, const QStringList& one, const QStringList& other) {
@@ -156,7 +156,7 @@ void TestManualLanguages::everyPageSaysTheSame() {
     QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
-// What stands beside the window in the first ten minutes, and behind F1 in a field.
+// Pages for the first ten minutes beside the window, and for F1 in a field.
 void TestManualLanguages::pagesOfTheWindowAreTranslated() {
     QFETCH(QString, code);
     const std::vector<Chapter> english = manualChapters(plainStyle()),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the written pages say of parameters and outputs against the tables that the program works with.
+// Parameters and outputs on the written pages against the tables that the program works with.
 #include <QRegularExpression>
 #include <QTest>
 #include <map>
@@ -99,7 +99,7 @@ QByteArray said(std::string_view key, const char* what, const std::string& cell)
            QByteArray::fromStdString(cell);
 }
 
-/// Checks symbol and ranges of a row against a table; counts the ranges that are told in numbers.
+/// Checks symbol and ranges of a row against a table; counts the ranges that are given in numbers.
 template <class Row>
 void compare(std::map<std::string, std::string>& told, const Row& row, int& compared) {
     QVERIFY2(told["symbol"] == row.symbol || told["symbol"].find(row.symbol) != std::string::npos,
@@ -151,7 +151,7 @@ void TestManualTables::sectionsAreToldWithTheRangesTheyHave() {
         QCOMPARE(keys.size(), 1U);
         if (const SectionField* field = findSectionField(keys.front())) compare(row, *field, compared);
     }
-    // The ranges of the two areas are told in units that files do not have.
+    // The ranges of the two areas are in units that files do not have.
     QCOMPARE(compared, 2 * int(sectionFields().size()) - 2);
 }
 

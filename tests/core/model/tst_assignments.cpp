@@ -29,7 +29,7 @@ void TestAssignments::theShapeIsFirstAndTheGroupsAreLast() {
 }
 
 void TestAssignments::equalKeysKeepTheirOrder() {
-    // Unknown keys, whose problems are told in the order in which they were typed.
+    // Unknown keys, whose problems are listed in the order in which they were typed.
     const Assignments assignments({"beta", "nonsense", "title", ""});
     QCOMPARE(assignments.order(), (std::vector<std::size_t>{1, 2, 3, 0}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of a blow before it is solved.
+// Traits of a blow that are known before it is solved.
 #include <QTest>
 
 #include "core/model/blow_traits.h"

@@ -99,7 +99,7 @@ void TestParameter::rulesFitWhatTheValuesDo() {
         QVERIFY2(rules.rival.empty() || findParameter(rules.rival), key);
         QVERIFY2(rules.presence != Presence::either || !rules.rival.empty(), key);
         QVERIFY2(parameter.label.ends_with(rules.shortLabel), key);
-        // What may be missing in a file has a value all the same, or none until it is given.
+        // Parameters that may be missing in a file have a default, or none until a value is given.
         const std::optional<double> value = parameter.value(Scenario());
         QVERIFY2(value || rules.clear, key);
         if (!rules.clear) continue;
@@ -128,7 +128,7 @@ void TestParameter::aValueThatWasSetReadsBackExactly() {
                     parameter.assign(scenario, value);
                     QVERIFY(parameter.value(scenario).has_value());
                     const double read = *parameter.value(scenario);
-                    // What is stored as a product is within one rounding where no double leads back exactly.
+                    // A value stored as a product is within one rounding where no double leads back exactly.
                     const bool product = parameter.section() == "groups" || parameter.key == "pulse.force";
                     const double tolerance =
                         product && base.form == ScenarioForm::dimensional ? 5e-16 * value : 0;

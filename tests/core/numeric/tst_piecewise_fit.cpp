@@ -165,7 +165,7 @@ void TestPiecewiseFit::whatCostsMuchIsLookedAtLess() {
     QCOMPARE(fit.unsolved, 0.0);
     const auto isLeft = [](const FitPiece& piece) { return !piece.resolved; };
     QVERIFY(std::ranges::any_of(fit.pieces, isLeft));
-    // What nobody has looked into is not taken for known, even where its ends agree.
+    // A piece that was not examined does not count as known, even where its ends agree.
     settings.mostEffort = 2'000;
     const auto same = [](double x) {
         return FitSample{.x = x, .values = {1}, .solved = true, .effort = 1000};

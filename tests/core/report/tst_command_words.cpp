@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands print in the language of its reader: every word of the program can be translated, and
+// Output of the commands in the language of its reader: every word of the program can be translated, and
 // numbers have its decimal sign.
 #include <QTest>
 
@@ -122,7 +122,7 @@ Told stringAccuracy(const Scenario& scenario) {
         [scenario, measured](const ReadingStyle& style) { return accuracyText(scenario, measured, style); };
 }
 
-/// Of a few cases; the last ones failed.
+/// Uses a few cases; the last ones failed.
 Told stability(const Scenario&) {
     std::vector<StabilityCase> cases = stabilityCases();
     cases.resize(12);
@@ -170,8 +170,8 @@ Scenario scenarioOf(const Example& example) {
     return parseScenario(example.text, example.name).scenario;
 }
 
-/// What is called the same in every language: keys, outputs, methods, shapes, units, and the
-/// sections of who wrote the scenario.
+/// Returns the names that are the same in every language: keys, outputs, methods, shapes, units, and the
+/// sections named by the author of the scenario.
 QStringList namesOf(const CommandText& text, const Scenario& scenario) {
     QStringList names{"beta", "gamma", "tau", "delta", "cor", "separation_time", "MPa", "GPa", "min"};
     const auto add = [&](std::string_view words) {

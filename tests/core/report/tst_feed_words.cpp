@@ -284,7 +284,7 @@ void TestFeedWords::theRemedyCoversTheBlow_data() {
     addScenes();
 }
 
-// What is said to cover the blow does, as it is written; and less would not by more than the last digit.
+// The remedy as printed covers the blow; less would not by more than the last digit.
 void TestFeedWords::theRemedyCoversTheBlow() {
     QFETCH(QByteArray, example);
     QFETCH(double, stiffness);

@@ -36,7 +36,7 @@ void TestPaperText::longLinesAreBrokenAndCounted() {
 
 void TestPaperText::noCharacterIsCutInTwo() {
     QCOMPARE(linesOnPaper("µµµµ", 2, 2).text, std::string("µµ\nµµ"));
-    // Of wide ones half as many have room.
+    // Only half as many wide ones have room.
     QCOMPARE(linesOnPaper("測測測", 2, 4).text, std::string("測測\n測"));
     QCOMPARE(cellOnPaper("測測測", 4), std::string("測測…"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the studies print in the language of their reader: every word of the program can be translated, and
+// Output of the studies in the language of their reader: every word of the program can be translated, and
 // every number has the decimal sign of the language.
 #include <QTest>
 
@@ -120,7 +120,7 @@ Told design(const Scenario& scenario) {
     return toldDesign(designStudyOf(scenario));
 }
 
-/// What is known of a rock as draws, and of the designs what does not often come about.
+/// A rock given by draws, and rare findings about the designs.
 Told designOfChoices(const Scenario& scenario) {
     DesignStudy study = designStudyOf(scenario);
     study.uncertain.pop_back();
@@ -141,7 +141,7 @@ Told designOfChoices(const Scenario& scenario) {
     });
 }
 
-/// Machines of other power, and more ties than are told.
+/// Machines of other power, and more ties than are printed.
 Told designOfMachines(const Scenario& scenario) {
     DesignStudy study = designStudyOf(scenario);
     study.choices = {parseAxis("bit_rock.gap=0mm,0.25mm").axis};
@@ -172,7 +172,7 @@ Told map(const Scenario& scenario) {
     return [report](const ReadingStyle& style) { return mapText(report, style); };
 }
 
-/// Of which some could not be solved, jump, or do not repeat.
+/// Some of its points could not be solved, jump, or do not repeat.
 Told mapWithHoles(const Scenario& scenario) {
     MapReport report =
         mapReport(scenario, "bit_rock.stiffness=50.5MN/m:300MN/m:3", OutputUnits::dimensionless);
@@ -208,8 +208,8 @@ constexpr auto studyTexts = std::to_array<StudyText>({
     {"map with holes", mapWithHoles, false},
 });
 
-/// What is called the same in every language: keys and what is named by who wrote the scenario, statistics
-/// and aims as options have them, symbols.
+/// Returns the names that are the same in every language: keys and names given by the author of the scenario,
+/// statistics and aims as options have them, symbols.
 QStringList namesOf(const Scenario& scenario) {
     QStringList names{"phi", "FILE", "max",  "min",   "nominal", "log",
                       "MPa", "GPa",  "beta", "gamma", "tau",     "delta"};

@@ -137,7 +137,7 @@ void TestDetectedTable::samplesThatAreLeftOutDoNotHideTheHeader() {
             tableFrom(lines, format, static_cast<std::size_t>(headerLines + leftOut + 1));
         QCOMPARE(table.columns, (std::vector<TableColumn>{{"t", "us", true}, {"a", "kN", true}}));
     }
-    // What stands between the samples is no header of those below it.
+    // Text between the samples is no header of those below it.
     const DetectedTable single = tableFrom(linesOf("F [kN]\n1\n# pause\n2\n3\n"), {',', {}}, 4);
     QCOMPARE(single.columns, (std::vector<TableColumn>{{"F", "kN", true}}));
 }

@@ -207,7 +207,7 @@ void TestSignalRecipe::thePeakIsThatOfTheSamples() {
     }
 }
 
-// Of a parabola, whose best polygon of n lines with knots on it is known: each line off by (1/n)²/4.
+// For a parabola, the best polygon of n lines with knots on it is known: each line off by (1/n)²/4.
 void TestSignalRecipe::thinningIsCloseToTheBestThereIs() {
     Samples samples;
     for (int i = 0; i <= 100000; ++i) {

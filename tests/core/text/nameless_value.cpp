@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not compile: a value without a name. With ALL_NAMED it has one.
+// Code that must not compile: a value without a name. With ALL_NAMED it has one.
 #include "core/text/enum_names.h"
 
 enum class Season { spring, summer, autumn };

@@ -109,7 +109,7 @@ void TestJson::numbersReadBackExactly() {
     QCOMPARE(text.toDouble(), number);
 }
 
-// Of random bits, most doubles are huge or tiny: some are drawn near one too.
+// Most doubles of random bits are huge or tiny: some are drawn near one too.
 void TestJson::numbersOfEverySizeAreWrittenLikeQtDoes() {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> exponent(-25, 25), mantissa(-10, 10);

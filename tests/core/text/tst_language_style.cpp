@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands say in another language, without Qt.
+// Output of the commands in another language, without Qt.
 #include <QTest>
 
 #include "core/text/languages.h"

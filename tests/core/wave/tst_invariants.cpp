@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold in every scene, checked over thousands of random ones.
+// Conditions on every scene, checked over thousands of random ones.
 #include <QTest>
 
 #include "tests/support/scenes.h"

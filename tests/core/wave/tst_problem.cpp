@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is solved: made once from a scenario, equal where the blows are.
+// Problems of the solvers: made once from a scenario, equal where the blows are.
 #include <QTest>
 
 #include "core/model/parameter.h"

@@ -174,7 +174,7 @@ void TestScenarioFile::aTableFileIsWrittenBackByItsName() {
         "blow.csv}\n";
     writeFile(folder.filePath("case.yaml"), QByteArray::fromStdString(text));
     ScenarioDocument document = loadScenario(folder.filePath("case.yaml").toStdString());
-    // What is saved does not depend on whether the table is still there.
+    // The saved text does not depend on whether the table is still there.
     QVERIFY(QFile::remove(folder.filePath("blow.csv")));
     compareText(writeScenario(document), text);
     document.scenario.groups.beta = 0.7;

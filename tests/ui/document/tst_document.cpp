@@ -164,7 +164,7 @@ void TestDocument::aPresetLeavesItsSourcesInTheFile() {
     QCOMPARE(m_document->applyPreset(*preset), QString());
     const QByteArray after = m_document->text();
     QVERIFY2(after.contains("  diameter: 46 mm  # preset T45, round 46 mm: nominal"), after);
-    // What stays as it was keeps its comment, or has none yet.
+    // An unchanged value keeps its comment, or has none yet.
     QVERIFY2(after.contains("  youngs_modulus: 210 GPa     # steel\n"), after);
     QVERIFY2(after.contains("  density: 7850 kg/m^3  # preset T45, round 46 mm: steel, usual value\n"),
              after);
@@ -323,7 +323,7 @@ void TestDocument::wordsOfAnExampleDoNotOutliveItsValues() {
     m_document->assign(parameter("bit_rock.stiffness"), stiffness, 2);
     QCOMPARE(m_document->scenario().title, title);
     QCOMPARE(m_document->text(), exampleBytes());
-    // What somebody else wrote stays.
+    // A title by somebody else stays.
     QCOMPARE(m_document->open(m_folder.filePath("changed.yaml")), QString());
     m_document->assign(parameter("bit_rock.stiffness"), 222e6, 3);
     QCOMPARE(m_document->scenario().title, title + ", changed");

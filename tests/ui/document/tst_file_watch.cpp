@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes of the file by other programs: noticed, told without being in the way, never overwritten unasked.
+// Changes of the file by other programs: noticed, reported in passing, never overwritten unasked.
 #include <QFile>
 #include <QFileInfo>
 #include <QPushButton>

@@ -131,7 +131,7 @@ void TestMeasuredList::theScenarioIsNotModifiedByThem() {
     QVERIFY(m_document->isModified());
 }
 
-// A step is told of before the history has it.
+// A step is announced before the history has it.
 void TestMeasuredList::stepsOfTheScenarioBetweenThemCount() {
     QVector<bool> states;
     const QObject here;

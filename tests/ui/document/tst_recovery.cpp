@@ -157,7 +157,7 @@ void TestRecovery::changesOfAKilledProgramAreRestored() {
     QCOMPARE(document.text().simplified(), expected.simplified());
     QVERIFY(document.isModified());
     QVERIFY(window->isWindowModified());
-    // What is opened next is as it was read, whatever came before.
+    // The next file to be opened is as it was read, whatever came before.
     {
         const auto other = newWindow(m_answers);
         other->document().markUnsaved();

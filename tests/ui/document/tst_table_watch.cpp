@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of a measured blow changed by other programs: told, read again on request, taken back by undo.
+// The file of a measured blow changed by other programs: reported, read again on request, taken back by undo.
 #include <QDir>
 #include <QFile>
 #include <QPushButton>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window exports is what the command line writes, and every failure is told.
+// The window exports what the command line writes, and reports every failure.
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
@@ -326,7 +326,7 @@ void TestExportMenu::theNumbersAreThoseOfTheFile() {
     QCOMPARE(heads.join(u',').toUtf8(), lines.front());
     QCOMPARE(cells.join(u';').replace(u',', u'.').toUtf8(), QByteArray(lines.back()).replace(',', ';'));
     QVERIFY(cells.join(u' ').contains(u','));  // in the numbers of the reader
-    // What is chosen is copied for other programs, under the heads of its columns.
+    // The chosen cells are copied for other programs, under the heads of their columns.
     view->selectionModel()->select(QItemSelection(model.index(0, 0), model.index(1, 1)),
                                    QItemSelectionModel::Select);
     view->actions().front()->trigger();
@@ -347,7 +347,7 @@ void TestExportMenu::theNumbersAreThoseOfTheFile() {
     QCOMPARE(tabs->tabText(0), QStringLiteral("Needs"));
     const QAbstractItemModel& quoted = *qobject_cast<QTableView*>(tabs->widget(1))->model();
     QCOMPARE(quoted.index(0, 0).data().toString(), QStringLiteral("1,5"));
-    // What there is not yet is left out, where there is another.
+    // Missing numbers are left out if there are others.
     PageExport missing = table;
     missing.obstacle = [] { return QStringLiteral("There is no scan yet."); };
     delete window().findChild<NumbersWindow*>();

@@ -249,7 +249,7 @@ void TestReportWriter::thePreviewHasThePagesAndKeepsTheHead() {
     QVERIFY(read(path("headed.html")).contains("<th>Customer</th><td>Gruva AB</td>"));
     QCOMPARE(rememberedHead().customer, std::string("Gruva AB"));
     QVERIFY(rememberedHead().date.empty());
-    // What it shows is of the scenario before an edit, until it is asked for again.
+    // The preview shows the scenario before an edit, until it is updated.
     auto* update = preview->findChild<QPushButton*>();
     QVERIFY(!update->isEnabled());
     window().document().assign(*findParameter("rod.length"), 4.5, 1);
@@ -273,7 +273,7 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     QVERIFY2(table.contains("<th>this report</th><th>A  "), page.mid(page.indexOf("runs-table"), 200));
     QVERIFY(table.contains("<td data-value=\"4.5\">4.5</td><td data-value=\"3.66\">3.66</td>"));
     QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
-    // Both have the margin, of which the window knows that of its blow alone.
+    // Both have the margin, which the window knows only for its own blow.
     static const QRegularExpression margins(
         QStringLiteral("feed force margin at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
                        "<td data-value=\"10\\.29[^\"]*\">\\+10\\.292</td>"));

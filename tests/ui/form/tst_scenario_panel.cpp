@@ -254,7 +254,7 @@ void TestScenarioPanel::tipsTellRangesInTheUnitThatIsShown() {
     QVERIFY2(bore.toolTip().contains(QStringLiteral("usual: 0 – 1.9685\u00a0in")),
              qPrintable(bore.toolTip()));
     m->document.units().choose(UnitSystem::si);
-    // What is wrong comes first, and what it was comes back with the value.
+    // The fault comes first; the tip comes back with the value.
     bore.setFocus();
     bore.selectAll();
     QTest::keyClicks(&bore, QStringLiteral("x\r"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one step of a slider that is held costs: one check of the scenario, two copies of it at most.
+// Cost of one step of a slider that is held: one check of the scenario, two copies of it at most.
 #include <QTest>
 #include <cstdlib>
 #include <new>

@@ -180,7 +180,7 @@ void TestHelpWindow::searchLooksInAllChaptersForAllWords() {
     QVERIFY(sections.find({}).isEmpty());
     QCOMPARE(soughtWords(QStringLiteral("a \"b c\" d")),
              (QStringList{QStringLiteral("a"), QStringLiteral("b c"), QStringLiteral("d")}));
-    // A name is told first where it has a heading of its own.
+    // A name with a heading of its own is found there first.
     QCOMPARE(sections.find({QStringLiteral("wave_loss")}).first().place.heading,
              QStringLiteral("drill.wave_loss: wave loss η"));
 }

@@ -140,14 +140,14 @@ void TestImportDialog::ofAForceWithNoiseTheBlowIsTaken() {
     QVERIFY(std::abs(dialog.result()->start - 300e-6) < 2e-6);
     QVERIFY(std::abs(dialog.result()->points.back().time - 200e-6) < 4e-6);
     control<QPushButton>(dialog, "take").click();
-    // What never goes below zero may be a blow that was computed, and is taken whole.
+    // A signal that never goes below zero may be a computed blow, and is taken whole.
     ImportDialog& other = open(write("clean.csv", clean), ImportUse::blow);
     QVERIFY(settle(other));
     QVERIFY2(other.result() != nullptr, qPrintable(message(other)));
     QCOMPARE(other.result()->points.back().time, 1e-3);
 }
 
-// Those of the window, before and while the dialog is open, in the plot as in the words.
+// The preview has the units of the window, before and while the dialog is open, in the plot as in the words.
 void TestImportDialog::aPreviewFollowsTheUnitsChosen() {
     UnitChoice& units = m_window->document().units();
     units.choose(UnitKind::force, findUnit(Quantity::force, "lbf"));
@@ -300,7 +300,7 @@ void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
     QVERIFY(settle(dialog));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QCOMPARE(dialog.result()->points, (TablePoints{{1e-3, 4000}, {2e-3, 5000}, {3e-3, 6000}}));
-    // Other columns are found out anew.
+    // Other columns are detected again.
     choose(dialog, "separator", QStringLiteral("tab"));
     choose(dialog, "separator", QStringLiteral("semicolon"));
     QVERIFY(settle(dialog));

@@ -81,7 +81,7 @@ void TestImportOfBlow::whatLeavingOutSamplesDoesToTheReboundIsTold() {
     QVERIFY(settle(dialog));
     const QString few = control<QLabel>(dialog, "summary").text();
     QVERIFY2(few.contains(words), qPrintable(few));
-    // Of another rod it is another e.
+    // Another rod has another e.
     Document& document = m_window->document();
     document.assign(*findParameter("bit_rock.stiffness"), 2 * document.scenario().bitRock.stiffness,
                     document.newGesture());

@@ -377,7 +377,7 @@ void TestSolveJob::whatAPageThrowsBecomesTheProblem() {
     QCOMPARE(job.solveNow(request)->fault, QStringLiteral("nothing to draw"));
 }
 
-// What pages hold to make their data would otherwise live as long as the blow, which may be pinned.
+// Data held by the pages for their work would otherwise live as long as the blow, which may be pinned.
 void TestSolveJob::anAnswerKeepsNothingOfHowPagesAreMade() {
     SolveJob job;
     auto means = std::make_shared<int>(7);

@@ -185,7 +185,7 @@ void TestStudyJob::aCancelledStudyKeepsWhatItHasShown() {
     job.cancel();
     QCOMPARE(job.state(), StudyState::stopped);
     while (!ended) std::this_thread::yield();
-    // What comes behind it in the queue of events shows that nothing came before.
+    // The next value in the queue of events shows that nothing came before.
     std::vector<int> seen;
     connect(&job, &StudyActivity::changed, this, [&] { seen.push_back(job.value()->parameter); });
     job.submit([](const StudyFeed<Curve>&) { return fine(2); });

@@ -518,14 +518,14 @@ void TestRunOverlays::whatIsKnownIsNotStudiedAgain() {
     QCOMPARE(more.size(), 3u);
     QVERIFY(std::ranges::find(more, first[0]) != more.end());
     QCOMPARE(shown, 3u);
-    // What was stopped goes on from there, and asks no more.
+    // A stopped finder goes on from there, and needs no more questions.
     const Finder::Answers stopped = finder({1, 9, 11, 3}, feed());
     QCOMPARE(found, 4);
     QCOMPARE(stopped.size(), 2u);
     stop = {};
     QCOMPARE(finder({3, 1, 5}, feed()).size(), 3u);
     QCOMPARE(found, 5);
-    // What is not asked is forgotten.
+    // A question that is not repeated is forgotten.
     finder({2}, feed());
     QCOMPARE(found, 6);
 }

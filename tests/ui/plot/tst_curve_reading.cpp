@@ -140,7 +140,7 @@ void TestCurveReading::crowdedPointsAreThinnedToTheirExtremes() {
     line.append({12, 1});
     const QVector<QPointF> thinned = thinnedLine(line, 1);
     QCOMPARE(thinned, (QVector<QPointF>{line[0], line[300], line[600], line[999], line[1000]}));
-    // A gap stays, and points that can be told apart do.
+    // A gap stays, and so do points that can be distinguished.
     const double none = std::nan("");
     const QVector<QPointF> apart{{0, 0}, {1, 1}, {2, none}, {3, 0}, {4, 1}};
     QCOMPARE(thinnedLine(apart, 1).size(), apart.size());

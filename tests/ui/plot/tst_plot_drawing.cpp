@@ -89,7 +89,7 @@ void TestPlotDrawing::numbersOfAnAxisAreReadInOneWay() {
         QCOMPARE(labels.contains(QStringLiteral("−1000")), scale == QCPAxis::stLinear);
         QVERIFY2(!shown.contains(u'-'), qPrintable(shown));
     }
-    // Of a power of ten QCustomPlot makes a superscript.
+    // QCustomPlot writes powers of ten as superscripts.
     axis->setRange(-1e-6, 1e-6);
     m->plot.replot();
     const QVector<QString> powers = axis->tickVectorLabels();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What mouse and keys do in a plot: its view, its legend, its menu.
+// Mouse and keys in a plot: its view, its legend, its menu.
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QMenu>

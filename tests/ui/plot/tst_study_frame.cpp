@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the plots of all pages have from their frame.
+// Common features of the plots of all pages, which their frame gives.
 #include <qcustomplot.h>
 
 #include <QTest>

@@ -237,7 +237,7 @@ class TestResultPanel : public QObject {
         QVERIFY(!panel.text().contains("Feed:"));
     }
 
-    // Of this blow at once, of every gap as soon as a study has it; in the numbers of the reader.
+    // For this blow at once, for every gap as soon as a study has it; in the numbers of the reader.
     void theRequiredFeedStandsFirst() {
         ResultPanel panel;
         const auto first = [&] { return panel.text().section('\n', 0, 0); };
@@ -334,7 +334,7 @@ class TestResultPanel : public QObject {
         const QString text =
             quantityText(worst, {1e-3, "kN", false}, QLocale()).replace(QChar(QChar::Nbsp), ' ');
         QTRY_COMPARE_WITH_TIMEOUT(valueOf(panel, "Feed: required, every gap"), text, 30000);
-        // That of another blow stays, marked, until there is an answer.
+        // The value of another blow stays, marked, until there is an answer.
         Scenario other = scenario;
         other.drill.blowFrequency = 30;
         panel.present(solved(other, UnitSystem::si));
@@ -369,7 +369,7 @@ class TestResultPanel : public QObject {
         panel.setReference(solved(slower, UnitSystem::si), "B  slower");
         QCOMPARE(changeOf("required, every gap"), QString());
         QTRY_COMPARE_WITH_TIMEOUT(changeOf("required, every gap"), QString("+100 %"), 30000);
-        // Of a blow without a need, or no reference, there is nothing to say.
+        // A blow without a required force has no difference, and neither has one without a reference.
         slower.drill.blowFrequency.reset();
         panel.setReference(solved(slower, UnitSystem::si), "C  silent");
         QCOMPARE(changeOf("required, every gap"), QString());
@@ -464,7 +464,7 @@ class TestResultPanel : public QObject {
         panel.setTime(blow->impact.events[2].time + 0.01);
         QVERIFY(!table.selectionModel()->hasSelection());
         panel.setTime(blow->impact.events[0].time);
-        panel.present(solved(scenarioOf(0.5, 0.1, 10, 0.3)));  // the same blow, solved anew
+        panel.present(solved(scenarioOf(0.5, 0.1, 10, 0.3)));  // the same blow, solved again
         QVERIFY(table.selectionModel()->isRowSelected(0, {}));
         panel.setTime(std::nullopt);
         QVERIFY(!table.selectionModel()->hasSelection());

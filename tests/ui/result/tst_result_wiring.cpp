@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leads from the result panel to the rest of the window, and back.
+// Links from the result panel to the rest of the window, and back.
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableView>
@@ -161,7 +161,7 @@ class TestResultWiring : public QObject {
         const StringPlace place = stringPlace(blow.scenario.drillString, observation.section());
         QCOMPARE(place.section, peak.section);
         QVERIFY(links.at(1)->text().contains(QStringLiteral("from the shank")));
-        // What is solved next is a blow whose hammer is loaded most.
+        // The next blow is one whose hammer is loaded most.
         window.document().assign(*findParameter("hammer.2.diameter"), 0.03, window.document().newGesture());
         QTRY_COMPARE(window.shown()->scenario.drillString.hammer.sections[1].diameter, 0.03);
         emit links.at(0)->followed();

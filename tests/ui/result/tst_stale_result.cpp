@@ -87,7 +87,7 @@ class TestStaleResult : public QObject {
         QCOMPARE(status().text(), QStringLiteral("solving …"));
         QVERIFY(status().button()->isVisible());
         QCOMPARE(status().button()->text(), QStringLiteral("Cancel"));
-        // Of the page and the panel; studies that are not on show have their own.
+        // Veils of the page and the panel; studies that are not on show have their own.
         const auto seen = [this] {
             QList<StaleVeil*> veils = m_window->findChildren<StaleVeil*>();
             veils.removeIf([](const StaleVeil* veil) { return !veil->isVisible(); });
@@ -103,7 +103,7 @@ class TestStaleResult : public QObject {
         QVERIFY(m_window->shown()->request.scenario == m_window->document().scenario());
     }
 
-    // Words, hatching and less contrast: in light and dark, and not by colour alone.
+    // Words, hatching and less contrast: in light and dark, and not only by colour.
     void theMarkIsSeen_data() {
         QTest::addColumn<bool>("dark");
         QTest::newRow("light") << false;

@@ -35,7 +35,7 @@ QStringList titles(const Runs& runs) {
     return titles;
 }
 
-/// Writes nothing before it is told to go on.
+/// Writes nothing before a signal to go on.
 class SlowDisk {
   public:
     RunKeeper::Write writer() {
@@ -353,7 +353,7 @@ void TestRuns::whatCannotBeWrittenIsToldOnce() {
     QCOMPARE(failures[0][1].toString(), QString("t38.runs: the disk is full"));
     QVERIFY(!m_keeper->isKept());
     QCOMPARE(m_keeper->finish(), QString());
-    // Told to who waits for it, and to nobody else.
+    // Reported to the caller who waits for it, and to nobody else.
     QCOMPARE(m_keeper->keep(), QString());
     QCOMPARE(m_keeper->finish(), QString("t38.runs: the disk is full"));
     QVERIFY(!m_keeper->isKept());
@@ -484,7 +484,7 @@ void TestRuns::lettersOfOtherFilesAreNotGiven() {
     QCOMPARE(m_document->open(path("t38.yaml")), QString());
     QCOMPARE(titles(*m_runs), QStringList({"A  soft", "C  first"}));
     QVERIFY(m_keeper->isKept());
-    // That of a run on the list would be written over.
+    // The file of a run on the list would be written over.
     m_document->startFrom(findExample("t51_soft_rock")->text, "example");
     pin("soft");
     set("bit_rock.gap", 1e-3);
@@ -604,14 +604,14 @@ void TestRuns::savingLeavesEveryStepItsBytes() {
         for (const int step : {0, 1, 2, 3, 2, 1, 2, 3, 0}) {
             history.setIndex(step);
             QCOMPARE(m_document->text(), steps[step]);
-            // What is not modified is what the file says.
+            // An unmodified document is what the file says.
             QCOMPARE(!m_document->isModified(), step == savedAt);
             if (step == savedAt) QCOMPARE(read(path("t38.yaml")), steps[step]);
         }
     }
 }
 
-// Of a file in which only a comment has changed, too.
+// Also for a file in which only a comment has changed.
 void TestRuns::reloadingIsAStepWithItsBytes() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     const QByteArray before = m_document->text(), after = before + "# a note\n";

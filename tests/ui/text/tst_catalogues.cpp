@@ -23,8 +23,8 @@ QStringList matches(const QString& text, const char* pattern) {
     return found;
 }
 
-/// Why the one cannot stand for the other; empty where it can. What is laid out for a terminal may have other
-/// lines.
+/// Returns why a translation cannot stand for a text; empty where it can. A text that is laid out for a
+/// terminal may have other lines.
 QString fault(const QString& source, const CatalogueEntry& entry, bool isLaidOut = false) {
     const QString& text = entry.translation;
     if (!entry.isFinished) return QStringLiteral("is not finished");

@@ -95,7 +95,7 @@ void TestLanguage::filesAreInEnglish() {
         QCOMPARE(drillwave::tr("drill string"), QStringLiteral("drill string"));
         { const EnglishTexts again; }
         QCOMPARE(drillwave::tr("drill string"), QStringLiteral("drill string"));
-        // What other threads say meanwhile is not for that file.
+        // Other threads still use the language of the window.
         QString elsewhere;
         std::thread([&] { elsewhere = drillwave::tr("drill string"); }).join();
         QCOMPARE(elsewhere, QStringLiteral("borrsträng"));

@@ -115,7 +115,7 @@ void TestShownUnits::aUnitOfOneKindLeavesTheOthers() {
     QCOMPARE(own.of(UnitKind::force, 1e9).unit, QString("lbf"));
     QCOMPARE(own.impulse, usual.impulse);
     QCOMPARE(own.stress, usual.stress);
-    // What is dimensionless stays so.
+    // Dimensionless values stay so.
     QVERIFY(shownUnits(UnitSystem::dimensionless, scales, own.chosen).force.dimensionless);
 }
 

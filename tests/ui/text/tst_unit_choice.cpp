@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units chosen by the user: of their owner alone, and kept for the next.
+// Units chosen by the user: only of their owner, and kept for the next.
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>

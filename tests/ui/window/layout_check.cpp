@@ -110,7 +110,7 @@ QStringList cutTabs(const QWidget& window) {
     for (const QTabBar* bar : shownOf<QTabBar>(window))
         for (int tab = 0; tab < bar->count(); ++tab) {
             const int words = bar->fontMetrics().horizontalAdvance(bar->tabText(tab));
-            // Those that are scrolled out of sight are whole all the same; captions give way.
+            // Tabs that are scrolled out of sight are whole all the same; captions give way.
             if (bar->isTabEnabled(tab) && bar->tabRect(tab).width() < words)
                 found.append(QStringLiteral("tab “%1” is cut").arg(bar->tabText(tab)));
         }

@@ -156,7 +156,7 @@ void Monkey::click(QWidget& window) {
              .arg(at.x())
              .arg(at.y())
              .arg(nameOf(target)));
-    // What is pressed may close its window, a menu above all: then nothing is left to be let go.
+    // A press may close its window, above all a menu: then there is nothing to release.
     QTest::mousePress(handle, button, modifiers, at);
     if (handle) QTest::mouseRelease(handle, button, modifiers, at);
     if (twice && handle && handle->isVisible()) QTest::mouseDClick(handle, button, modifiers, at);

@@ -11,7 +11,7 @@ namespace {
 
 const QByteArray pulseTable = "time [us],force [kN]\n0,0\n20,180\n60,240\n120,210\n180,40\n200,0\n";
 
-// Of two strain gauges, with decimal commas and an empty cell.
+// Two strain gauges, with decimal commas and an empty cell.
 const QByteArray gaugeTable =
     "Zeit [ms];oben [µm/m];unten [µm/m]\n0,0;2,1;-1\n0,1;-950,5;-970\n0,2;-800,25;\n0,3;-3;4\n0,4;90;85\n";
 

@@ -219,7 +219,7 @@ void TestLanguages::dialogsAreTranslated() {
     found += untranslated(picture, QStringLiteral("picture"));
     FigureDialog figure(6, nullptr);
     for (const ShownText& shown : shownTexts(figure))
-        // What the paper has is quoted.
+        // Texts of the paper are quoted.
         if (!shown.where.contains(QStringLiteral("QCustomPlot")) && !shown.where.contains("cell") &&
             shown.text != figureText(figure.figure().caption))
             found += untranslated(shown);
@@ -236,7 +236,7 @@ void TestLanguages::importsAreTranslated_data() {
                 QTest::addRow("%s, %s", code, use == ImportUse::blow ? "blow" : "measured") << code << use;
 }
 
-// What the file has is quoted, and units have their names.
+// Texts of the file are quoted, and units have their names.
 void TestLanguages::importsAreTranslated() {
     QFETCH(QString, code);
     QFETCH(ImportUse, use);

@@ -85,7 +85,7 @@ void TestLayout::cleanup() {
     Settings().clear();
 }
 
-/// What the window manager adds is not known before the window is shown, and sometimes not soon after.
+/// The frame is not known before the window is shown, and sometimes not soon after.
 void TestLayout::theFirstSizeLeavesRoomForAFrame() {
     const auto window = newWindow(m_answers);
     const QSize room = window->screen()->availableSize() - QSize(16, 48);
@@ -102,7 +102,7 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     QTest::addColumn<int>("points");
     QTest::addColumn<UnitSystem>("units");
     constexpr int usualPoints = 9;
-    // What is faint in the dark is so at any size, and at one pixel a point.
+    // Texts that are faint in the dark are so at any size, and at one pixel a point.
     const bool isScaled = qApp->devicePixelRatio() > 1;
     int row = 0;
     const auto add = [&](const char* example, const QSize& size, bool dark, int points, UnitSystem units) {

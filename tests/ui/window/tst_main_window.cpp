@@ -80,7 +80,7 @@ void TestMainWindow::everyRowHasANameAndAnExplanation() {
         QVERIFY(findParameter(each->objectName().toStdString()));
         ++rows;
     }
-    // What is measured in scales where there are no units has a row for each.
+    // A parameter that is in scales where there are no units has a row for each.
     const auto isScaled = [](const Parameter& parameter) { return bool(inScales(parameter)); };
     QCOMPARE(rows, int(parameters().size()) + int(std::ranges::count_if(parameters(), isScaled)));
     for (const QLabel* label : part<ResultPanel>(window()).findChildren<QLabel*>())

@@ -47,7 +47,7 @@ bool isLongBlow(const Scenario& scenario) {
     return drill.endTime.value_or(0) > 0.03 || whole > 2000 * shortest || sectionCount(drill) > 60;
 }
 
-// What all threads of this program have used [s].
+// Returns the processor time of all threads of this program [s].
 double processorSeconds() {
     timespec now{};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -127,7 +127,7 @@ void TestMonkey::init() {
 
 void TestMonkey::makeWindow() {
     m_window.reset();
-    // Scenes that take seconds are another matter: here they are given up and told of at once.
+    // Scenes that take seconds are another matter: here they are given up and reported at once.
     constexpr long mostPieces = 100'000;
     auto solver =
         std::make_shared<MethodSolver>(WorkLimits{.pieces = mostPieces, .cells = cellsOfPiece * mostPieces});
@@ -141,7 +141,7 @@ void TestMonkey::makeWindow() {
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
 }
 
-// What must hold between any two events.
+// Returns the first condition that is broken between two events.
 QString TestMonkey::wrongNow() const {
     Document& document = m_window->document();
     const std::vector<InputProblem> problems = validate(document.scenario());
@@ -167,7 +167,7 @@ QString TestMonkey::wrongNow() const {
     return {};
 }
 
-// What must hold when nothing is on its way any more.
+// Returns the first condition that is broken once nothing is on its way any more.
 QString TestMonkey::wrongWhenSettled() {
     const double begin = processorSeconds();
     while (part<SolveJob>(*m_window).isBusy()) {
@@ -186,8 +186,8 @@ QString TestMonkey::wrongWhenSettled() {
     return wrongText();
 }
 
-// What is saved means the same blow. Values that do not apply, such as a diameter beside an area, are left
-// out.
+// Checks that a saved scenario means the same blow. Values that do not apply, such as a diameter beside an
+// area, are left out.
 QString TestMonkey::wrongText() {
     const Document& document = m_window->document();
     const Pulse& pulse = document.scenario().pulse;

@@ -267,7 +267,7 @@ void TestPageTabs::f6GoesRoundTheAreas() {
     }
     press(*window, Qt::Key_F6, Qt::ShiftModifier);
     QCOMPARE(QApplication::focusWidget() == field || field->isAncestorOf(QApplication::focusWidget()), true);
-    // An area that is closed is passed over; one behind another comes to the front.
+    // An area that is closed is passed over; a hidden one is raised.
     window->findChild<QDockWidget*>("result")->hide();
     press(*window, Qt::Key_F6, Qt::ShiftModifier);
     QVERIFY(isIn(areas[1]));

@@ -159,7 +159,7 @@ void TestPinnedRuns::revertingIsOneStepByName() {
     QCOMPARE(document.text(), bytes);
 }
 
-// What is pinned is of the present input.
+// The pinned blow is that of the present input.
 void TestPinnedRuns::pinWaitsForTheAnswer() {
     Document& document = window().document();
     document.assign(*findParameter("bit_rock.stiffness"), 4e8, document.newGesture());

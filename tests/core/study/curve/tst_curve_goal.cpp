@@ -56,7 +56,7 @@ GoalAnswer answerTo(const CurveQuestion& asked) {
     return answerOf(studyCurve(asked, 2));
 }
 
-/// What another solver says of the scenario with that value.
+/// Returns the result of another solver for the scenario with that value.
 double solvedBy(Method method, const CurveQuestion& asked, double x) {
     Scenario scenario = asked.base;
     if (!asked.along.assign(scenario, x).isEmpty()) qFatal("no such value");
@@ -284,7 +284,7 @@ void TestCurveGoal::ofErrorsNoPlaceIsClaimed() {
     QVERIFY(goalText(asked, sought.lines[0]).find("There may be others") != std::string::npos);
 }
 
-// Of few points, each of which is a march.
+// Takes few points, each of which is a march.
 void TestCurveGoal::manyBlowsAreLeftBetweenPoints() {
     Scenario base = example("t38_medium_rock");
     base.drill.blows = 40;

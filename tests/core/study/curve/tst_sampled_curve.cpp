@@ -78,7 +78,7 @@ void TestSampledCurve::theLinesAreTheRowsOfTheSweep() {
 void TestSampledCurve::wholeNumbersAreGoneAlong() {
     const CurveStudy study = sampleCurve(question("string.repeat=1:4:4"), 1);
     QCOMPARE(study.lines.front().points, (std::vector<double>{1, 2, 3, 4}));
-    // Couplings throw back: each further rod costs.
+    // Couplings reflect: each further rod costs.
     const std::vector<double>& efficiency = study.lines.front().values.front();
     for (std::size_t i = 1; i < efficiency.size(); ++i) QVERIFY(efficiency[i] < efficiency[i - 1]);
 }

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 using Function = std::function<double(std::span<const double>)>;
 
-/// A function in place of a blow; the number of the design is added.
+/// A function instead of a blow; the number of the design is added.
 class Toy : public DesignProblem {
   public:
     Toy(std::vector<Distribution> inputs, Function function, std::uint64_t designs = 1)
@@ -239,7 +239,7 @@ void TestDesignSamples::worstIsAtLeastEverySample() {
     QCOMPARE(found[1]->searches, worstSearches);
 }
 
-// A ridge along which no coordinate leads on alone.
+// A ridge along which no single coordinate leads on.
 void TestDesignSamples::worstIsFoundOnAKink() {
     const Toy toy({uniform(0, 1), uniform(0, 1)}, [](std::span<const double> x) {
         return -std::abs(x[0] - x[1]) * 10 - std::abs(x[0] + x[1] - 1.234);
@@ -289,7 +289,7 @@ const std::vector<AimOrder> twoAims{{Sense::largest, {0, 0}}, {Sense::least, {1,
 
 }  // namespace
 
-// What all designs have in common of their errors cancels: the points are the same.
+// The common part of the errors of all designs cancels: the points are the same.
 void TestDesignSamples::tiesAreWithinTheErrorOfTheDifference() {
     const std::vector common{design(1, 0, 0.5), design(1.1, 0, 0.5)};
     const BestDesigns apart = bestOf(common, {twoAims.data(), 1}, {});

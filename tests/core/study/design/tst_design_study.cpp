@@ -78,7 +78,7 @@ DesignStudy studyOf(const QJsonObject& problem) {
     return study;
 }
 
-/// What an aim is about at one place of the uncertain numbers.
+/// Returns the output of an aim at one place of the uncertain numbers.
 double solvedAt(const DesignStudy& study, std::size_t design, std::size_t aim, const QJsonObject& at) {
     std::vector<double> values;
     for (const UncertainInput& input : study.uncertain)
@@ -323,7 +323,7 @@ void TestDesignStudy::aStopEndsTheCheckOfDesigns() {
     QVERIFY(problemsOf(study, stop.get_token()).empty());
 }
 
-// Of 16 samples each replicate has a variance of two points: a share of 2.3 was told with them.
+// With 16 samples each replicate has a variance of two points: a share of 2.3 was printed with them.
 void TestDesignStudy::whatToMeasureIsSaidOnceTheSamplesCarryIt() {
     DesignReport report;
     report.study = studyOf(cases()[0].toObject());

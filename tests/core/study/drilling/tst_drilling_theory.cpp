@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many blows come to, against an independent plain lattice and against closed forms of a rigid rod.
+// Results of many blows, against an independent plain lattice and closed forms of a rigid rod.
 #include <QTest>
 
 #include <cmath>

@@ -55,7 +55,7 @@ DrillingGrid quartered(DrillingGrid grid) {
     return grid;
 }
 
-/// What was found in all scenes.
+/// Findings over all scenes.
 struct Trial {
     int scenes = 0, done = 0, pushedBack = 0, notSolved = 0, compared = 0, covered = 0, coveredByBoth = 0,
         unbalanced = 0;

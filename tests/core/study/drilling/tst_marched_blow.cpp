@@ -27,7 +27,7 @@ Scenario exampleOf(const char* name) {
     return scenario;
 }
 
-/// Of a row of wavesLeadOnFromBlowToBlow_data().
+/// Scenario of a row of wavesLeadOnFromBlowToBlow_data().
 Scenario fetchedScenario() {
     QFETCH(QString, name);
     QFETCH(double, thrust);
@@ -109,7 +109,7 @@ void TestMarchedBlow::wavesLeadOnFromBlowToBlow_data() {
     QTest::newRow("string with a damper") << "t38_string" << 8000. << 6300.;
 }
 
-/// What is on its way when a blow has been followed to the next one is what that one begins with.
+/// The waves at the end of a blow that was followed to the next one are those that the next one begins with.
 void TestMarchedBlow::wavesLeadOnFromBlowToBlow() {
     const Scenario scenario = fetchedScenario();
     const DrillingSettings settings = settingsOf(12);

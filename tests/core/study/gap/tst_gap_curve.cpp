@@ -189,7 +189,7 @@ void TestGapCurve::aStopEndsTheWork() {
     QVERIFY(curve.pieces.back().end < 0.6);
 }
 
-// What is counted is what the curve takes in all: with as much it is whole.
+// The count is the total work of the curve: with as much it is whole.
 void TestGapCurve::theWorkEndsAfterTheMostPieces() {
     const Problem problem = problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0});
     const GapCurve whole = gapCurve(problem, Detail::cor);

@@ -29,7 +29,7 @@ MapStudy partlyUnsolved(int count = 9) {
     return study;
 }
 
-/// The output at a point with the blow set up as --set does it, solved alone.
+/// Solves only the point, with the blow set up as --set does it, and returns the output.
 double solvedAlone(const MapStudy& study, double x, double y) {
     Scenario scenario = study.base;
     const bool yFirst = Assignments({study.x.key(), study.y.key()}).order().front() == 1;

@@ -104,7 +104,7 @@ void TestFigures::thePeaksAgreeWithTheClosedForm() {
         return difference;
     };
     QVERIFY(worst(figure.panels[0]) < 1e-13);
-    // What is left of the first peak: 2 e^(−β 20)(e^β − 1) = 5.9e-5.
+    // Rest of the first peak: 2 e^(−β 20)(e^β − 1) = 5.9e-5.
     QVERIFY(worst(figure.panels[1]) < 6e-5 && worst(figure.panels[1]) > 1e-5);
 }
 

@@ -69,7 +69,7 @@ class TestEquationResiduals : public QObject {
         QVERIFY(std::abs(exact.cor - extended.cor) <= exact.corError);
     }
 
-    // Three lines, contacts that stop on each of them, and the one line that the others are told from.
+    // Three lines, contacts that stop on each of them, and the one line that differs from the others.
     void cornersAreOfTheEquations() {
         Problem problem = problemOf({PulseShape::halfSine, {0.6, 0.2, 3.3, 0.4}});
         problem.law.corners = {{0.15, 0.4}, {0.4, 2}};

@@ -243,7 +243,7 @@ void TestSweep::pointsThatAreNoScenarioAreEmptyAndCounted_data() {
         "1100", "pulse.points needs at least two points");
 }
 
-// One rule for all studies: what cannot be is left empty, and all that can be is solved as it is alone.
+// One rule for all studies: impossible points are left empty, and all others are solved as single ones.
 void TestSweep::pointsThatAreNoScenarioAreEmptyAndCounted() {
     QFETCH(Sweep, sweep);
     QFETCH(QString, solved);

@@ -308,7 +308,7 @@ void TestThrust::theMarginOfAHeavyBlowIsLeftOut() {
     QCOMPARE(studyThrust(scenario, {}, {}, mostPiecesInPassing).reason.text(), std::string(tooManyPieces));
 }
 
-// Nothing else pushes a string without losses: what the hammer hands on and the rebound come from the rock.
+// Nothing else pushes a string without losses: what the hammer transmits and the rebound come from the rock.
 void TestThrust::aStringNeedsWhatTheRockGivesBack() {
     Scenario scenario = t38String();
     const Blow blow = solveBlow(scenario, {}, Detail::ledger);
@@ -393,7 +393,7 @@ void TestThrust::alongAParameterOfAStringEveryPointIsABlow() {
             curve.points[0].need(ThrustCase::scenario).thrust);
 }
 
-// What has not come back yet will not ask for less than nothing.
+// Waves that have not come back yet cannot make the required force negative.
 void TestThrust::aStringThatStillMovesToTheRockNeedsWhatItsHammerHandsOn() {
     const Scenario scenario = t38String();
     const double handedOn = 60 * pulseImpulse(scenario) * 1.1;

@@ -451,7 +451,7 @@ void TestDrillingMarch::forcesGapsAndImpulsesScaleTogether() {
     problem.blow.drive = force;
     problem.blow.gap *= 2;
     problem.feedForce *= 2;
-    // in the unit of the doubled impulse the reaction is 2 f: what is not scaled is the unit alone
+    // in the unit of the doubled impulse the reaction is 2 f: only the unit is not scaled
     DrillingProblem scaled = problem;
     scaled.feedForce = problem.feedForce - 1 / drillingGridOf(problem, 20).interval();
     const Marched two = march(scaled, 20, 1);

@@ -13,14 +13,14 @@ using namespace drillwave::test;
 
 namespace {
 
-/// For e alone, but for the events: those are the ones that a summary lists.
+/// Work for only e, except for the events: those are the ones that a summary lists.
 struct Work {
     std::string scene;
     long pieces, abandoned, events, searches, samples;
 };
 
-// At most so much each. Where the solver has become better, let the numbers fall: run the test with
-// DRILLWAVE_PRINT_WORK=1 and put the lines that it prints in place of these.
+// At most so much each. After an improvement of the solver lower the numbers: run the test with
+// DRILLWAVE_PRINT_WORK=1 and put the lines that it prints here instead.
 const std::vector<Work> mostWork{
     {"elastic", 5, 0, 2, 0, 0},
     {"bilinear", 8, 0, 5, 1, 4},

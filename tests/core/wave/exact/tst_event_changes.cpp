@@ -32,7 +32,7 @@ std::string words(const Scene& scene, const Impact& impact, const Impact& truth)
            ", energy residual " + formatNumber(impact.energyResidual());
 }
 
-/// What the neighbours of a change are found to be.
+/// Findings about the neighbours of a change.
 struct Tally {
     int changes = 0, blows = 0, notSolved = 0, wrong = 0, wrongOfGrowth = 0, unbalanced = 0;
     std::string worst;

@@ -33,8 +33,8 @@ double closedFormCor(double beta) {
                     (3 + 2 * beta * ts - 2 * beta) * std::exp(-beta * (ts - 1)));
 }
 
-/// What the histories of an impact must satisfy whatever solved it: the delay equation and the contact law,
-/// checked pointwise. Returns the largest violation.
+/// Checks pointwise the conditions on the histories of an impact from any solver: the delay equation and the
+/// contact law. Returns the largest violation.
 double worstViolation(const Impact& impact, const PulseForce& pulse) {
     const auto pieces = impact.incident.pieces();
     const auto forces = impact.force.pieces();
@@ -199,7 +199,7 @@ class TestExactSolver : public QObject {
     }
 
     void bothRepresentationsGiveTheSameRebound() {
-        // β τ = 1.5 is where the representation changes; γ = 0.7 likewise
+        // the representation changes at β τ = 1.5, and at γ = 0.7
         ContactMarch<SeriesBasis<double>> series;
         RandomScenes scenes({0.02, 1e3, 0.01, 0.2, 100, 10}, 7);
         scenes.forEachSolved(200, Detail::cor, [&](const Scene& scene, const Impact& chosen) {

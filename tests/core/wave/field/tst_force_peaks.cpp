@@ -49,7 +49,7 @@ class TestForcePeaks : public QObject {
     }
 
     void peaksAreThoseThatAreSeenEverywhere() {
-        // What a grid of 200 000 points can tell from a flat stretch.
+        // Smallest height of a peak that a grid of 200 000 points can show.
         constexpr double visible = 1e-6;
         int looked = 0, several = 0;
         for (const ReferenceCase& reference : referenceCases()) {

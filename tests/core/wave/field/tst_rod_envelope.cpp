@@ -42,7 +42,7 @@ std::array<Line, 4> linesOf(const RodEnvelope& e) {
             Line{"tension after", e.tensionAfter, e.largest.tensionAfter, -1, true}};
 }
 
-/// What the two waves add up to at a section and time, on whichever sides of jumps it is largest.
+/// Returns the sum of the two waves at a section and time, on whichever sides of jumps it is largest.
 double largestBeside(const Impact& impact, double sign, const RodForce& at) {
     const double tau = impact.roundTrip / 2;
     const double incoming = at.time - impact.frontArrival + (1 - at.section) * tau;
@@ -93,7 +93,7 @@ QByteArray at(const Scene& scene, const Line& line, double xi) {
 
 void staysAboveTheScan(const Scene& scene, const Solved& blow) {
     const double tau = blow.impact.roundTrip / 2;
-    // What the hammer still adds is in neither.
+    // Neither contains the later part of the hammer's force.
     const bool hammerEnds =
         problemOf(scene).force().end + blow.impact.frontArrival <= blow.impact.separationTime;
     for (const Line& line : linesOf(blow.envelope)) {

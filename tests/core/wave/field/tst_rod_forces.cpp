@@ -138,7 +138,7 @@ class TestRodForces : public QObject {
         QVERIFY2(looked > 0 && 5 * looked < instants, QByteArray::number(double(looked) / double(instants)));
     }
 
-    /// What is left out by its bounds is less than what it is left out for.
+    /// Waves left out because of their bounds are smaller than the largest one.
     void noWaveIsLargerThanTheBoundOfItsSpan_data() { addRodScenes(); }
 
     void noWaveIsLargerThanTheBoundOfItsSpan() {
@@ -187,7 +187,7 @@ class TestRodForces : public QObject {
         for (const RodForce& force : {found.compressionAfter, found.tensionAfter})
             QVERIFY(force.size == 0 || force.time >= blowEnd - 1e-9);
         QVERIFY(found.compression.size >= problemOf(scene).force().peak);  // at the struck end
-        // and the place and time that are told do have it
+        // and the place and time found do have it
         QVERIFY(std::abs(nearby(impact, 1, found.compression) - found.compression.size) <= tolerance);
         QVERIFY(std::abs(nearby(impact, -1, found.tension) - found.tension.size) <= tolerance);
         QVERIFY(std::abs(nearby(impact, 1, found.compressionAfter) - found.compressionAfter.size) <=

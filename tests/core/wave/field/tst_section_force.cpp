@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a strain gauge at a section sees: the sum of all waves, against the wave field.
+// Reading of a strain gauge at a section: the sum of all waves, against the wave field.
 #include <QTest>
 
 #include "core/wave/field/wave_curves.h"

@@ -180,7 +180,7 @@ class TestForceDrive : public QObject {
         QVERIFY2(solved > chosen * 5 / 6, QByteArray::number(solved));
     }
 
-    /// Of first order: two of them tell where it leads.
+    /// The lattice is of first order: two of them give the limit.
     void thePlainLatticeComesToTheSame() {
         Chance chance(13);
         int compared = 0, chosen = 0;

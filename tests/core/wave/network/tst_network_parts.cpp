@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the solver of drill strings is made of: cells, relaxations, grids, and a lattice to compare with.
+// Parts of the solver of drill strings: cells, relaxations, grids, and a lattice to compare with.
 #include <QTest>
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ class TestNetworkParts : public QObject {
         QVERIFY(!grid({1, std::sqrt(2.0) / 1.3, M_PI / 3}));
     }
 
-    /// What Euclid rounds off must not be carried from section to section: after two of them 4 mm would be
+    /// The rounding of Euclid must not be carried from section to section: after two of them 4 mm would be
     /// 3.99999999998.
     void stringsOfWholeMillimetresShareACell() {
         const double steel = std::sqrt(210e9 / 7850);
@@ -241,7 +241,7 @@ class TestNetworkParts : public QObject {
                  QByteArray::number(double(watch.cellsLookedInto())));
     }
 
-    /// Of a whole blow, too.
+    /// Includes a whole blow.
     void theLargestForcesOfTheT38StringAreLookedForInFewCells() {
         NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
         settings.wants.forces = true;

@@ -162,8 +162,8 @@ class TestNetworkSolver : public QObject {
         QVERIFY2(later > 0 && later < compared / 10, QByteArray::number(later));
     }
 
-    /// The waves themselves, looked up at many places: none has more in either span of time, and where the
-    /// largest is told they have it.
+    /// The waves themselves, looked up at many places: none has more in either span of time, and they have it
+    /// at the places of the largest ones.
     void stressesAreKeptApartWhereTheBlowEnds() {
         const auto kinds = {&SectionForces::compression, &SectionForces::tension,
                             &SectionForces::compressionAfter, &SectionForces::tensionAfter};
@@ -375,8 +375,8 @@ class TestNetworkSolver : public QObject {
         QVERIFY(std::abs(later.hammerMomentum - proven.hammerMomentum) < 1e-9);
     }
 
-    /// Where only sums are wanted, the flight at the end is told by means of cells: it ends at the same time
-    /// with the same sums, for far less work.
+    /// Where only sums are wanted, the flight at the end is computed by means of cells: it ends at the same
+    /// time with the same sums, for far less work.
     void aFreeFlightEndsLikeAFullMarch() {
         Chance chance(31);
         int flown = 0, proven = 0;
@@ -414,7 +414,7 @@ class TestNetworkSolver : public QObject {
         QVERIFY2(double(impact.pieces) < steps * nodes, QByteArray::number(double(impact.pieces)));
     }
 
-    /// What was counted while the bit was on the rock says nothing of a bit that has left it since.
+    /// Counts from the time on the rock say nothing of a bit that has left it since.
     void aBlowDoesNotEndWithTheCountOfAContact() {
         Chance chance(1);
         Problem problem = struck();

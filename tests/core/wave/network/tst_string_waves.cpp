@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read of the waves in a string: against the uniform rod, its joints, its peaks and its sums.
+// Readings of the waves in a string: against the uniform rod, its joints, its peaks and its sums.
 #include <QTest>
 
 #include "core/wave/field/wave_field.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Accuracy: run by its button alone, what is done stays, a click loads a case.
+// The page Accuracy: only its button runs a study, finished rows stay, a click loads a case.
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
@@ -51,7 +51,7 @@ class TestAccuracyPage : public QObject {
     std::unique_ptr<AccuracyPage> m_page;
 };
 
-// Of two small lattices: quick, and all that a picture needs.
+// Takes two small lattices: quick, and all that a picture needs.
 void TestAccuracyPage::initTestCase() {
     QLocale::setDefault(QLocale::c());
     Scenario scenario;

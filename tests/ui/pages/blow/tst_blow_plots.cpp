@@ -218,7 +218,7 @@ void TestBlowPlots::theClosedFormStatesItsError() {
              qPrintable(m_plots->closedFormGraph()->name()));
     QVERIFY(!m_plots->closedFormGraph()->data()->isEmpty());
     QVERIFY(m_plots->closedFormGraph()->pen().dashPattern() != m_plots->forceGraph()->pen().dashPattern());
-    // What it leaves out is the tail of the first pulse, less than e^(−β(2τ − 1)).
+    // It leaves out the tail of the first pulse, less than e^(−β(2τ − 1)).
     for (auto point = m_plots->closedFormGraph()->data()->constBegin();
          point != m_plots->closedFormGraph()->data()->constEnd(); ++point) {
         const auto exact = m_plots->forceGraph()->data()->findBegin(point->key, false);

@@ -263,7 +263,7 @@ void TestCurvePage::theClosedFormEndsWithItsDomain() {
     finish();
     const auto isClosed = [](const DrawnCurve& line) { return line.kind == DrawnCurve::Kind::closedForm; };
     const auto& lines = m_page->curvePlot()->picture().lines;
-    QCOMPARE(std::ranges::count_if(lines, isClosed), 1);  // γ = 1 alone
+    QCOMPARE(std::ranges::count_if(lines, isClosed), 1);  // only γ = 1
     const CurveLine& closed = study().closedForm->lines.back();
     const CurveLine& exact = study().curve.lines.back();
     QVERIFY(!closed.value(0.06, 0) && closed.value(1, 0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A goal on the page Curve: what is typed, where it is marked, what a click takes, and how one comes to it.
+// A goal on the page Curve: its text, its marks, the value that a click takes, and the ways to it.
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QLabel>

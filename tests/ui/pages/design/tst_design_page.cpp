@@ -88,7 +88,7 @@ class TestDesignPage : public QObject {
     void whereThePresentDesignStaysNoOtherIsOffered();
 
   private:
-    /// What the rows ask.
+    /// Inputs of the rows.
     struct Asked {
         std::vector<std::string> uncertain, choices;
         std::vector<DesignAim> aims;
@@ -347,7 +347,7 @@ void TestDesignPage::twoChoicesAreAMap() {
     QVERIFY(std::abs(m_document->scenario().pulse.duration / report.study.choice(taken)[0] - 1) < 1e-12);
     QVERIFY(std::abs(m_document->scenario().rod.length / report.study.choice(taken)[1] - 1) < 1e-12);
 
-    // Of one choice less there are curves again.
+    // With one choice less there are curves again.
     choices.rows()[1]->findChild<QToolButton*>(QStringLiteral("remove"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QVERIFY(!m_page->designPlot().isMap());

@@ -115,7 +115,7 @@ void TestGapPage::theCurveIsThatOfTheCommand_data() {
     QTest::newRow("piston") << "t51_soft_rock" << false;
 }
 
-// What Export writes is what the copied command prints, byte for byte.
+// Export writes what the copied command prints, byte for byte.
 void TestGapPage::theCurveIsThatOfTheCommand() {
     QFETCH(QString, example);
     QFETCH(bool, scattered);

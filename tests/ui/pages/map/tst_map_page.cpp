@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Map: what it asks, shows, takes over and hands on.
+// The page Map: its study, its plot, and the values that it takes over and passes on.
 #include <qcustomplot.h>
 
 #include <QClipboard>
@@ -90,7 +90,7 @@ void TestMapPage::open(const char* example) {
 }
 
 void TestMapPage::finish() {
-    // Of a drill string it may take seconds where the machine is busy.
+    // A drill string may take seconds on a busy machine.
     QTRY_VERIFY_WITH_TIMEOUT(
         m_page->activity()->state() == StudyState::finished && m_page->activity()->isCurrent(), 60000);
     m_page->plot()->replot();

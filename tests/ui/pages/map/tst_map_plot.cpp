@@ -100,7 +100,7 @@ void TestMapPlot::coloursAreAboutTheLevelThatDecides() {
     QVERIFY(qBlue(below) > qRed(below));
     QVERIFY(qRed(above) > qBlue(above));
     QVERIFY(!Drawn(reportOf({1, 2, 3, 4}, "peak_force")).plot.picture()->colours.level);
-    // What hardly passes the level does not look far from it.
+    // A value that hardly passes the level does not look far from it.
     QVERIFY(MapColours({.least = 0, .largest = 1.001, .level = 1}).share(1.001) < 0.05);
 }
 

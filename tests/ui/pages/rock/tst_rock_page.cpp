@@ -57,7 +57,7 @@ SolvedBlowPtr TestRockPage::solved(double stiffness) const {
     return solveBlow(request, solver);
 }
 
-// The only mark on the layer that is drawn anew without the rest.
+// The only mark on the layer that is redrawn without the rest.
 QCPItemTracer* TestRockPage::point() const {
     for (QCPLayerable* each : m_page->plot()->layer(QStringLiteral("overlay"))->children())
         if (auto* tracer = qobject_cast<QCPItemTracer*>(each); tracer && tracer->size() == 10) return tracer;

@@ -443,10 +443,10 @@ void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
     QCOMPARE(rod.youngsModulus, std::optional(205e9));
     QCOMPARE(drill.parts[1].sections[0].area, std::optional(2300e-6));
     settle();
-    // What the strength is for.
+    // The strength has a use: this alert.
     const auto isTold = [](const Alert& alert) { return alert.code == AlertCode::stressAboveYield; };
     QVERIFY(std::ranges::any_of(window().shown()->alerts, isTold));
-    // What is used stays, and goes with the last number, whose emptied cell takes it away.
+    // A used column stays, and goes with its last number, once that cell is emptied.
     QTest::mouseClick(&all, Qt::LeftButton);
     QVERIFY(!table.isColumnHidden(StringModel::columnOf("yield_strength")));
     QVERIFY(!table.isColumnHidden(StringModel::columnOf("area")));

@@ -60,7 +60,7 @@ class TestCurveMarks : public QObject {
         }
     }
 
-    /// Of a curve with an extreme and kinks on either side of it.
+    /// Marks an extreme with kinks on either side of it.
     void wordsKeepOffOtherMarksOfTheirCurve() {
         Plot drawn({0, 5}, {10, 5});
         const QPointF extreme(5, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is varied, over which range, with which family, and which result: the controls of a study.
+// The controls of a study: parameter, range, family and result.
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QSignalSpy>

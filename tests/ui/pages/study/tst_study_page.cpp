@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pages of studies have in common, by a page that only counts.
+// Common features of the pages of studies, by a page that only counts.
 #include <QClipboard>
 #include <QLabel>
 #include <QPushButton>

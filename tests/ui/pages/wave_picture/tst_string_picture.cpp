@@ -93,7 +93,7 @@ SolvedBlowPtr TestStringPicture::solved(const char* example, UnitSystem units) c
     return solveBlow(request, solver);
 }
 
-// Laid out, so that places can be told.
+// Lays the page out, so that it has places.
 void TestStringPicture::present(const SolvedBlowPtr& blow) {
     m_page->setResult(blow);
     m_page->plot()->replot();
@@ -194,7 +194,7 @@ void TestStringPicture::namesThatHaveNoRoomComeWithAZoom() {
     QVERIFY(!has("hammer"));
 }
 
-// Of four contacts the first three are close together.
+// The first three of four contacts are close together.
 void TestStringPicture::numbersOfContactsDoNotOverlap() {
     present(solved("t38_string"));
     const auto numbers = [&](int height) {

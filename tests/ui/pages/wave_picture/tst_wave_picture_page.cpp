@@ -131,7 +131,7 @@ void TestWavePicturePage::open(const Scenario& scenario) {
     m_job->submit(request);
 }
 
-// What is on show is what the view needs.
+// Whether the picture on show is the one that the view needs.
 bool TestWavePicturePage::settled() const {
     const SolvedBlowPtr& blow = m_page->picture()->shown();
     if (!blow || m_job->isBusy()) return false;
@@ -330,7 +330,7 @@ void TestWavePicturePage::playingAdvancesTheTimeAndStopsWhenHidden() {
     QTRY_VERIFY(*m_observation->time() > 1.1);
     QVERIFY(bar.isPlaying());
     QCOMPARE(m_page->rodStrip()->time(), *m_observation->time());
-    QCOMPARE(m_asked, asked);  // nothing is computed anew for it
+    QCOMPARE(m_asked, asked);  // nothing is computed again for it
     m_page->hide();
     QVERIFY(!bar.isPlaying());
     const double stopped = *m_observation->time();
