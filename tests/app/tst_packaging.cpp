@@ -94,7 +94,7 @@ class TestPackaging : public QObject {
         const BareSystem system;
         const Finished finished = system.packagingRun();
         QVERIFY2(finished.exitCode == 0, finished.error);
-        // Those of packaging/test are included: an administrator is asked once.
+        // Includes the packages of packaging/test: an administrator is asked once.
         QVERIFY(finished.out.contains("installing missing packages: g++ ") &&
                 finished.out.contains(" locales\n"));
         QVERIFY(finished.out.contains("298 MB"));
