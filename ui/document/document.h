@@ -52,7 +52,7 @@ class Document : public QObject {
     const QString& path() const { return m_path; }
     /// The file that it came from, even if saving does not write that; empty where there is none.
     const QString& origin() const { return m_origin; }
-    /// Where to propose to save it: path(), else a scenario file beside the file that it came from.
+    /// Proposes a file to save to: path(), else a scenario file next to the file that it was read from.
     QString suggestedPath() const;
     /// Title of the scenario, else the name of its file, else "Untitled".
     QString displayName() const;
@@ -62,10 +62,10 @@ class Document : public QObject {
     bool isScenarioModified() const;
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
-    /// The scenario as it is, with the text it came from: all that its bytes are made of.
+    /// Returns the present scenario with the text it came from, from which its bytes are made.
     ScenarioDocument contents() const;
-    /// Whether it began as an example and says something else now: what that says of its values, in the title
-    /// and in the comment at its head, is not kept then.
+    /// Whether it began as an example and has changed since: the example's remarks on its values, in the
+    /// title and in the comment at its head, are dropped then.
     bool isChangedExample() const;
     /// The scenario with other values of parameters, set in that order, and its text, as saving would write
     /// it. Changes nothing here; returns why not. Throws ScenarioError as text() does.
@@ -74,7 +74,7 @@ class Document : public QObject {
     const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
 
-    /// A number that no gesture had before: for edits that belong together, a drag say.
+    /// Returns a number for a new gesture. Edits that belong together share one, for example those of a drag.
     int newGesture() { return ++m_gestures; }
     /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
     /// Returns why it cannot take that value, empty when it has.
@@ -117,9 +117,9 @@ class Document : public QObject {
     /// Replaces the scenario by one that was never saved, without a path(); `origin` is the file it was an
     /// edit of, or empty. Returns why not, line by line; then nothing has changed.
     QString restore(const std::string& text, const QString& origin, bool isUnsaved = true);
-    /// The same with the file that it is saved to and what that file held, to which undo leads back.
+    /// Also sets the file it is saved to and the contents of that file, to which undo leads back.
     QString restore(const std::string& text, const QString& path, const std::string& saved);
-    /// Counts as modified from now on, because its file says something else or is gone.
+    /// Counts as modified from now on, because its file differs or is gone.
     void markUnsaved();
     /// Writes the file whole or not at all. Returns why not; then nothing has changed.
     QString save(const QString& path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the document's file still says what was read from it or written to it last.
+// Watches of files: whether the document's file still has the contents last read from it or written to it.
 #pragma once
 
 #include <QByteArray>
@@ -16,7 +16,7 @@ namespace drillwave {
 
 class Document;
 
-/// How long a file must be left alone after a change before it is read [ms].
+/// How long a file must stay unchanged before it is read [ms].
 inline constexpr int settleMilliseconds = 200;
 
 /// Watches the file of the document, also through editors that put a new file in its place, and looks again
@@ -42,7 +42,7 @@ class FileWatch : public QObject {
 
   signals:
     void differs(drillwave::FileWatch::State state);
-    /// There is no difference, or none that is known of a file that is new here.
+    /// There is no difference, or none is known for a file that is new here.
     void agrees();
 
   private:
@@ -57,7 +57,7 @@ class FileWatch : public QObject {
     std::optional<QByteArray> m_accepted;  // bytes of the difference accepted last; null when missing
 };
 
-// Whether the file of a measured blow still says what was read from it.
+// Whether the file of a measured blow still has the contents that were read from it.
 
 /// Watches the CSV file that the hammer blow of the document is from, also through programs that put a new
 /// file in its place, and looks again whenever the program becomes active. Compares contents: touching the
@@ -78,7 +78,7 @@ class TableWatch : public QObject {
 
   signals:
     void differs(drillwave::TableWatch::State state);
-    /// There is no table file, or it is the one that the points on show were read from.
+    /// There is no table file, or the points on show were read from it.
     void agrees();
 
   private:
@@ -91,7 +91,7 @@ class TableWatch : public QObject {
     };
     static Stamp stampOf(const QString& path, const Stamp& before);
     static bool isSame(const Stamp& a, const Stamp& b);
-    /// When the points of a file were read.
+    /// Fingerprint of a file when its points were read.
     struct Reading {
         QString path;
         TablePoints points;

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Stays when the scenario changes or another one is opened: what was measured is compared with both. Each
-/// change is a step of the history of the document, with those of the scenario, as long as that lasts; it
-/// makes no difference to the file.
+/// Stays when the scenario changes or another one is opened: signals are compared with both. Each change is a
+/// step of the history of the document, with those of the scenario, as long as that lasts; it makes no
+/// difference to the file.
 class MeasuredList : public QObject {
     Q_OBJECT
 

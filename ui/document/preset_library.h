@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// One file of presets, or those built in.
+/// One file of presets, or the built-in ones.
 struct PresetSource {
     QString path;  ///< empty for those built in
     std::vector<Preset> presets;

@@ -43,7 +43,7 @@ struct UnsavedScenario {
     WorkBeside beside;
     QStringList problems;    ///< what of it could not be read, a line each
     bool isUnsaved = true;   ///< false only where a window without changes was to be opened again
-    bool isRestart = false;  ///< the user has asked for a new window: nothing is to be asked
+    bool isRestart = false;  ///< the user has asked for a new window: restore without a question
 };
 
 /// The bytes of a recovery file, with the text of `contents`. Throws ScenarioError where the scenario is too
@@ -70,7 +70,7 @@ class LostChanges {
     QString m_problem;
 };
 
-/// All in the folder, the last change first.
+/// Finds all in the folder, the last change first.
 std::vector<LostChanges> findLostChanges(const QString& folder);
 
 /// Writes the unsaved scenario of a document to a file of its own in `folder` within a second of a change,
@@ -82,17 +82,17 @@ class Recovery : public QObject {
   public:
     /// Makes the folder. The document must outlive the recovery.
     Recovery(const Document& document, const QString& folder, QObject* parent = nullptr);
-    /// Leaves the file where it is; call end() first where nothing is to be recovered.
+    /// Leaves the file; call end() first if nothing needs recovery.
     ~Recovery() override;
 
-    /// Keeps with the scenario what `beside` returns.
+    /// Stores the return value of `beside` with the scenario.
     void keepBeside(std::function<WorkBeside()> beside) { m_beside = std::move(beside); }
-    /// Something beside the document has changed.
+    /// Notes a change beside the document.
     void writeSoon();
     /// Writes what is unsaved and returns when it is on the disk.
     void writeNow();
-    /// Writes everything, unsaved or not, for a window that takes its place and asks nothing. False where
-    /// that has failed.
+    /// Writes everything, unsaved or not, for a window that replaces this one and asks nothing. False if that
+    /// has failed.
     bool writeForRestart();
     /// Removes the file, as nothing needs recovery any more. A later change writes it again.
     void end();

@@ -17,8 +17,8 @@ namespace drillwave {
 /// parameter within a gesture melt into one.
 class ScenarioEdit : public QUndoCommand {
   public:
-    /// `current` and what `changed` tells, after each exchange, must outlive this. An empty `key`: melts with
-    /// no other edit.
+    /// `current` and the owner of `changed`, which is called after each exchange, must outlive this. An edit
+    /// with an empty `key` merges with no other.
     ScenarioEdit(Scenario& current, std::function<void()> changed, Scenario after, QString key, int gesture);
 
     /// The scenario before the edit. Requires that it was done and not undone.

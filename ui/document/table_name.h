@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a scenario file names the table of its hammer blow.
+// Name of the table of a hammer blow in a scenario file.
 #pragma once
 
 #include <QString>
@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// The name of a table for the file `path`, when the file `origin` names it `table`: relative names are
-/// relative to the folder of the file. The same where one of the files has no name.
+/// Returns the name of a table for the file `path`, when the file `origin` names it `table`: relative names
+/// are relative to the folder of the file. Returns `table` if one of the files has no name.
 std::string tableSeenFrom(const QString& path, const QString& origin, const std::string& table);
 
 }  // namespace drillwave

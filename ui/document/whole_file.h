@@ -8,10 +8,10 @@
 namespace drillwave {
 
 /// Writes the file as replaceFile() of the core does. Returns why not, in one line that begins with the path,
-/// or with `name` where the path says nothing to people.
+/// or with `name` if the path means nothing to people.
 QString writeWholeFile(const QString& path, const QByteArray& bytes, const QString& name = {});
 
-/// The same; returns the mere reason.
+/// Writes the file in the same way; returns only the reason.
 QString replaceFile(const QString& path, const QByteArray& bytes);
 
 }  // namespace drillwave

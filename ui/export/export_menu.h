@@ -17,12 +17,12 @@ class ExportMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Where the menu finds what it exports.
+    /// Sources of the exports.
     struct Sources {
         /// Returns the document's scenario as it is now, solved or not; nullptr until an answer is there.
         std::function<SolvedBlowPtr()> blow;
-        /// Calls `then` when blow() is there and shown: at once, or later, or never when that is called off.
-        /// `what` names what waits.
+        /// Calls `then` when blow() is solved and shown: at once, later, or never if it is called off. `what`
+        /// names the waiting export.
         std::function<void(const QString& what, std::function<void()> then)> whenSolved;
     };
 
@@ -33,7 +33,7 @@ class ExportMenu : public QMenu {
     void setExports(const QList<PageExport>& exports);
     /// Writes one of the exports, the numbers with the scenario in front.
     void save(const PageExport& wanted);
-    /// The numbers of the page in a window of their own, as they are now.
+    /// Shows the present numbers of the page in a window of their own.
     void showNumbers();
     /// The curves and the events of the blow, in the units that are shown.
     void saveHistories();
@@ -63,8 +63,8 @@ class ExportMenu : public QMenu {
     bool isUnsolved();
     /// Hands the blow over when there is one; `what` waits for it.
     void withRun(const QString& what, const UseRun& use);
-    /// The solved blow as it is written. Throws ScenarioError where the scenario with the points of its table
-    /// is too large for a file.
+    /// Returns the solved blow in the form for files. Throws ScenarioError if the scenario with the points of
+    /// its table is too large for a file.
     SolvedRun solvedRun() const;
     QString suggestion(const QString& ending) const;
     void finish(const QString& path, const QString& problem);

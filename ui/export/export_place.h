@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where exports go, and the pointer while they are drawn.
+// Places for exports, and the pointer while they are drawn.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// In the folder of the last export, or else of the scenario: the scenario's name with another ending.
+/// Returns a path in the folder of the last export, or else of the scenario: its name with another ending.
 QString exportSuggestion(const Document& document, const QString& ending);
 
 /// The folder of a file that was written, or the folder itself.

@@ -25,7 +25,7 @@ void layOutPanels(QCustomPlot& plot, const std::vector<FigurePanel>& panels, con
 /// Requires a QApplication (any platform, also offscreen). Empty when it could not be drawn.
 QByteArray drawFigure(const Figure& figure, const QString& format);
 
-/// The same of other panels, see renderPictures().
+/// Draws other panels in the same way, see renderPictures().
 Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order,
                     const QLocale& locale = QLocale::c());
 

@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Rows of CSV as they are in the file, with the decimal sign of the locale. Only the rows that are seen are
-/// taken apart: there may be a million.
+/// Rows of CSV as in the file, with the decimal sign of the locale. Only visible rows are split into cells:
+/// there may be a million.
 class NumbersTable : public QAbstractTableModel {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ class NumbersTable : public QAbstractTableModel {
     QLocale m_locale;
     QStringList m_header;
     std::vector<qsizetype> m_rows;  // where they begin
-    mutable int m_lastRow = -1;     // whose cells m_lastCells are: all of a row are asked for one by one
+    mutable int m_lastRow = -1;     // row of m_lastCells: the cells of a row are read one by one
     mutable QStringList m_lastCells;
 };
 

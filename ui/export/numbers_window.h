@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers behind the plots of a page, to be read and copied: what its exports write.
+// The numbers of the plots of a page, to be read and copied: the contents of its exports.
 #pragma once
 
 #include <QDialog>
@@ -14,7 +14,7 @@ class NumbersWindow : public QDialog {
     Q_OBJECT
 
   public:
-    /// Titles with the CSV behind them, at least one.
+    /// Takes at least one title with its CSV.
     NumbersWindow(const QString& title, const QList<std::pair<QString, QByteArray>>& tables, QWidget* parent);
 
   private:

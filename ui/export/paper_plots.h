@@ -20,7 +20,7 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// A plot, and the size it has where nothing else is asked for. Requires a QApplication (any platform).
+/// A plot and its default size. Requires a QApplication (any platform).
 struct PaperPlot {
     std::shared_ptr<QCustomPlot> plot;
     Millimetres size;
@@ -33,7 +33,7 @@ struct PaperReader {
     QLocale locale = QLocale::c();
     bool isSpokenTo = false;  ///< in the language that the program speaks, which is another than English
 
-    /// The one at the window as it is now; that of the commands where words, numbers and units are the same.
+    /// Returns the window's present reader; that of the commands if words, numbers and units are the same.
     static PaperReader of(const UnitChoice& units);
     /// Whether that is the reader of the commands.
     bool isPlain() const;
@@ -44,7 +44,7 @@ struct PaperReader {
 /// An empty plot for paper.
 std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale = QLocale::c());
 
-/// By the plot of a page: a Plot is made as a child of a QCustomPlot, and has setStyle() and present(shown).
+/// Makes a paper plot by the plot class of a page: a child of a QCustomPlot with setStyle() and present().
 template <class Plot, class Shown>
 PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale = QLocale::c()) {
     PaperPlot paper{emptyPaperPlot(locale), size};
@@ -60,7 +60,7 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale 
 /// The waves are those of the section of the first signal that is one of inside.
 PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
                         const std::vector<MeasuredSignal>& measured = {});
-/// Which of them that is; nullptr where there is none.
+/// Returns the first signal measured inside; nullptr if there is none.
 const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured);
 /// x/L of that section.
 double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured);

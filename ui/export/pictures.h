@@ -17,10 +17,10 @@ struct Pictures {
     QString problem;  ///< one line
 };
 
-/// The plot once in each format of the order, PNG at 200 dpi; `title` goes into the files' properties. Not
-/// all of them after a stop. A plot meant for files has text in the C locale and PlotStyle::forPaper(): then
-/// PNG and SVG are the same bytes for the same plot on one machine. Requires a QApplication (any platform,
-/// also offscreen).
+/// Renders the plot once in each format of the order, PNG at 200 dpi; `title` goes into the files'
+/// properties. Not all of them after a stop. A plot meant for files has text in the C locale and
+/// PlotStyle::forPaper(): then PNG and SVG are the same bytes for the same plot on one machine. Requires a
+/// QApplication (any platform, also offscreen).
 Pictures renderPictures(QCustomPlot& plot, Millimetres size, const QString& title, const PictureOrder& order);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pinned runs, and what was measured, as a report has them beside its own blow.
+// Comparison of a report's own blow with the pinned runs and the measured signals.
 #pragma once
 
 #include <stop_token>
@@ -11,16 +11,16 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// The same runs, of which those that are solved know the margin of their thrust as a report does: a study of
-/// all gaps each, not for the thread of the window.
+/// Returns the runs, the solved ones with the margin of their thrust as in a report: a study of all gaps
+/// each, not for the thread of the window.
 RunList withMargins(const RunList& runs, const std::stop_token& stop);
 
 /// Returns the differences and the results of a solved blow and of the solved runs, in the units of the
 /// window, as on the page Compare; empty without such runs.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
 
-/// How far signals are from the solved blow, over the time that its plot in the report shows, in the units of
-/// the window; empty without signals. The scenario has units, the blow its histories.
+/// Returns the deviations of signals from the solved blow, over the time of its plot in the report, in the
+/// units of the window; empty without signals. The scenario has units, the blow its histories.
 ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
                            const UnitChoice& units);
 

@@ -11,9 +11,9 @@ class QPaintDevice;
 
 namespace drillwave {
 
-/// The text of reportHtml() for paper with the plots in it. No heading is parted from what it is about, no
-/// caption from its plot, the head of a table is on each of its pages, and plots are lower where that saves a
-/// last page of a few lines.
+/// The text of reportHtml() for paper with the plots in it. Headings stay with their text and captions with
+/// their plots, the head of a table is on each of its pages, and plots are lower where that saves a last page
+/// of a few lines.
 class ReportDocument {
   public:
     /// For pages of that size in the units of the device. Plots and device must outlive the document.

@@ -14,9 +14,9 @@ namespace drillwave {
 /// does.
 bool printReport(const BlowReport& report, const PaperReader& reader, QPrinter& printer);
 
-/// The report in the formats of the order, "html" and "pdf": the same words and plots. The HTML is the same
-/// bytes for the same report and reader on one machine, whatever the window shows. Requires a blow that was
-/// solved and a QApplication (any platform, also offscreen). Not all of them after a stop.
+/// Draws the report in the formats of the order, "html" and "pdf": the same words and plots. The HTML is the
+/// same bytes for the same report and reader on one machine, whatever the window shows. Requires a solved
+/// blow and a QApplication (any platform, also offscreen). Not all of them after a stop.
 Pictures drawReport(const BlowReport& report, const PictureOrder& order, const PaperReader& reader = {});
 
 }  // namespace drillwave

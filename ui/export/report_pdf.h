@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// The pages of drawReportPages() as a file, which says no date.
+/// Returns the pages of drawReportPages() as a file, without a date.
 QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots,
                      const ReadingStyle& style);
 

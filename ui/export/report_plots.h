@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plots of a report with what is said of them.
+// The plots of a report with their captions.
 #pragma once
 
 #include <stop_token>
@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// One of them; the source of its picture is its name.
+/// A plot of a report; the source of its picture is its name.
 struct ReportPlot {
     ReportPicture picture;
     PaperPlot paper;

@@ -21,7 +21,7 @@ namespace drillwave {
 /// if the user wants one.
 ReportHead rememberedHead();
 
-/// A window of its own, which stays open beside the work.
+/// A separate window, which stays open during the work.
 class ReportPreview : public QWidget {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ class ReportPreview : public QWidget {
     int pageCount() const;
 
   signals:
-    /// The user wants the pages of the scenario as it is now; a file; paper.
+    /// The user wants the pages of the present scenario; a file; a print.
     void updateRequested();
     void writeRequested();
     void printRequested();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands Report…, Preview and Print…: what `drillwave report` writes, in the numbers and units of the
-// window, made beside its work.
+// The commands Report…, Preview and Print…: the report of `drillwave report`, in the numbers and units of the
+// window, made in the background.
 #pragma once
 
 #include <QAction>
@@ -24,7 +24,7 @@ class ReportWriter : public QObject {
     /// Document and questions must outlive the writer, whose parent `window` is.
     ReportWriter(Document& document, Questions& questions, QWidget* window);
 
-    /// The runs that stand beside the blow in reports from now on.
+    /// Sets the runs to compare with in later reports.
     void setRuns(RunListPtr runs);
     /// The signals that are laid over its curves from now on; they must outlive the writer.
     void setMeasured(const MeasuredList& measured);
@@ -35,25 +35,25 @@ class ReportWriter : public QObject {
     QAction* printAction() const { return m_printAction; }
     /// The studies on their way to the report, which can be stopped.
     StudyActivity& activity() { return m_job; }
-    /// Asks where to, and reports on the document's scenario as it is now. An earlier report that is still on
-    /// its way is given up.
+    /// Asks for a file, and reports on the document's present scenario. Gives up an earlier report that is
+    /// not finished.
     void write();
     /// Shows its pages in a window, with fields for project, author and customer.
     void preview();
-    /// The same on paper, once the printer is chosen.
+    /// Prints the report, once the printer is chosen.
     void print();
 
   signals:
     void begun();
     /// Written, printed, failed or stopped.
     void ended();
-    /// It is there: where, in one line.
+    /// The report is written: where, in one line.
     void written(const QString& message);
 
   private:
     struct Answer {
         BlowReport report;
-        RunList runs;  ///< beside it, as they were when it was asked for
+        RunList runs;  ///< to compare with, as they were at the request
     };
     using Use = std::function<void(const BlowReport&)>;
 
@@ -78,7 +78,7 @@ class ReportWriter : public QObject {
     RunListPtr m_runs;  // nullptr without
     const MeasuredList* m_measured = nullptr;
     Use m_use;          // of the report on its way; empty without
-    QString m_failure;  // what to say where there is none
+    QString m_failure;  // the message if there is no report
     StudyJob<Answer> m_job;
 };
 

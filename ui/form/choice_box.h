@@ -7,14 +7,14 @@
 namespace drillwave {
 
 /// Takes the wheel only while it has the focus, so that the panel scrolls over it. Its list is as wide as its
-/// entries, and a tooltip tells what is chosen where that is cut off.
+/// entries, and a tooltip shows the chosen one if it is cut off.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 
   public:
     explicit ChoiceBox(QWidget* parent = nullptr);
 
-    /// As wide as what is chosen needs, where there is room; in a row that wraps, say.
+    /// Makes it as wide as the chosen text if there is room, for example in a row that wraps.
     void followText();
     QSize sizeHint() const override;
     void showPopup() override;

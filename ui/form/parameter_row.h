@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter in the form: name, slider, field, unit, and a line for what is wrong.
+// One parameter in the form: name, slider, field, unit, and a line for an error.
 #pragma once
 
 #include <QGridLayout>
@@ -37,12 +37,12 @@ class ParameterRow : public QObject {
     /// Shows the parameter's value in the scenario, or hides the row where it does not apply.
     void present(const Scenario& scenario);
 
-    /// Whom the values go to that the user gives, by the field or the slider.
+    /// Sets the receiver of values given by the user, in the field or by the slider.
     void setTaker(QuantityField::Taker taker);
 
   signals:
     void cleared();
-    /// The user asks which value gives a result.
+    /// The user wants the value of the parameter for a given result.
     void goalRequested();
     /// The slider was clicked twice: back to the value of the file.
     void resetRequested();

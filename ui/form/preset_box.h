@@ -18,7 +18,7 @@ class PresetBox : public ChoiceBox {
     Q_OBJECT
 
   public:
-    /// All of them must outlive the box. `part` names the section in accessible names: "Rod".
+    /// All references must outlive the box. `part` names the section in accessible names: "Rod".
     PresetBox(PresetKind kind, const QString& part, Document& document, PresetLibrary& library,
               Questions& questions, QWidget* parent = nullptr);
 

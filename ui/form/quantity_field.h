@@ -34,7 +34,7 @@ class UnitButton : public QToolButton {
 };
 
 /// Holds a double in SI that only an edit changes: showing it in another unit or with fewer digits does not.
-/// Text that cannot be taken stays as it is, marked with the reason, and the old value is kept.
+/// Invalid text stays, marked with the reason, and the old value is kept.
 class QuantityField : public QAbstractSpinBox {
     Q_OBJECT
 
@@ -53,11 +53,11 @@ class QuantityField : public QAbstractSpinBox {
     /// Shows a value from elsewhere. Text being edited stays if it already means that value, or if it is
     /// wrong and the value did not change.
     void setValue(std::optional<double> si);
-    /// Whom every value goes to: every keystroke that means one, every step.
+    /// Sets the receiver of every value: of each keystroke that makes one, and of each step.
     void setTaker(Taker taker) { m_taker = std::move(taker); }
     /// Lets the field be emptied (`cleared()`), and shows `placeholder` then.
     void setOptional(const QString& placeholder);
-    /// Size of a step where the value is zero (SI), which says nothing about its own size.
+    /// Sets the size of a step (SI) for a value of zero, which has no size of its own.
     void setStepAtZero(double si) { m_stepAtZero = si; }
 
     const Unit& unit() const { return *m_unit; }
@@ -65,8 +65,8 @@ class QuantityField : public QAbstractSpinBox {
     void setUnit(const Unit& unit);
     /// Sets the tip and the text for screen readers while nothing is wrong.
     void setHelp(const QString& tip, const QString& description);
-    /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. To be
-    /// laid out beside the field; it goes with it.
+    /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. The caller
+    /// lays it out beside the field; it is deleted with the field.
     QToolButton* unitButton() const { return m_unitButton; }
 
     /// Why the text is not taken, empty when it is.

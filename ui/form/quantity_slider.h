@@ -21,7 +21,7 @@ class QuantitySlider : public QSlider {
     QuantitySlider(const Range& range, SliderScale scale, QWidget* parent = nullptr);
 
     /// Moves the handle to a value (SI) without a signal. A value outside the range puts it at the end, where
-    /// an arrow then says that the value lies beyond.
+    /// an arrow then shows that the value lies beyond.
     void present(double si);
     /// −1 or 1 when the value lies beyond the low or high end, else 0.
     int beyond() const { return m_beyond; }

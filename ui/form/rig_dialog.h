@@ -16,7 +16,7 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Shows what follows from the groups beside what is asked for. Accepting makes the rig, in one step of the
+/// Shows the values that follow from the groups and the inputs. Accepting makes the rig, in one step of the
 /// document's history.
 class RigDialog : public QDialog {
     Q_OBJECT
@@ -35,7 +35,7 @@ class RigDialog : public QDialog {
 
     Document& m_document;
     PresetLibrary m_library;
-    std::vector<const Preset*> m_presets;  // in the order of the box, behind "custom"
+    std::vector<const Preset*> m_presets;  // in the order of the box, after "custom"
     RigChoice m_choice;
     ChoiceBox* m_rod;
     QList<QuantityField*> m_fields;
@@ -43,7 +43,7 @@ class RigDialog : public QDialog {
     QPushButton* m_accept = nullptr;
 };
 
-/// From where a scenario in physical units comes, said where a dimensionless one has nothing to show.
+/// Returns the ways to a scenario in physical units, for pages with nothing to show for a dimensionless one.
 QString waysToPhysicalUnits();
 
 }  // namespace drillwave

@@ -52,7 +52,7 @@ class StringSection : public QObject {
     /// Fills the next rows of `grid`. The document must outlive it.
     StringSection(Document& document, QGridLayout* grid, QWidget* parent);
 
-    /// Below the rows of the hammer.
+    /// Adds the row of restrikes below the rows of the hammer.
     void addRestrike(QGridLayout* grid, QWidget* parent);
     /// Requires a drill string.
     void present(const Scenario& scenario);
@@ -86,7 +86,7 @@ class ScenarioPanel : public SteadyScrollArea {
     void dragEnded();
     /// The user wants to import a measured hammer blow.
     void importRequested();
-    /// The user asks which value of that parameter gives a result.
+    /// The user wants the value of that parameter for a given result.
     void goalRequested(const QString& key);
     /// The user wants to see the sections of the drill string.
     void sectionsRequested();

@@ -14,7 +14,7 @@ class SectionBox : public QWidget {
   public:
     explicit SectionBox(const QString& title, QWidget* parent = nullptr);
 
-    /// Where the content goes; give it a layout.
+    /// Parent of the content; give it a layout.
     QWidget* content() const { return m_content; }
     QString title() const { return m_header->text(); }
     void setTitle(const QString& title);
@@ -43,7 +43,7 @@ class SteadyScrollArea : public QScrollArea {
     explicit SteadyScrollArea(QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
-    /// Wide enough that nothing is cut off at the side.
+    /// Wide enough to cut nothing off at the side.
     QSize minimumSizeHint() const override;
 
   protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where in the manual it stands what a widget is about.
+// Place of a widget's subject in the manual.
 #pragma once
 
 #include <QString>
@@ -11,8 +11,8 @@ namespace drillwave {
 
 // A place in the manual, and links to it.
 
-/// A chapter, and in it what a heading says: its number "§3.1", its words, or the first of them; or an
-/// equation, "(T34)". Without one the chapter's beginning.
+/// A chapter and a heading in it: its number "§3.1", its words, or the first of them; or an equation,
+/// "(T34)". Without a heading the chapter's beginning.
 struct ManualPlace {
     QString chapter;
     QString heading = {};
@@ -27,11 +27,11 @@ ManualPlace placeOf(const QUrl& url);
 /// "and", as the languages of the manual have it, in a regular expression.
 inline constexpr char16_t andWords[] = u"(?:and|und|och)";
 
-/// Whether a heading, as it is shown, is the one that is meant: "§4.2 sweep and table" by "§4.2" and by
-/// "table", "rod.length: length L" by "rod.length".
+/// Whether a heading as shown is the one meant: "§4.2 sweep and table" by "§4.2" and by "table", "rod.length:
+/// length L" by "rod.length".
 bool isHeading(const QString& shown, const QString& meant);
 
-/// A property of a widget that says "window §2" of all that is inside it.
+/// A property of a widget with the topic, "window §2", of all that is inside it.
 inline constexpr char helpTopicProperty[] = "helpTopic";
 
 /// Returns where the manual describes the parameter of a key; no chapter for other keys.

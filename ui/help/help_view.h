@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chapter of the manual as it is read: with its links, back and on, and the words that are sought marked.
+// A chapter of the manual in a reader: with its links, back and forward, and the words of a search marked.
 #pragma once
 
 #include <QTextBrowser>

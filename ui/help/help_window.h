@@ -18,7 +18,7 @@ class HelpWindow : public QWidget {
     Q_OBJECT
 
   public:
-    /// A window of its own that goes with `owner`.
+    /// A separate window that closes with `owner`.
     HelpWindow(ManualBook book, QWidget* owner);
 
     /// Opens at that place, in front.
@@ -28,7 +28,7 @@ class HelpWindow : public QWidget {
     QListWidget& hits() const { return *m_hits; }
     QTreeWidget& contents() const { return *m_contents; }
 
-    /// Where it was when it was closed last; false where it never was.
+    /// Restores the place of the last session; false if there is none.
     bool restorePlace();
 
   protected:

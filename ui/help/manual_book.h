@@ -24,7 +24,7 @@ struct BookChapter {
         int level = 1;
     };
     QList<Heading> headings;  ///< in order, that of the chapter first
-    QStringList equations;    ///< "(T1)", those that stand in it
+    QStringList equations;    ///< "(T1)", the equations in it
 };
 
 /// The chapters of core in a language, with what a window adds to them.

@@ -23,16 +23,16 @@ struct ManualLink {
 /// Returns the links in a line of a chapter, in order, whose place exists.
 QList<ManualLink> linksIn(const QString& line, const QString& chapter, const ManualBook& book);
 
-/// Where a piece of code leads that names a parameter, an output, a command or a page; no chapter where it
-/// names none.
+/// Returns the place of a piece of code that names a parameter, an output, a command or a page; no chapter
+/// for other code.
 ManualPlace placeOfCode(const QString& code, const ManualBook& book);
 
 /// Colours of the manual beside those of a palette.
 struct ManualColours {
     QColor link;        ///< legible on the base of the palette
-    QColor code;        ///< behind code and headers of tables
+    QColor code;        ///< of the background of code and headers of tables
     QColor line;        ///< of tables
-    QColor mark;        ///< behind what is sought
+    QColor mark;        ///< of the background of words found
     QColor markedText;  ///< on that
 };
 ManualColours manualColours(const QPalette& palette);

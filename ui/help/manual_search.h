@@ -32,8 +32,8 @@ class ManualSearch {
   public:
     explicit ManualSearch(const ManualBook& book);
 
-    /// Sections that have every word, whatever its case: those with all of them in their heading first, then
-    /// those that have them most often; at most as many as a list can show. None without words.
+    /// Returns sections that have every word, in either case: first those with all of them in their heading,
+    /// then those with the most hits; at most as many as a list can show. None without words.
     QList<ManualHit> find(const QStringList& words) const;
 
   private:

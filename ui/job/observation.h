@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where in the rod and when in the blow one looks: the same place on every page.
+// Place in the rod and time in the blow that the user looks at: the same on every page.
 #pragma once
 
 #include <QObject>

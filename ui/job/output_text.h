@@ -17,15 +17,15 @@ namespace drillwave {
 /// have none, also in SI. `size` is the size of values without a dimensionless number: N, W or m/s.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
 
-/// The same for a column: an energy in SI has the unit of energies.
+/// Returns the unit of a column: an energy in SI has the unit of energies.
 ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size);
 
 /// Whether the numbers of two blows mean as much: what is a multiple of scales, those of rods and of strings
 /// are other ones.
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units);
 
-/// The number of a blow that can be compared with those of others: in SI, works in J, where `units` are
-/// physical, else as outputs have it; shares in percent. Nothing where the blow has none, or no units.
+/// Returns the number of a blow for comparison with others: in SI, works in J, if `units` are physical, else
+/// as outputs have it; shares in percent. Nothing if the blow has none, or no units.
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);
 
 /// An output in the units of the blow; empty where there is none.
@@ -40,7 +40,7 @@ QString hammerEnergyText(const SolvedBlow& blow);
 /// "numerical error ± 6·10⁻¹⁴".
 QString corErrorText(const SolvedBlow& blow);
 
-/// Where in the rod a largest force is, and when. Empty where there is none.
+/// Describes place and time of a largest force in the rod. Empty if there is none.
 QString placeText(const Output& output, const SolvedBlow& blow);
 /// The place itself: x/L, below 0 in the hammer of a string, and t/t0; nothing where it is not known, or
 /// where there is no such stress.

@@ -9,15 +9,15 @@
 
 namespace drillwave {
 
-/// Turns requests into answers on a thread of its own: long work elsewhere must not keep a blow waiting.
-/// Requests replace each other as the tasks of a Worker do. Answers arrive in the order of their requests.
-/// One that was quick is followed by the sure one, unless something else has been asked meanwhile.
+/// Turns requests into answers on a thread of its own: long work elsewhere must not delay a blow. Requests
+/// replace each other as the tasks of a Worker do. Answers arrive in the order of their requests. A quick
+/// answer is followed by the sure one, unless there is another request meanwhile.
 class SolveJob : public QObject {
     Q_OBJECT
 
   public:
-    /// Never called twice at the same time; what it throws becomes the answer's problem. It may ignore the
-    /// request's `stop`, or end early on it with a problem, which nobody sees.
+    /// Never called twice at the same time; the text of an exception becomes the answer's `fault`. It may
+    /// ignore the request's `stop`, or end early on it with a fault, which nobody sees.
     using Solve = std::function<SolvedBlowPtr(const SolveRequest&)>;
 
     /// Solves exactly.
@@ -39,8 +39,8 @@ class SolveJob : public QObject {
     void start(const SolveRequest& request);
 
     Solve m_solve;
-    std::uint64_t m_started = 0;  ///< counts start(): what is asked meanwhile
-    bool m_refining = false;      ///< the sure answer is on its way behind a quick one
+    std::uint64_t m_started = 0;  ///< counts start(): detects requests made meanwhile
+    bool m_refining = false;      ///< the sure answer follows a quick one
     Worker m_worker;              // goes first: its thread solves
 };
 

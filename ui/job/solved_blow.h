@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A blow as the window needs it: asked for once, solved once, shared by everything that shows it.
+// A blow as the window needs it: requested once, solved once, shared by all pages that show it.
 #pragma once
 
 #include <QString>
@@ -45,8 +45,8 @@ class PageData {
     const std::type_info* m_type = nullptr;
 };
 
-/// From a solved blow to what a page shows of it. Called on the job's thread: it holds all that it needs by
-/// value. Long work ends early, with anything, when the blow's `request.stop` asks for it.
+/// Makes the data of a page from a solved blow. Called on the job's thread: it holds all that it needs by
+/// value. Long work ends early, with anything, when the blow's `request.stop` requires it.
 using PreparePage = std::function<PageData(const SolvedBlow& blow)>;
 
 /// A blow of a march under the feed.
@@ -71,17 +71,17 @@ struct SolveRequest {
     std::optional<MarchedQuestion> marched = {};
 };
 
-/// The answer, never changed once made: the blow, and what the pages asked for. `fault` is empty when the
-/// blow was solved; otherwise it says in a sentence why not, and the numbers are not to be used.
+/// The answer, never changed once made: the blow, and the data of the pages. `fault` is empty when the blow
+/// was solved; otherwise it is a sentence with the reason, and the numbers must not be used.
 struct SolvedBlow : Blow {
-    /// Where one of many blows was asked for: that one, with the pages.
+    /// The requested one of many blows, with the pages.
     std::shared_ptr<const SolvedBlow> marchedBlow;
     SolveRequest request;  ///< its `pages` and `stop` are there only while it is being answered
     QString fault;
     ShownUnits units;
     std::vector<PageData> pages;  ///< one for each of the request's that was not empty
 
-    /// Returns the data of a page; nullptr if it asked for none, or there is no blow.
+    /// Returns the data of a page; nullptr if it has none, or there is no blow.
     template <class Value>
     const Value* page() const {
         for (const PageData& data : pages)
@@ -91,24 +91,24 @@ struct SolvedBlow : Blow {
 };
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 
-/// In which sentences about its answer are written.
+/// Returns the style of sentences about the answer.
 LocalStyle styleOf(const SolveRequest& request);
 
-/// Solves and prepares what was asked for; one of many blows that `before` has is not marched to again. Never
-/// throws: whatever goes wrong is the answer's `fault`.
+/// Solves and prepares a request; reuses the march of `before` if it has the requested one of many blows.
+/// Never throws: any error is the answer's `fault`.
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver,
                         const SolvedBlow* before = nullptr) noexcept;
 
-/// An answer that only says why there is none.
+/// Returns an answer with only the reason of a failure.
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);
 
 // Results that take a while are solved once, however often pages look at them.
 
-/// Whether a blow is the answer to a request but for its units and pages, and worth being taken for it: of a
-/// drill string; a rod is solved sooner than its histories are copied.
+/// Whether a blow answers a request except for its units and pages, and is worth reusing: only for drill
+/// strings, as a rod is solved sooner than its histories are copied.
 bool answersAgain(const SolvedBlow& before, const SolveRequest& request);
 
-/// That blow, with the units and the pages of the request; as solveBlow() otherwise.
+/// Returns the earlier blow with the units and the pages of the request; otherwise as solveBlow().
 SolvedBlowPtr answerAgain(const SolvedBlow& before, const SolveRequest& request) noexcept;
 
 }  // namespace drillwave

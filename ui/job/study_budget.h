@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Stops work that takes longer than its seconds, once there is something to show. Work of several threads
-/// may ask it.
+/// Stops work that takes longer than its seconds, once there is something to show. Threads of the work may
+/// share it.
 class StudyBudget {
   public:
     /// No limit without seconds. A stop of `from` is a stop of the work.

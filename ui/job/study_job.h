@@ -20,7 +20,7 @@
 
 namespace drillwave {
 
-// How far a study is, whatever it computes: for the status line and the pages alike.
+// Progress of a study of any kind: for the status line and the pages alike.
 
 /// Count of the points of a study.
 struct StudyProgress {
@@ -42,19 +42,19 @@ class StudyActivity : public QObject {
   public:
     explicit StudyActivity(QObject* parent = nullptr);
 
-    /// State of the study asked for last.
+    /// State of the last study.
     StudyState state() const { return m_state; }
     StudyProgress progress() const { return m_progress; }
     /// Why there is no result, in a sentence; empty unless the state is failed.
     QString problem() const { return m_problem; }
-    /// Whether what there is to show is of the study asked for last, not of an earlier one.
+    /// Whether the value on show belongs to the last study, not to an earlier one.
     virtual bool isCurrent() const = 0;
-    /// How many values have come, of earlier studies too: while it grows the window keeps up with the hand.
+    /// Number of values received, also of earlier studies: while it grows the window keeps up with the hand.
     std::uint64_t answers() const { return m_answers; }
     virtual void cancel() = 0;
     /// Runs a study that was stopped again, without limit of time.
     virtual void resume() = 0;
-    /// Stops every study that runs longer, resumed ones excepted; 0 for no limit. None at first.
+    /// Stops every study that runs longer, except resumed ones; 0 for no limit. None at first.
     void setTimeLimit(std::chrono::milliseconds limit) { m_limit = limit; }
     /// Whether the last study was stopped because its time was over.
     bool isOutOfTime() const { return m_isOutOfTime; }
@@ -86,13 +86,13 @@ class StudyActivity : public QObject {
 /// skip some of them, but always shows the last of each kind.
 template <class Value>
 struct StudyFeed {
-    std::stop_token stop;  ///< asked for: the study returns soon, with anything
+    std::stop_token stop;  ///< a stop: the study returns soon, with anything
     std::function<void(StudyProgress)> tell;
     std::function<void(Value)> show;  ///< what there is so far: coarse, or only a part
 };
 
 /// Runs studies that replace each other as the tasks of a Worker do. The value of an earlier study stays
-/// until there is one of the study asked for last. All of this is the window's thread's but for the study.
+/// until the last study has one. Only the study runs outside the window's thread.
 template <class Value>
 class StudyJob : public StudyActivity {
   public:
@@ -298,7 +298,7 @@ class AskedStudy {
     const std::optional<Question>& question() const { return m_question; }
     StudyJob<Value>& job() { return m_job; }
     const StudyJob<Value>& job() const { return m_job; }
-    /// The result, or what there is so far of the question asked last or of an earlier one; nullptr at first.
+    /// The result of the last question, finished or so far, or of an earlier one; nullptr at first.
     const Value* value() const { return m_job.value().get(); }
     /// How many studies were started.
     int started() const { return m_started; }

@@ -19,7 +19,7 @@ namespace drillwave {
 // The status line of the solver: whether what is shown is the answer to the present input, and what waits for
 // it.
 
-/// Shorter waits are not noticed, and a mark or a line that comes and goes is.
+/// Shorter waits are not noticed, but a mark or a line that appears and goes is.
 inline constexpr std::chrono::milliseconds usualPatience{150};
 
 /// Follows questions and answers. Shows that a late answer is on its way, with a button to stop it; a stopped
@@ -30,7 +30,7 @@ class SolveStatus : public QWidget {
   public:
     explicit SolveStatus(QWidget* parent = nullptr);
 
-    /// How long a question may be without an answer before the old one is marked.
+    /// Sets how long a question may be without an answer before the old one is marked.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
 
     /// Notes that the input has changed or that another result is needed: the answer on show is out of
@@ -38,15 +38,15 @@ class SolveStatus : public QWidget {
     void asked();
     /// Notes that the answer to the present input is shown; `summary` is one line. Runs the waiting action.
     void answered(const QString& summary);
-    /// A quick answer to the present input is shown, and the sure one is on its way: nothing is out of date,
-    /// but what waits is for the sure one.
+    /// Notes that a quick answer to the present input is shown, and the sure one is on its way: nothing is
+    /// out of date, but the waiting action needs the sure one.
     void answeredQuickly(const QString& summary);
     /// An answer to an earlier input is shown.
     void answeredEarlier();
 
     /// Whether what is shown is the sure answer to the present input.
     bool isCurrent() const { return m_state == State::current; }
-    /// Whether what is shown is marked as out of date.
+    /// Whether the answer on show is marked as out of date.
     bool isMarked() const { return m_marked; }
 
     /// Calls `then` as soon as the answer is current: now, or when it arrives; `what` names it in the status
@@ -96,21 +96,21 @@ class SolveStatus : public QWidget {
 /// "Solve all (3 min)": the button that resumes a stopped study, of which these points took that long.
 QString resumeText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
-/// "640/1500 · 2 s left" after that many seconds; "640 · 320/s" where nobody knows how many there will be.
-/// Only the count while there is too little to tell the rate, and where all that was thought of is done.
+/// Returns "640/1500 · 2 s left" after that many seconds; "640 · 320/s" for an unknown total. Returns only
+/// the count while there is too little for a rate, and once the expected number is done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
-/// Shows the activity of the page on show while it runs for more than a moment, and what was reached of one
-/// that was stopped, with a button to resume it. Its place is kept while it shows nothing.
+/// Shows the activity of the page on show while it runs for more than a moment, and the progress of a stopped
+/// one, with a button to resume it. Its place is kept while it shows nothing.
 class StudyStatus : public QWidget {
     Q_OBJECT
 
   public:
     explicit StudyStatus(QWidget* parent = nullptr);
 
-    /// How long a study may run unseen.
+    /// Sets how long a study may run unseen.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
-    /// From now on of this activity, whose name goes before; nullptr for none.
+    /// Shows this activity from now on, with its name in front; nullptr for none.
     void follow(StudyActivity* activity, const QString& name);
 
     /// The text of the line; empty while it shows nothing.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thread for work that replaces itself: of the tasks that wait, only the newest is done.
+// One thread for tasks that replace each other: of the waiting ones, only the newest is done.
 #pragma once
 
 #include <QObject>
@@ -22,7 +22,7 @@ class Worker : public QObject {
   public:
     /// Work that a task leaves for the window's thread.
     using Delivery = std::function<void()>;
-    /// Done on the worker's thread, throws nothing. It may ignore `stop`, or end early on it.
+    /// Runs on the worker's thread, throws nothing. It may ignore `stop`, or end early on it.
     using Task = std::function<Delivery(const std::stop_token& stop)>;
 
     /// Work in the background leaves the processors to the window's thread whenever that has something to
@@ -38,7 +38,7 @@ class Worker : public QObject {
     void cancel();
     /// Until nothing is done on the worker's thread any more. Call cancel() first.
     void waitForThread();
-    /// From a task's start to its delivery.
+    /// Whether a task is between its start and its delivery.
     bool isBusy() const { return m_busy; }
 
   private:

@@ -44,7 +44,7 @@ class Page : public QWidget {
     virtual StudyActivity* activity() const { return nullptr; }
     /// Whether what it shows answers the present input: what does not is not copied.
     virtual void setCurrent(bool current) = 0;
-    /// A blow to stay faintly behind the results while a value is dragged; nullptr when the drag has ended.
+    /// Shows a blow faintly while a value is dragged, for comparison; nullptr when the drag has ended.
     virtual void setGhost(const SolvedBlowPtr& /*before*/) {}
     /// The pinned runs, at first and whenever something of them has changed, also while the page cannot be
     /// seen.

@@ -28,7 +28,7 @@ class PlotPage : public Page {
     /// Shows what the frame has drawn since, in words as well.
     void redraw();
     StudyFrame& frame() const { return *m_frame; }
-    /// The plot is never lower than so many lines of text; what is above and below it gives way, and then the
+    /// Sets the least height of the plot in lines of text; parts above and below it shrink first, then the
     /// page is scrolled.
     void setLeastLines(int lines);
 

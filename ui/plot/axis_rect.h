@@ -12,11 +12,11 @@ namespace drillwave {
 /// Whether the axes on opposite sides follow each other.
 enum class Sides { linked, free };
 
-/// With axes on all sides, for a layout of the plot.
+/// Makes a rect with axes on all sides, for a layout of the plot.
 QCPAxisRect* newAxisRect(QCustomPlot& plot, Sides sides);
 
-/// In coordinates of the rect, cut at its axes, on the layer of that name (else the usual one); nobody can
-/// select it.
+/// Places an item in coordinates of the rect, cut at its axes, on the layer of that name (default: the usual
+/// one); nobody can select it.
 void placeItem(QCPAbstractItem& item, QCPAxisRect* rect, const QString& layer = {});
 
 template <class Item>

@@ -22,22 +22,22 @@ void panAxis(QCPAxis& axis, QCPRange start, double fromPixel, double toPixel);
 /// Shows what is between two pixels of the axis.
 void zoomAxisTo(QCPAxis& axis, double pixel, double otherPixel);
 
-/// Why the axis cannot be logarithmic with the visible curves it has, in words; empty when it can. Zeros are
-/// cut off at the edge: an impact force begins with them.
+/// Returns why the axis cannot be logarithmic with its visible curves; empty when it can. Zeros are cut off
+/// at the edge: an impact force begins with them.
 QString reasonAgainstLogarithm(const QCPAxis& axis);
 
 /// Linear or logarithmic, with the ticks that go with it, also on the opposite side of the rect; switching to
 /// logarithmic shows the positive values of the visible curves.
 void setScale(QCPAxis& axis, QCPAxis::ScaleType scale);
 
-/// On a logarithmic axis the range of the positive values of the visible curves, at most 9 decades of them.
+/// Sets a logarithmic axis to the positive values of the visible curves, at most 9 decades of them.
 void fitLogarithmic(QCPAxis& axis);
 
-/// As many ticks on a vertical axis as its height has room for numbers, at most five or so. Says whether that
-/// is another number than before.
+/// Sets as many ticks on a vertical axis as its height has room for numbers, at most five or so. Returns
+/// whether the number has changed.
 bool setTickCount(QCPAxis& axis);
 
-/// As many digits on the ticks as tell them apart, six at least; ticks that are powers of ten stay so.
+/// Gives the ticks enough digits to differ, six at least; ticks that are powers of ten stay so.
 void setTickDigits(QCPAxis& axis);
 
 }  // namespace drillwave

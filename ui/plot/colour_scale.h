@@ -12,7 +12,7 @@ class QCPColorGradient;
 namespace drillwave {
 
 /// A scale of shares −1 … 1, made in the OKLab space: lightness changes evenly, so that equal steps look
-/// equal; blue and orange differ also to the colour blind. Each is made once, when it is first asked for.
+/// equal; blue and orange differ also to the colour blind. Each is made once, on first use.
 class ColourScale {
   public:
     /// For values of either sign, on a light or a dark background: blue below, orange above, alike in
@@ -32,7 +32,7 @@ class ColourScale {
 
     /// Returns the colour of value/limit; outside −1 … 1 that of the ends, transparent for NaN.
     QRgb colour(double share) const;
-    /// The same for a colour bar.
+    /// Returns the colours for a colour bar.
     QCPColorGradient gradient() const;
 
   private:

@@ -17,7 +17,7 @@ class CrossMark {
   public:
     explicit CrossMark(QCustomPlot& plot) : m_plot(plot), m_mark(plot) {}
 
-    /// At a place in the coordinates of the bottom and left axes of `rect`, the same one every time.
+    /// Shows it at a place in the coordinates of the bottom and left axes of `rect`, always the same rect.
     void show(QCPAxisRect& rect, QPointF place, const QString& text);
     void hide();
     void setStyle(const PlotStyle& style);

@@ -27,7 +27,7 @@ class CursorBar : public QFrame {
     /// The curves to choose from; `chosen` is one of them, or nullptr when there are none.
     void setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen);
     enum class Of { cursors, view };
-    /// As many cells as readingCellCount.
+    /// Requires readingCellCount cells.
     void present(const ReadingCells& cells, Of of);
     /// The cells in one line.
     QString text() const { return m_text; }

@@ -18,10 +18,10 @@ class CursorMover {
 
     /// The cursor below a point that may be moved.
     std::optional<PlotCursor> cursorAt(QPointF point) const;
-    /// The same, taken up: stepping moves it from now on.
+    /// Takes up the cursor at a point, if there is one: stepping moves it from now on.
     std::optional<PlotCursor> grabAt(QPointF point);
     void drag(PlotCursor cursor, double pixel);
-    /// Puts a cursor to a point, or to the middle when there is none or it is beside the axes.
+    /// Puts a cursor at a point, or in the middle if there is none or it is beside the axes.
     void placeAt(PlotCursor cursor, std::optional<QPoint> at);
     /// Moves the cursor moved last.
     void step(double pixels);

@@ -19,7 +19,7 @@ class CurveGraph : public QCPGraph {
     void drawLinePlot(QCPPainter* painter, const QVector<QPointF>& lines) const override;
 };
 
-/// The same for curves that may turn back.
+/// Draws curves that may turn back in the same way.
 class CurvePath : public QCPCurve {
     Q_OBJECT
 
@@ -33,9 +33,9 @@ class CurvePath : public QCPCurve {
 /// Adds a graph to the plot that owns the axes; instead of QCustomPlot::addGraph().
 CurveGraph* addCurve(QCPAxis* keyAxis, QCPAxis* valueAxis);
 
-/// Points that no device pixel of that size tells apart from the line through the others are left out: of
-/// those within one column the first, the extremes and the last stay, and of those in a row the ends. A point
-/// that is not finite divides the line.
+/// Leaves out points that a device pixel of that size cannot show off the line through the others: of those
+/// within one column the first, the extremes and the last stay, and of those in a row the ends. A point that
+/// is not finite divides the line.
 QVector<QPointF> thinnedLine(const QVector<QPointF>& line, double pixel);
 
 }  // namespace drillwave

@@ -23,7 +23,7 @@ struct CurveMark {
 };
 
 /// Points of a graph with words beside them that keep clear of the curves of its axes and of each other.
-/// Where there are too many of a kind to be read, they are marked without numbers. Lives as a child of the
+/// If there are too many of a kind to be read, they are marked without numbers. Lives as a child of the
 /// plot.
 class CurveMarks : public QObject {
     Q_OBJECT

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Everything is in the units the curve is shown in: x as on the horizontal axis, y as on the vertical one.
+/// All values are in the units of the axes: x as on the horizontal one, y as on the vertical one.
 struct CurveMeaning {
     QString xName = {};  ///< "t"; empty for the label of the axis
     QString yName = {};  ///< "F"; empty for the label of the axis
@@ -21,7 +21,7 @@ struct CurveMeaning {
     QString slopeUnit = {};
     double slopeFactor = 1;
     /// Shown integral = integralFactor · ∫y dx, followed by integralUnit ("N s"); without a unit "kN·ms".
-    /// Factor 0: over such an axis, a parameter or a frequency, neither integral nor mean says anything.
+    /// Factor 0: over an axis like a parameter or a frequency, integral and mean have no meaning.
     QString integralUnit = {};
     double integralFactor = 1;
     /// Exact y(x); without it values are read from the drawn chords.

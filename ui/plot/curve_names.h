@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// As the meaning has it, else what the axis says without its unit: "time t" of "time t [ms]"; of stacked
-/// plots the lowest alone carries the label of the common axis. "x" and "y" where nobody says anything.
+/// Returns the name in the meaning, else the label of the axis without its unit: "time t" of "time t [ms]";
+/// in stacked plots only the lowest has the label of the common axis. "x" and "y" if there is neither.
 QString xNameOf(const QCPAbstractPlottable& curve, const CurveMeaning& meaning);
 QString yNameOf(const QCPAbstractPlottable& curve, const CurveMeaning& meaning);
 

@@ -48,7 +48,7 @@ class CurveReader : public QObject {
     std::optional<CursorReading> reading() const;
     /// The strip below the plot, in words; empty while there is none.
     QString text() const;
-    /// Puts what the strip says into the clipboard, as a table.
+    /// Copies the text of the strip to the clipboard, as a table.
     void copy() const;
     /// Whether what the strip reads may be copied: the curves answer the present input.
     void setCurrent(bool current);

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// In the units that are shown; NaN where the curve has no such value.
+/// Values in the units shown; NaN where the curve has no such value.
 struct CursorReading {
     double a = 0;   ///< x of cursor A
     double b = 0;   ///< x of cursor B
@@ -22,8 +22,8 @@ struct CursorReading {
 /// Reads a curve at a and b: exactly where its meaning gives the exact functions, else from its points.
 CursorReading readCurve(const QCPGraphDataContainer& points, const CurveMeaning& meaning, double a, double b);
 
-/// The piecewise linear curve through the points at x; at a jump (a key twice) the value behind it; NaN
-/// outside of the points.
+/// Returns the piecewise linear curve through the points at x; at a jump (a key twice) the value after it;
+/// NaN outside of the points.
 double chordValue(const QCPGraphDataContainer& points, double x);
 
 /// ∫ of the piecewise linear curve through the points from a to b, exact but for rounding; 0 outside of them.

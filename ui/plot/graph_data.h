@@ -17,8 +17,8 @@ namespace drillwave {
 /// Shared, never changed once built: handing it to a graph costs nothing however long it is.
 using GraphData = QSharedPointer<QCPDataContainer<QCPGraphData>>;
 
-/// Whether curves go on behind the end of what is interesting, to be panned to, or end there, for formats
-/// that do not clip.
+/// Whether curves go on beyond the span of interest, to be panned to, or end there, for formats that do not
+/// clip.
 enum class Tail { kept, cut };
 
 /// Appends a point if both numbers are finite: one "inf" in the data would make every rescaling of the axes
@@ -29,11 +29,11 @@ void appendFinite(QVector<QCPGraphData>& points, double time, double value);
 QVector<QCPGraphData> shownPoints(const std::vector<double>& time, const std::vector<double>& value,
                                   const ShownUnit& timeUnit, const ShownUnit& valueUnit);
 
-/// Points of not decreasing times as they are.
+/// Copies points of not decreasing times.
 GraphData graphData(const QVector<QCPGraphData>& points);
 
-/// A history at the bit in shown units: 0 from time 0 to its first point, constant from its last point to
-/// `timeEnd`, and with Tail::cut nothing behind that.
+/// Returns a history at the bit in shown units: 0 from time 0 to its first point, constant from its last
+/// point to `timeEnd`, and with Tail::cut nothing after that.
 GraphData historyData(QVector<QCPGraphData> points, double timeEnd, Tail tail);
 
 }  // namespace drillwave

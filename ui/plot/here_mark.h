@@ -19,13 +19,13 @@ class HereMark : public QObject {
   public:
     HereMark(QCustomPlot* plot, QCPAxis* x, QCPAxis* y);
 
-    /// In units of the axes; without a y only the line is shown, without an x nothing. Replots the overlay
-    /// layer alone when something has changed.
+    /// Moves it, in units of the axes; without a y only the line is shown, without an x nothing. Replots only
+    /// the overlay layer, and only after a change.
     void setPlace(std::optional<double> x, std::optional<double> y);
     void setStyle(const PlotStyle& style);
     std::optional<double> x() const { return m_x; }
     std::optional<double> y() const { return m_y; }
-    /// Both of them.
+    /// Both coordinates; nothing if one is missing.
     std::optional<QPointF> place() const {
         return m_x && m_y ? std::optional(QPointF(*m_x, *m_y)) : std::nullopt;
     }

@@ -22,13 +22,13 @@ struct CurvePoint {
     QPointF pixel;
 };
 
-/// The point of a visible named curve nearest to a point of the plot, within `tolerance` pixels. Looks only
-/// at the points of graphs beside the pointer, so long curves cost no more than short ones.
+/// Returns the point of a visible named curve nearest to a point of the plot, within `tolerance` pixels.
+/// Searches only the points of graphs near the pointer, so long curves cost no more than short ones.
 std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
 /// Whether a curve or a point that is drawn, with a name or without, is within so many pixels.
 bool isOnCurve(const QCustomPlot& plot, QPointF pixel, double reach);
 
-/// Its curve and its numbers, in words.
+/// Describes its curve and its numbers in words.
 QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale);
 
 /// A ring and a label on the layer "overlay".

@@ -15,7 +15,7 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Where keys may go in a plot, in the coordinates of the bottom and left axes of one axis rect.
+/// Places for the keyboard in a plot, in the coordinates of the bottom and left axes of one axis rect.
 struct KeyPlaces {
     enum class On {
         curves,  ///< along the visible curves, and from one to the next
@@ -24,13 +24,13 @@ struct KeyPlaces {
     };
     QCPAxisRect* rect = nullptr;
     On on = On::curves;
-    /// Where to begin; in the middle of the view where there is no such place.
+    /// First place; the middle of the view if there is none.
     std::function<std::optional<QPointF>()> start = [] { return std::nullopt; };
     /// Places that are worth going to: extremes, kinks, presets.
     std::function<QVector<QPointF>()> marks = [] { return QVector<QPointF>(); };
     /// Further places that a click takes, each a thing by itself: cells of a coarse map.
     std::function<QVector<QPointF>()> targets = [] { return QVector<QPointF>(); };
-    /// Describes a place, beside the numbers of the curve.
+    /// Describes a place, in addition to the numbers of the curve.
     std::function<QString(QPointF)> words = [](QPointF) { return QString(); };
 };
 
@@ -42,19 +42,19 @@ class KeyPoint : public QObject {
   public:
     explicit KeyPoint(PlotWidget& plot);
 
-    /// Keys do nothing here until a page has said where they may go.
+    /// Enables the keys here by the places that a page offers.
     void offer(KeyPlaces places);
     bool isOffered() const { return m_places.rect != nullptr; }
 
     /// Puts it where the places begin; no effect while it is there, or where there is nothing to go along.
     void enter();
     void leave();
-    /// In coordinates; nothing before enter() and after leave().
+    /// The place in coordinates; nothing before enter() and after leave().
     std::optional<QPointF> place() const { return m_place; }
     std::optional<QPointF> pixel() const;
 
-    /// By pixels to the right and up. On points as many points to the right, or up; on curves upwards any
-    /// number is one curve.
+    /// Moves it by pixels to the right and up. On points, by as many points to the right or up; on curves,
+    /// any number upwards is one curve.
     void move(int right, int up);
     /// To the first or last place in view: of the curve, of the points, or of the line across the area.
     void goToEnd(bool last);
@@ -65,7 +65,7 @@ class KeyPoint : public QObject {
     /// Does what a click there does.
     void take(Qt::KeyboardModifiers modifiers);
 
-    /// Out of sight for now; it comes back where it was.
+    /// Hides it for now, or shows it where it was.
     void setHidden(bool hidden);
     bool isHidden() const { return m_hidden; }
     void setStyle(const PlotStyle& style) { m_mark.setStyle(style); }

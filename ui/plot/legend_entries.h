@@ -9,17 +9,17 @@
 
 namespace drillwave {
 
-/// The curves that stand in a legend, in the order in which they were added: those that users can name.
+/// Returns the curves in a legend, in the order in which they were added: those that users can name.
 QList<QCPAbstractPlottable*> namedCurves(const QCustomPlot& plot);
 
-/// The same that are shown now and have a point.
+/// Returns the named curves that are shown now and have a point.
 QList<QCPAbstractPlottable*> visibleCurves(const QCustomPlot& plot);
 
 /// The curve whose legend entry is at a point of the plot, or nullptr.
 QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point);
 
-/// As many entries beside each other as have room in a width [px], at most so many: in columns that are each
-/// as wide as the widest of their entries.
+/// Arranges as many entries side by side as have room in a width [px], at most so many: in columns, each as
+/// wide as the widest of its entries.
 void wrapLegend(QCPLegend& legend, double width, int mostColumns);
 
 /// Fades and strikes out the entries of hidden curves. Changes nothing where nothing has changed.

@@ -13,10 +13,10 @@ namespace drillwave {
 
 using CurveMeanings = QHash<const QCPAbstractPlottable*, CurveMeaning>;
 
-/// One column for x and one for each curve, named with their units; curves on other x have a column for
-/// them in front. Numbers read back exactly, whatever the locale. Shorter columns end with empty cells.
-/// A separator of ',' gives CSV after RFC 4180 with line ends "\n", a tab what spreadsheets take from the
-/// clipboard.
+/// Returns one column for x and one for each curve, named with their units; curves on other x have a column
+/// for them in front. Numbers read back exactly, whatever the locale. Shorter columns end with empty cells. A
+/// separator of ',' gives CSV after RFC 4180 with line ends "\n", a tab the form that spreadsheets take from
+/// the clipboard.
 QByteArray plotCsv(const QCustomPlot& plot, const CurveMeanings& meanings, char separator = ',');
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// For a point of the plot, as it is now; deletes itself when it is closed.
+/// The menu of a point of the plot at this moment; deletes itself when it is closed.
 class PlotMenu : public QMenu {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ class PlotMenu : public QMenu {
     PlotMenu(PlotWidget& plot, QPoint at);
 };
 
-/// The same entries in another menu, which they are to replace when it opens: those of a menu bar.
+/// Replaces the entries of another menu by the same ones, for a menu bar; call it when that menu opens.
 void fillPlotMenu(QMenu& menu, PlotWidget& plot, QPoint at);
 
 }  // namespace drillwave

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// Hidden until it has something to say. Long sentences are broken to the width of the plot.
+/// Hidden without a text. Long sentences are broken to the width of the plot.
 class PlotMessage : public QObject {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ class PlotMessage : public QObject {
     void show(const QString& text);
     void hide() { m_item->setVisible(false); }
     void setStyle(const PlotStyle& style);
-    /// As it is broken into lines; for tests.
+    /// The item with its line breaks; for tests.
     const QCPItemText& item() const { return *m_item; }
 
   private:

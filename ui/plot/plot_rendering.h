@@ -11,7 +11,7 @@ class QCustomPlot;
 
 namespace drillwave {
 
-/// The file formats that can be asked for: the pictureFormats.
+/// Returns the supported file formats: the pictureFormats.
 QStringList plotFormats();
 
 /// Size on paper.

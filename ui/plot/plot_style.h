@@ -36,12 +36,12 @@ struct PlotStyle {
     /// Returns the pen of the index-th curve of a plot: the first lineKinds differ both in colour and in dash
     /// pattern (never only in colour), sixteen of them in one of the two.
     QPen linePen(int index) const;
-    /// The same of an earlier result, which stays faintly behind: thin, translucent and dotted.
+    /// Returns the pen of an earlier result, which stays faintly: thin, translucent and dotted.
     QPen ghostPen(int index) const;
     /// A translucent version of a line's colour, for areas.
     QBrush areaBrush(int index) const;
 
-    /// Behind words that stand on curves: what they hide is faintly there.
+    /// Returns the background of words on curves: what they hide is faintly visible.
     QBrush behindWords() const;
 
     void applyTo(QCPAxisRect& rect) const;

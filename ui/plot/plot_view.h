@@ -26,7 +26,7 @@ class PlotView {
     /// Changes the ranges at a point by `factor` (less than 1 zooms in) around it; false where there is no
     /// axis.
     bool zoomAt(QPointF point, double factor);
-    /// The same around the middle of the active rect.
+    /// Changes the ranges in the same way around the middle of the active rect.
     void zoom(double factor);
     /// Moves the active rect's view by a share of its size.
     void pan(Qt::Orientation orientation, double share);

@@ -58,7 +58,7 @@ class PlotWidget : public QCustomPlot {
     CurveReader& reader() { return m_reader; }
     CursorMover& mover() { return m_mover; }
     PlotView& view() { return m_view; }
-    /// The point that keys move; a page says where it may go.
+    /// The point that keys move; a page offers its places.
     KeyPoint& keyPoint() { return *m_point; }
     /// Whether the page follows the time cursor: it has connected timeCursorDragged().
     bool offersTime() const;
@@ -82,9 +82,9 @@ class PlotWidget : public QCustomPlot {
     /// The data of the plot as CSV; see plotCsv().
     QByteArray csv() const { return dataText(','); }
     bool hasData() const;
-    /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
+    /// Sets the text of a plot without curves, with a separator between cells, in the form of plotCsv().
     void setDataText(DataText text) { m_dataText = std::move(text); }
-    /// Names curves and axes in the language wanted at that time (EnglishTexts): what stands in csv() is in
+    /// Sets the function that names curves and axes in the present language (EnglishTexts): csv() is in
     /// English.
     void setNaming(std::function<void()> name) { m_name = std::move(name); }
 
@@ -109,8 +109,8 @@ class PlotWidget : public QCustomPlot {
     /// A click with the left button, pressed and released at one place of an axis rect: its coordinates on
     /// the bottom and left axes there.
     void clicked(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
-    /// Such a click on a curve or a mark, or Enter at the point of the keys: what a page does then may change
-    /// the scenario. Clicks beside them, as one that only gives the plot the focus, change nothing.
+    /// A click on a curve or a mark, or Enter at the point of the keys: the page may then change the
+    /// scenario. Clicks beside them, such as one that only gives the plot the focus, change nothing.
     void placeTaken(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
     /// The user moves the time cursor; it is there already. A page that connects this offers the cursor.
     void timeCursorDragged(double x);

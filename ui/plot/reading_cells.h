@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// One number with its unit. NaN where it is not known.
+/// One number with its unit. NaN if it is not known.
 struct ReadingCell {
     QString name;   ///< in full, for what is copied or read aloud: "F at A"
     QString label;  ///< before the number in the table; may be empty

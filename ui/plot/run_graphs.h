@@ -17,7 +17,7 @@
 
 namespace drillwave {
 
-/// How a legend calls a run beside others: by its name where there is room for it.
+/// Returns the name of a run in a legend: only its letter if there are more than three `runs`.
 QString runLegend(const QString& title, qsizetype runs);
 
 /// The pen of a run as a broad translucent band in dashes as long.
@@ -31,15 +31,15 @@ struct RunDrawing {
     Data data;
 };
 using RunCurve = RunDrawing<GraphData>;
-/// One that may turn back.
+/// A curve that may turn back.
 using RunPath = RunDrawing<QSharedPointer<QCPCurveDataContainer>>;
 
-/// Curves over two axes behind those of the page, in the legend with their names or, where these do not fit
-/// or are many, their letters. Lives as a child of the plot.
+/// Curves over two axes below those of the page, in the legend with their names or, if these do not fit or
+/// are many, their letters. Lives as a child of the plot.
 template <class Plottable, class Drawing>
 class RunDrawings : public QObject {
   public:
-    /// Over the width of other lines: beside many curves of the page those of runs stand back.
+    /// Relative width of runs beside many curves of the page.
     static constexpr double thin = 0.7;
 
     /// Without a legend the curves are neither read nor copied.
@@ -69,7 +69,7 @@ class RunDrawings : public QObject {
         if (!isSame) makeAnew();
         for (qsizetype i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_drawings[i].data);
     }
-    /// Behind what has come into the legend since.
+    /// Moves its entries after newer ones in the legend.
     void standLast() {
         if (!m_legend) return;
         for (Plottable* graph : std::as_const(m_graphs)) {
@@ -118,7 +118,7 @@ class RunDrawings : public QObject {
                                                     : runLegend(title, m_graphs.size()));
         }
     }
-    // A legend that is too wide for its row is squeezed, and its last letters are cut off.
+    // Shortens names, because a legend that is too wide for its row is squeezed and loses its last letters.
     void fitNames() {
         if (m_graphs.isEmpty() || !m_bands.isEmpty()) return;
         if (m_legend->minimumOuterSizeHint().width() <= m_legend->outerRect().width()) return;

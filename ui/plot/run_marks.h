@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where pinned runs are on a plot of a study.
+// Marks of pinned runs on a plot of a study.
 #pragma once
 
 #include <qcustomplot.h>
@@ -20,9 +20,9 @@ struct RunMark {
     bool operator==(const RunMark&) const = default;
 };
 
-/// Points in the colours of their runs, named beside them, over everything else. A name goes round its point
-/// to where nothing else is written, and is its letters alone where there is no room for more. Lives as a
-/// child of the plot.
+/// Points in the colours of their runs, named beside them, over everything else. A name goes around its
+/// point to a free place, and is only its letters if there is no room for more. Lives as a child of the
+/// plot.
 class RunMarks : public QObject {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a pinned run is drawn: by colour and dash, both its own.
+// Pens of pinned runs: each has its own colour and dash.
 #pragma once
 
 #include "ui/plot/plot_style.h"

@@ -18,8 +18,8 @@ class ViewHistory {
 
     /// Keeps the present view; call before it changes.
     void remember();
-    /// The same for changes that come in bursts, as of a wheel: one of half a second or less apart is the
-    /// same step.
+    /// Remembers the view before a burst of changes, for example by a wheel: changes half a second or less
+    /// apart are one step.
     void rememberBurst();
     bool canGoBack() const;
     /// Restores the last view that differs from the present one.

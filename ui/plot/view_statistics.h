@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// In the units that are shown; NaN where there is no part of the curve in view.
+/// Values in the units shown; NaN if no part of the curve is in view.
 struct ViewStatistics {
     double begin = 0;  ///< x where the part in view begins
     double end = 0;

@@ -15,7 +15,7 @@ class QPushButton;
 
 namespace drillwave {
 
-// How a picture of a page is to be saved.
+// Format, size and resolution of a picture to be saved.
 
 struct PictureChoice {
     QString format = QStringLiteral("png");  ///< one of plotFormats()
@@ -32,7 +32,7 @@ struct PictureChoice {
 PictureChoice rememberedPictureChoice(double aspectRatio);
 void remember(const PictureChoice& choice);
 
-/// Cannot be accepted while its choice cannot be made; says why.
+/// Cannot be accepted while its choice is impossible; shows why.
 class PictureDialog : public QDialog {
     Q_OBJECT
 

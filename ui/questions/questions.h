@@ -29,10 +29,10 @@ class Questions {
     /// A file to take something from, other than a scenario; empty when the user gave up.
     virtual QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                                  const QString& filter) = 0;
-    /// Where to save, overwriting confirmed; empty when the user gave up.
+    /// Asks for a file to save to, overwriting confirmed; empty when the user gave up.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
-    /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up. A
-    /// name without an ending gets that of the filter.
+    /// Asks for a file to write something else than a scenario to, overwriting confirmed; empty when the user
+    /// gave up. A name without an ending gets that of the filter.
     virtual QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                  const QString& filter) = 0;
     /// A printer, set up by the user for a document of that name; nothing when the user gave up.
@@ -48,7 +48,7 @@ class Questions {
     virtual Recovery recover(QWidget* parent, const QString& name, const QString& details) = 0;
     /// Whether to open the window again now, with everything that is in it.
     virtual bool restartNow(QWidget* parent, const QString& question, const QString& details) = 0;
-    /// Tells of a failure, or gives information, without waiting for the user.
+    /// Reports a failure, or gives information, without waiting for the user.
     virtual void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the work of the hammer went, as one bar.
+// Parts of the hammer's work, as one bar.
 #pragma once
 
 #include <QWidget>
@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// In the order of the bar.
+/// The parts in the order of the bar.
 inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves,
                                         EnergyPart::hammer, EnergyPart::losses};
 

@@ -24,7 +24,7 @@ namespace drillwave {
 
 class EventTable;
 
-// A short sequence of the blow on show, followed beside it.
+// A short sequence of blows, solved in addition to the blow on show.
 
 /// Follows consecutive blows as soon as the values rest, as many as fit into a second; where a hundred take
 /// longer, only on request. The result of an earlier blow is not shown.
@@ -38,11 +38,11 @@ class ShortSequence : public QObject {
     void ask(const SolvedBlow& blow);
     /// Follows the blows although they take longer.
     void follow();
-    /// The result for the blow asked for last; nullptr while there is none.
+    /// The result for the last blow; nullptr while there is none.
     const DrillingResult* result() const;
     /// Whether it is on its way.
     bool isAwaited() const;
-    /// How long it would take [s], where it waits for follow().
+    /// Estimated time [s] if it waits for follow().
     std::optional<double> secondsOnRequest() const;
 
   signals:
@@ -54,7 +54,7 @@ class ShortSequence : public QObject {
     std::optional<Scenario> m_scenario;  // that can be drilled with
     QuickMarch m_march;
     StudyJob<DrillingResult> m_job;
-    bool m_isDue = false;  // asked, and not started yet
+    bool m_isDue = false;  // requested, and not started yet
     bool m_isStarted = false;
     QTimer m_rest;
 };

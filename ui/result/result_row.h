@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One number of the result panel: name, value as it is written, and how it is off that of the reference.
+// One number of the result panel: name, value, and difference from the reference.
 #pragma once
 
 #include <QLabel>
@@ -39,11 +39,11 @@ class PlaceLink : public QLabel {
 
 /// Content of a row for a blow.
 struct ResultEntry {
-    /// How it is written; empty where it is not given.
+    /// Formats the value; empty if there is none.
     using Text = std::function<QString(const SolvedBlow&)>;
     /// The number itself, to be compared; none where it has no sense.
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
-    /// How a number of the blow on show is off that of the reference.
+    /// Formats the difference of the blow on show from the reference.
     using Change = std::function<QString(double now, double then, const SolvedBlow&)>;
     /// Whether it is a number of such a scenario at all; the row is not there otherwise.
     using Concern = std::function<bool(const Scenario&)>;
@@ -51,11 +51,11 @@ struct ResultEntry {
     using Warning = std::function<bool(const SolvedBlow&)>;
     enum class Weight { usual, heavy };
 
-    QString name = {};  ///< empty where it goes on from the row above
+    QString name = {};  ///< empty: belongs to the row above
     QString meaning;
     Text text;
     std::optional<EnergyPart> part = {};
-    Text note = nullptr;  ///< more to say about the value of this blow, in its tooltip
+    Text note = nullptr;  ///< further information on the value of this blow, in its tooltip
     Weight weight = Weight::usual;
     QString objectName = {};
     Number number = nullptr;
@@ -100,12 +100,12 @@ class ResultRow {
     QWidget* m_swatch = nullptr;  // of a part of the energy
 };
 
-/// Its text can be selected; the menu is that of the panel.
+/// Makes its text selectable; the menu is that of the panel.
 void makeSelectable(QLabel& label);
 
 // Entries of the rows of the result panel.
 
-/// By this name the rows are found that wait for the study of all gaps.
+/// Object name of the rows that wait for the study of all gaps.
 inline const QString worstName = QStringLiteral("worstNeed");
 
 /// Returns all outputs of a group, in its order; below a largest stress its place as well.

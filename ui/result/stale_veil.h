@@ -12,12 +12,12 @@ class StaleVeil : public QWidget {
     Q_OBJECT
 
   public:
-    /// Lies over a widget, as its sibling, wherever that goes.
+    /// Lies over a widget, as its sibling, and follows it.
     explicit StaleVeil(QWidget* over);
 
     /// Lies over this sibling of the widget too, and over all between them.
     void cover(QWidget* sibling);
-    /// Nothing of what is below shows through: it is of another scenario.
+    /// Hides the result below completely, because it is that of another scenario.
     void setOpaque(bool opaque);
 
     /// The words on it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the runs in a folder beside the scenario file, where the user wants that.
+// Keeps the runs in a folder beside the scenario file, if the user wants that.
 #pragma once
 
 #include <QObject>
@@ -15,10 +15,10 @@
 
 namespace drillwave {
 
-/// A scenario that is opened brings the runs of its folder with it; those of the scenario before go where
-/// they are kept, and stay beside the new ones where nothing else has them. While runs are kept, every change
-/// of them is written, and after "save as" beside the new file, where there are no others. The disk is waited
-/// for on a thread of its own, one writing after another; of what changes meanwhile only the last state is
+/// An opened scenario brings the runs of its folder with it; those of the scenario before go if they
+/// are kept, and stay beside the new ones if nothing else has them. While runs are kept, every change
+/// of them is written, and after "save as" beside the new file, if there are no others. A separate
+/// thread waits for the disk, one writing after another; only the last of several changes meanwhile is
 /// written.
 class RunKeeper : public QObject {
     Q_OBJECT
@@ -36,14 +36,14 @@ class RunKeeper : public QObject {
     bool isKept() const { return m_kept; }
     /// The folder of the present scenario; empty where that has no file.
     QString folder() const;
-    /// The files that are there but not of the runs on show, and would stay: to be asked about first.
+    /// Whether the folder has files that are not of the runs on show, and would stay: ask the user first.
     bool holdsOthers();
-    /// From now on; begins to write. Returns why not; then nothing is kept. That writing has failed comes
-    /// with failed(), or from finish().
+    /// Keeps the runs from now on; begins to write. Returns why not; then nothing is kept. A failure of
+    /// writing is reported by failed(), or by finish().
     /// Replaces files of other programs only for ExistingFiles::replaced.
     QString keep(ExistingFiles existing = ExistingFiles::kept);
-    /// From now on no more; takes the files of the runs, but for those that somebody else has changed, and
-    /// the folder where nothing else is in it, away.
+    /// Keeps the runs no more; removes the files of the runs, except those that another program has changed,
+    /// and the folder if nothing else is in it.
     void giveUp();
     /// Waits until all is written. Returns why that has failed, without failed(); then nothing is kept any
     /// more.
@@ -51,7 +51,7 @@ class RunKeeper : public QObject {
 
   signals:
     void keptChanged(bool kept);
-    /// Saved under a name beside which this folder is already: nothing is kept there until keep() is called.
+    /// Saved under a name with such a folder already: nothing is kept there until keep() is called.
     void othersFound(const QString& folder);
     /// Some runs could not be taken from their files, or not be written: why, line by line.
     void failed(const QString& what, const QString& problem);
@@ -61,10 +61,10 @@ class RunKeeper : public QObject {
     struct Order {
         enum class Reason { wish, change } reason;
         ExistingFiles existing;
-        QString failure;  ///< what to say where it fails
+        QString failure;  ///< the message if it fails
     };
-    /// One writing, for one thread at a time: the worker's, until it delivers, or until it has been waited
-    /// for.
+    /// One writing, for one thread at a time: the worker's until it delivers, or until another thread has
+    /// waited for it.
     struct Job {
         Write write;
         RunsFolder folder;
@@ -99,7 +99,7 @@ class RunKeeper : public QObject {
     RunsFolder m_folder;           // before m_job
     std::optional<Order> m_order;  // what no job has been made of yet
     std::shared_ptr<Job> m_job;    // on its way
-    QString m_failure;             // what to say where the last order fails
+    QString m_failure;             // the message if the last order fails
     Worker m_worker;
 };
 

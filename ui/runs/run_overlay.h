@@ -18,7 +18,7 @@ std::optional<ShownUnits> unitsOf(const SolvedBlow& run, const ShownUnits& units
 /// for their last digits.
 bool areSameUnits(const ShownUnits& a, const ShownUnits& b);
 
-/// One run with what a page draws of it.
+/// One run with the curves that a page draws of it.
 template <class Curves>
 struct RunOverlay {
     int number = 0;  ///< of its letter, colour and dash

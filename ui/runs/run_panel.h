@@ -13,11 +13,8 @@ class QTreeWidgetItem;
 
 namespace drillwave {
 
-class ChoiceBox;
-struct Output;
-
-/// One result of each run and its difference from the reference. A box chooses the result. A tick draws a run
-/// over the plots, F2 renames it, the menu has the rest.
+/// Shows e of each run, and its difference from the reference. A tick lays a run over the plots; F2 renames
+/// it, the menu does the rest.
 class RunPanel : public QWidget {
     Q_OBJECT
 
@@ -27,7 +24,7 @@ class RunPanel : public QWidget {
 
     /// The present result.
     void present(const SolvedBlowPtr& blow);
-    /// Whether the runs are there when the file is opened again: says so where they are not.
+    /// Shows whether the runs will be there when the file is opened again.
     void setKept(bool kept);
     QTreeWidget* list() const { return m_list; }
 

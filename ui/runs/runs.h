@@ -23,7 +23,7 @@ struct Run {
     int number = 0;              ///< 0 … mostRuns − 1: its letter, colour and dash
     QString name;                ///< what changed, in words
     ScenarioDocument contents;   ///< what reverting brings back
-    SolvedBlowPtr blow;          ///< nullptr until it is solved; its `problem` says why it could not be
+    SolvedBlowPtr blow;          ///< nullptr until it is solved; its `fault` is the reason if it could not be
     bool isShown = true;         ///< laid over the plots
     std::optional<double> kept;  ///< the e that its file has, where it is from one
     std::string version = {};    ///< of the program that had solved that
@@ -61,7 +61,7 @@ class Runs : public QObject {
     /// Adds kept runs under their numbers where those are free. Runs that exist already, with the same
     /// scenario and name, are not added again. Returns the titles of runs for which there is no room.
     QStringList add(const std::vector<KeptRun>& kept);
-    /// As they are kept.
+    /// Returns the runs in the form in which they are kept.
     std::vector<KeptRun> toKeep() const;
     /// Numbers that are not given to new runs: their files are somebody else's.
     void reserve(std::vector<int> numbers) { m_reserved = std::move(numbers); }
@@ -96,7 +96,7 @@ class Runs : public QObject {
 
 // Solves runs that have no blow yet: those of a file, and points of a study that were pinned.
 
-/// One after the other, on a thread of its own.
+/// Solves runs one after the other, on a thread of its own.
 class RunSolver : public QObject {
     Q_OBJECT
 
@@ -114,7 +114,7 @@ class RunSolver : public QObject {
     SolveJob m_job;     // goes first: its thread solves
 };
 
-// Which runs can be laid over a blow.
+// Runs that can be laid over a blow.
 
 /// Returns the runs on rods for a rod, on drill strings for a string: the others have other axes.
 RunList runsLike(const Scenario& scenario, const RunList& runs);

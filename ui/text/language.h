@@ -17,7 +17,7 @@ class UnitChoice;
 
 /// The language chosen by the user; nullptr for that of the system.
 const Language* chosenLanguage();
-/// For the windows that are opened from now on.
+/// Sets the language of windows opened from now on.
 void chooseLanguage(const Language* language);
 
 /// The first of the wanted ("de-AT", "sv", "C") that there is, in the order in which a user prefers them
@@ -45,14 +45,14 @@ class Catalogue : public QTranslator {
     /// Empty for English, which needs none.
     explicit Catalogue(const Language& language, QObject* parent = nullptr);
 
-    /// Nothing while EnglishTexts are wanted.
+    /// Returns nothing while EnglishTexts exist.
     QString translate(const char* context, const char* source, const char* disambiguation = nullptr,
                       int count = -1) const override;
 };
 
-/// From now on the application has its texts in that language, and Qt its own where they are installed.
+/// Gives the application its texts in that language, and Qt its own if they are installed.
 void speak(const Language& language);
-/// That language; English before there is one, and while EnglishTexts are wanted.
+/// Returns that language; English before speak(), and while EnglishTexts exist.
 const Language& spokenLanguage();
 
 // Sentences and tables of the core in the words, numbers and units of the one at the window.

@@ -8,15 +8,15 @@ class QLabel;
 
 namespace drillwave {
 
-/// Whether what stands on that ground is to be light.
+/// Whether words on that ground should be light.
 inline bool isDark(const QColor& ground) {
     return ground.lightness() < 128;
 }
 
 // The look of a text that warns.
 
-/// In the colour of warnings, which suits the palette, and heavy; or as it is usual. The words must say it
-/// too.
+/// Shows a label in the colour of warnings, which suits the palette, and bold; or as usual. The words must
+/// express it as well.
 void setWarning(QLabel& label, bool warning);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences that give way to what stands below them.
+// Sentences that shrink and scroll to leave room below them.
 #pragma once
 
 #include <QScrollArea>
@@ -14,7 +14,7 @@ class ScrolledLabel : public QScrollArea {
     Q_OBJECT
 
   public:
-    /// `label` is to be wrapped and becomes the child.
+    /// `label` should wrap; it becomes the child.
     ScrolledLabel(QLabel* label, double shareOfWindow, QWidget* parent);
 
     /// Sets the text of the label; its room is there as soon as the layout around is activated.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the window keeps what it remembers from run to run.
+// Settings that the window remembers from run to run.
 #pragma once
 
 #include <QSettings>

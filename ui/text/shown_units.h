@@ -49,7 +49,7 @@ struct ShownUnits {
     ShownUnit penetration;  ///< displacements in d0, twice the displacement unit of Impact
     ShownUnit stiffness;    ///< in k0, as β is
     ShownUnit energy;       ///< in W0; that of Impact is 2τ W0
-    ShownUnit stress;       ///< in F0/A; forces stand for it where all is dimensionless
+    ShownUnit stress;       ///< in F0/A; of forces where all is dimensionless
     ShownUnit length;       ///< places in the rod, in L
     ShownUnit velocity;     ///< of hammer or rod as a whole, in v0
     UnitSystem system = UnitSystem::dimensionless;

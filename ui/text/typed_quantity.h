@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// The longest text that is taken for arithmetic; no field needs more, and nothing can be made to take long.
+/// The longest text that counts as arithmetic; no field needs more, and no input takes long.
 inline constexpr qsizetype longestArithmetic = 100;
 
 /// Reads "38", "38 mm", "3,2 m" as plainText() and parseQuantity() do, and also
@@ -21,7 +21,7 @@ inline constexpr qsizetype longestArithmetic = 100;
 TypedQuantity typedQuantity(const QString& typed, Quantity quantity, const Unit& defaultUnit,
                             const QLocale& locale);
 
-/// The unit that is meant by that spelling, or nullptr. "mn/m" is none: milli or mega, nobody can tell.
+/// Returns the unit with that spelling, or nullptr. "mn/m" is none: it could be milli or mega.
 const Unit* typedUnit(const QString& spelling, Quantity quantity);
 
 }  // namespace drillwave

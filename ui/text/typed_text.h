@@ -29,10 +29,10 @@ struct LeadingNumber {
     qsizetype length = 0;  ///< characters that it takes
 };
 
-/// As plainText() reads it. Requires no invisible characters.
+/// Reads as plainText() does. Requires no invisible characters.
 LeadingNumber leadingNumber(QStringView text, const QLocale& locale);
 
-/// Without direction marks, soft hyphens and blanks of no width, which come with text copied from elsewhere.
+/// Removes direction marks, soft hyphens and blanks of no width, which are in text copied from elsewhere.
 QString withoutInvisible(QString text);
 
 /// C text of a number with the locale's decimal sign.

@@ -6,7 +6,7 @@ class QWidget;
 
 namespace drillwave {
 
-/// Leaves the wheel over a field without focus to what the field stands in. The wheel gives the field no
+/// Leaves the wheel over a field without focus to its parent widget. The wheel gives the field no
 /// focus.
 void ignoreUnfocusedWheel(QWidget& field);
 

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// One for each document: its fields and results follow it wherever they are, those of others do not.
+/// One for each document: all its fields and results follow it, those of others do not.
 class UnitChoice : public QObject {
     Q_OBJECT
 
@@ -24,18 +24,18 @@ class UnitChoice : public QObject {
     UnitSystem physicalSystem() const { return m_physical; }
     /// The units of kinds that do not follow the system.
     const ChosenUnits& chosen() const { return m_chosen; }
-    /// In which the field of a parameter shows it.
+    /// Returns the unit of the field of a parameter.
     const Unit& fieldUnit(const Parameter& parameter) const;
-    /// In which values of that size (SI) are best read, or the one chosen for their kind.
+    /// Returns the unit chosen for a kind, or the one in which values of that size (SI) are best read.
     const Unit& unitFor(UnitKind kind, double size) const;
     /// A value (SI) in the unit for its own size: "200 µs", "57.3 kip".
     QString text(double si, UnitKind kind, int digits = 3) const;
-    /// The same of a bound ≥ 0, never smaller than it is.
+    /// Formats a bound ≥ 0, never smaller than it is.
     QString boundText(double si, UnitKind kind) const;
 
-    /// All that is not chosen by kind follows, fields with a unit of their own too.
+    /// Sets the system of all kinds without a unit of their own, also of fields with one.
     void choose(UnitSystem system);
-    /// All of that kind follow, fields with a unit of their own too. nullptr: as the system has it.
+    /// Sets the unit of a kind, also of fields with a unit of their own. nullptr: that of the system.
     void choose(UnitKind kind, const Unit* unit);
     /// Sets the unit of one field, in every scenario, without changed().
     void chooseForField(const Parameter& parameter, const Unit& unit);

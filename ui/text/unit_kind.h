@@ -36,7 +36,7 @@ enum class UnitKind {
     damping,
 };
 
-/// One of a kind for each value; a kind that is not there has the units of the system.
+/// Units of kinds; a kind that is not in it has the units of the system.
 using ChosenUnits = std::map<UnitKind, const Unit*>;
 
 struct UnitKindRow {
@@ -44,12 +44,12 @@ struct UnitKindRow {
     Quantity quantity;
     const char* name;   ///< what is kept in settings
     const char* label;  ///< in English, for a menu
-    /// Where prefixes help, from the largest to the smallest.
+    /// Units with prefixes if they help, from the largest to the smallest.
     std::span<const std::string_view> si;
     std::span<const std::string_view> us;
 };
 
-/// In the order of a menu.
+/// Returns the kinds in the order of a menu.
 std::span<const UnitKindRow> unitKinds();
 const UnitKindRow& rowOf(UnitKind kind);
 
@@ -60,7 +60,7 @@ const Unit& handyUnit(UnitKind kind, double size, UnitSystem system);
 /// nullopt for a ratio.
 std::optional<UnitKind> kindOf(const Parameter& parameter);
 
-/// In which a parameter is customarily given in a system: for US units, what suits its plausible values.
+/// Returns the usual unit of a parameter in a system: for US units, one that suits its plausible values.
 const Unit& customaryUnit(const Parameter& parameter, UnitSystem system);
 
 }  // namespace drillwave

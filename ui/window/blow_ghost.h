@@ -13,7 +13,7 @@ class Document;
 class PageTabs;
 class ScenarioPanel;
 
-/// That from before a drag stays to compare with until its end, that from before a preset until the next
+/// Keeps the blow from before a drag until its end, and that from before a preset until the next
 /// change.
 class BlowGhost : public QObject {
     Q_OBJECT
@@ -21,7 +21,7 @@ class BlowGhost : public QObject {
   public:
     using Shown = std::function<SolvedBlowPtr()>;
 
-    /// `shown` tells what is on show; all of them must outlive it.
+    /// `shown` returns the blow on show; all references must outlive it.
     BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown, QObject* parent);
 
   private:

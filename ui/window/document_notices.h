@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices about the document: its file, its form, its table and what an example is.
+// Notices about the document: its file, its form, its table and hints for an example.
 #pragma once
 
 #include <QAction>
@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-// Says that the file on disk is no longer what is being edited, and offers what can be done.
+// Reports that the file on disk differs from the scenario being edited, and offers remedies.
 
 class FileNotice : public Notice {
     Q_OBJECT
@@ -33,7 +33,7 @@ class FileNotice : public Notice {
     QPushButton* m_reload;
 };
 
-// Says that the file of a measured blow has changed on disk, and offers to read it again.
+// Reports that the file of a measured blow has changed on disk, and offers to read it again.
 
 class TableNotice : public Notice {
     Q_OBJECT
@@ -51,7 +51,7 @@ class TableNotice : public Notice {
     QPushButton* m_reload;
 };
 
-// Makes a drill string of a uniform rod, or a uniform rod of a string, and says what that has lost.
+// Converts a uniform rod to a drill string, or a string to a uniform rod, and reports what is lost.
 
 class FormNotice : public Notice {
     Q_OBJECT
@@ -60,7 +60,7 @@ class FormNotice : public Notice {
     /// The document must outlive it.
     explicit FormNotice(Document& document, QWidget* parent = nullptr);
 
-    /// For a menu; each is disabled where there is nothing to convert, with the reason as its tooltip.
+    /// Actions of a menu; each is disabled if there is nothing to convert, with the reason as its tooltip.
     QAction* toString() const { return m_toString; }
     QAction* toUniformRod() const { return m_toUniformRod; }
     QAction* toRig() const { return m_toRig; }      ///< of dimensionless groups, by a RigDialog

@@ -37,7 +37,7 @@ struct ProofPicture {
 };
 
 /// Error of e against run time, a line for each lattice, the exact solution as a star (theory §9). Errors
-/// below what a double can tell are shown there.
+/// below the resolution of a double are shown there.
 ProofPicture accuracyPicture(const Accuracy& accuracy, const QLocale& locale);
 
 /// "e is right to 6·10⁻¹⁴ in 1 µs; the paper's 10 000 segments give 1·10⁻⁹ in 145 ms"; of what there is.
@@ -50,7 +50,7 @@ ProofPicture accuracyPicture(const StringAccuracy& accuracy, const QLocale& loca
 /// what there is.
 QString accuracySentence(const StringAccuracy& accuracy, const QLocale& locale);
 
-/// For each case its worst measure over the mark that is not to be passed, against β/γ, the stiffest rate.
+/// The worst measure of each case over its limit, against β/γ, the stiffest rate.
 ProofPicture stabilityPicture(const StabilityReport& report, const QLocale& locale);
 
 /// "4 631 cases, all passed; the nearest to its mark: …"; of what there is.

@@ -22,7 +22,7 @@ class ProofPlot : public StudyFrame {
     std::optional<int> rowAt(QPointF pixel) const;
     /// Sets the function that names a row of the study, for users who go there by keys.
     void setNames(std::function<QString(int)> nameOf) { m_nameOf = std::move(nameOf); }
-    /// From point to point.
+    /// The keys go from point to point.
     KeyPlaces keyPlaces() const override;
 
   private:

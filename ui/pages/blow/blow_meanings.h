@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact functions and the units behind the curves of a blow.
+// Exact functions and units of the curves of a blow.
 #pragma once
 
 #include <array>

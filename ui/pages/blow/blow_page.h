@@ -33,7 +33,7 @@ class BlowPage : public PlotPage {
     void setGhost(const SolvedBlowPtr& before) override;
     void setRuns(const RunListPtr& runs) override;
 
-    /// Lays measured signals over the curves. Once; the list must outlive the page.
+    /// Lays measured signals over the curves. Call it once; the list must outlive the page.
     void follow(MeasuredList& measured, const UnitChoice& units);
 
     BlowPlots* plots() const { return m_plots; }

@@ -21,14 +21,14 @@ class BlowPlots : public StudyFrame {
 
     /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
     void present(const BlowCurves& curves);
-    /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
+    /// Shows the curves of another blow faintly, in no legend; nullptr removes them.
     void setGhost(const BlowCurves* before);
     /// A curve of something else among those of a kind, in its legend; it is fitted with them. The caller
     /// gives it data and pen, and takes it away again.
     enum class Kind { waves, impactForce };
     QCPGraph* addOverlay(Kind kind, const QString& name);
     void removeOverlay(QCPGraph* overlay);
-    /// Where in a drill string the waves of these curves are.
+    /// Describes the place of these waves in a drill string.
     static QString placeText(const BlowCurves& curves, const QLocale& locale);
     /// Names curves and axes.
     void name();
@@ -37,7 +37,7 @@ class BlowPlots : public StudyFrame {
     QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
     /// The waves N0p, N1n, N2p, N3n.
     QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[1 + number]; }
-    /// All behind them towards the bit (0) or from it (1), in the legend only where there are such.
+    /// Graph of all later waves towards the bit (0) or from it (1), in the legend only if there are any.
     QCPGraph* laterGraph(int heading) const { return m_plots[0].graphs[1 + BlowCurves::waveCount + heading]; }
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
     /// In its legend only while the closed form holds.
@@ -70,7 +70,7 @@ class BlowPlots : public StudyFrame {
     void showClosedForm();
     void nameWaves();
     void summarizeString();
-    /// In a legend only while it has data: nothing to be hidden or shown otherwise.
+    /// In a legend only while it has data, as it cannot be hidden or shown otherwise.
     void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data, bool always = false);
     void showRuns();
     void addGhost(std::size_t index, int kind, const GraphData& data);

@@ -15,8 +15,8 @@ struct ClosedFormCurve {
     double error = 0;  ///< bound on the error of its coefficient of restitution
 };
 
-/// Nothing where the closed form does not hold (core/wave/closed/closed_form.h). `timeEnd` in shown units is
-/// where the curves beside it end.
+/// Returns nothing if the closed form does not hold (core/wave/closed/closed_form.h). `timeEnd`, in shown
+/// units, is the end of the other curves.
 std::optional<ClosedFormCurve> closedFormCurve(const Problem& problem, const ShownUnits& units,
                                                double timeEnd);
 

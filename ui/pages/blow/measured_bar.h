@@ -28,14 +28,14 @@ class MeasuredBar : public QWidget {
     /// Names and colours as in the plots; `comparable` is whether they can be drawn there.
     void setStyle(const PlotStyle& style);
     void setComparable(bool comparable);
-    /// How far the chosen one is from what is computed: text, or nothing where that is not known.
+    /// Sets the deviation of the chosen signal from the computed curve; empty if it is not known.
     void setMisfit(const QString& text);
     std::size_t chosen() const;
 
   signals:
-    /// The section where one was measured, x [m], is to be shown.
+    /// The user wants to see the section where a signal was measured, x [m].
     void placeChosen(double x);
-    /// The one with that index is to be shifted to where it fits the computed curve.
+    /// The user wants to shift the signal with that index so that it fits the computed curve.
     void alignmentWanted(std::size_t index);
     /// Another one is chosen.
     void chosenChanged();

@@ -25,7 +25,7 @@ double shareAt(const Scenario& scenario, double x);
 /// has its histories, and its scenario units; it is copied.
 ComputedForce computedForce(const Blow& blow, const MeasuredSignal& signal, const BlowCurves& curves);
 
-/// Nothing where they have no time in common.
+/// Returns nothing if they have no time in common.
 std::optional<Misfit> misfitOf(const MeasuredSignal& signal, const ComputedForce& computed);
 
 }  // namespace drillwave

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Below each result its difference from that of the reference, with the same as a percentage.
+/// Below each result its difference from that of the reference, absolute and in percent.
 class CompareModel : public QAbstractTableModel {
     Q_OBJECT
 

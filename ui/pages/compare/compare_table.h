@@ -29,8 +29,8 @@ struct CompareRow {
     QString unit;                                ///< empty for plain numbers
     std::vector<std::optional<double>> numbers;  ///< one for each column; none where it has none
     QStringList words;                           ///< instead of numbers: shapes of the blow
-    /// Where numbers are multiples of what rods and strings have of their own: whose each is. Only those of
-    /// the same can be compared.
+    /// Whether each number is a multiple of a scale of a string, and not of a rod, where the two differ. Only
+    /// numbers of the same kind can be compared.
     std::vector<bool> ofString = {};
     bool isSigned = false;  ///< a margin, which is printed with its sign
 
@@ -39,7 +39,7 @@ struct CompareRow {
     QString text(std::size_t column, const QLocale& locale) const;
     /// number − that of the reference; nothing where one of them is missing.
     std::optional<double> difference(std::size_t column, std::size_t reference) const;
-    /// The same by the size of the reference's.
+    /// Returns the difference as a share of the reference.
     std::optional<double> relative(std::size_t column, std::size_t reference) const;
 };
 
@@ -49,9 +49,9 @@ struct CompareTable {
     std::vector<CompareRow> rows;
 };
 
-/// All results that at least one of the columns has, but for numerical errors, and margins of the thrust.
-/// `units` and `chosen` are those on show; their prefixes follow the first column that is solved. `fields`
-/// has those of parameters.
+/// Returns all results that at least one of the columns has, without numerical errors, and margins of the
+/// thrust. `units` and `chosen` are those on show; their prefixes follow the first column that is solved.
+/// `fields` has the units of parameters.
 CompareTable compareTable(const std::vector<CompareColumn>& columns, std::size_t reference, UnitSystem units,
                           const ChosenUnits& chosen, const UnitChoice& fields);
 

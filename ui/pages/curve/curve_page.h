@@ -60,7 +60,7 @@ class CurvePage : public StudyPage {
         std::optional<CurvePageQuestion> question;
         QString problem;
     };
-    /// All that the picture is made of.
+    /// Contents of the picture.
     struct Shown {
         std::shared_ptr<const CurvePageStudy> study;
         ShownUnits units;
@@ -112,9 +112,9 @@ class CurvePage : public StudyPage {
     bool m_isSampled = false;
     CurvePlot* m_plot = nullptr;
     PresetLibrary m_presets;
-    QString m_problem;  // why the controls say no curve
+    QString m_problem;  // why the controls give no curve
     Shown m_shown;
-    std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as they are drawn
+    std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as drawn
     RunListPtr m_shownRuns;
     AskedStudy<CurvePageQuestion, CurvePageStudy> m_study;  // goes first: its threads work
     RunLines m_runLines;                                    // goes even before

@@ -17,7 +17,7 @@ class GoalField : public QLineEdit {
   public:
     explicit GoalField(QWidget* parent = nullptr);
 
-    /// In SI, or as it is of a ratio.
+    /// The target in SI; a ratio as it is.
     std::optional<double> value() const { return m_value; }
     /// Shows another value in that unit, which bare numbers have too, without a signal. Text being typed
     /// stays if none of the three has changed.

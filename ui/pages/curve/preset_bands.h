@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Bands over the whole height of an axis rect, as far as they are in view, with their names at its foot: in
-/// two rows, clear of each other; a name that has room in neither is left out. Lives as a child of the plot.
+/// Bands over the whole height of an axis rect, if they are in view, with their names at its foot: in two
+/// rows, clear of each other; a name that fits in neither is left out. Lives as a child of the plot.
 class PresetBands : public QObject {
     Q_OBJECT
 

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// How many points the line of a drill string has among those of uniform rods.
+/// Number of points of a drill string's line among those of uniform rods.
 inline constexpr std::uint64_t sampledPoints = 101;
 
 using RunLines = RunStudies<CurveQuestion, CurveStudy>;

@@ -13,7 +13,7 @@ namespace drillwave {
 class ChoiceBox;
 class OutputBox;
 
-/// "in the worst 5 %", "on average": of a statistic that is to be large or small.
+/// Describes a statistic of an output to be maximised or minimised: "in the worst 5 %", "on average".
 QString statisticWords(const Statistic& statistic, Sense sense);
 
 /// One aim: largest or least, of which result, by which statistic.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an uncertain number scatters, as a small picture.
+// Distribution of an uncertain number, as a small picture.
 #pragma once
 
 #include <QWidget>

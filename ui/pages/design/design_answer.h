@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of the page Design: what is asked, and the answer while it gets better.
+// The study of the page Design: its question, and the answer while it gets better.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace drillwave {
 
 /// Samples of an answer which is there while the hand still moves.
 inline constexpr std::uint64_t quickSamples = 256;
-/// Where a blow is marched on cells, which takes a hundred times as long, these come before.
+/// First samples of blows that are marched on cells, which takes a hundred times as long.
 inline constexpr std::uint64_t firstSamples = 16;
 
 /// Seconds that a study of drill strings takes unasked.
@@ -28,7 +28,7 @@ struct DesignQuestion {
 
 /// The answer so far.
 struct DesignAnswer {
-    DesignReport report;                     ///< of as many samples as its study says
+    DesignReport report;                     ///< of as many samples as its study has
     std::uint64_t wanted = 0;                ///< samples of the last answer
     std::vector<Message> problems;           ///< why nothing can be solved: then there is nothing else
     std::optional<double> secondsLeft = {};  ///< expected for the rest, where the seconds were over before

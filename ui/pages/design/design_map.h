@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// So many values of the first choice are a map; of fewer, curves with a band tell more.
+/// Least number of values of the first variable for a map; curves with a band show more of fewer.
 inline constexpr std::uint64_t leastRowsOfMap = 4;
 
 /// Whether what is chosen are two numbers along ranges, which a map can have as its axes.
@@ -19,7 +19,7 @@ bool hasMap(const DesignStudy& study);
 /// and the statistic of the first objective, which is `value`, in colours.
 MapPicture designMap(const DesignReport& report, const DesignUnits& units, const AimedOutput& value);
 
-/// Where a design is on it.
+/// Returns the place of a design on the map.
 QPointF placeOnMap(const MapPicture& map, std::uint64_t design);
 
 /// The colours and the bar that explains them, which has a column of the plot's layout of its own while there
@@ -31,7 +31,7 @@ class DesignMap {
     /// nullptr for no map. The picture must outlive the next call.
     void present(const MapPicture* picture);
     bool isShown() const { return m_picture != nullptr; }
-    /// `name` is that of the statistic, and stands beside the bar with the unit.
+    /// Sets the label of the bar: `name` of the statistic, with the unit.
     void setLabel(const QString& name) { m_bar->setLabel(name); }
     void setStyle(const PlotStyle& style);
     /// The whole map, with the cells at its edges.

@@ -63,7 +63,7 @@ struct DesignPicture {
     QString summary;
 };
 
-/// How parameters and outputs of an answer are shown.
+/// Units of the parameters and outputs of an answer.
 class DesignUnits {
   public:
     DesignUnits(const DesignStudy& study, const ShownUnits& units,
@@ -79,7 +79,7 @@ class DesignUnits {
     /// "240 µs", "240 µs, 3.66 m"; of no choice "this scenario".
     QString designName(std::uint64_t design) const;
     const QLocale& locale() const { return m_locale; }
-    /// The style of sentences beside these units.
+    /// The style of sentences in these units.
     LocalStyle style() const { return {m_locale, m_units.system, m_units.chosen}; }
 
   private:
@@ -93,7 +93,7 @@ class DesignUnits {
 QString aimName(const DesignAim& aim);
 /// "duration t₀", "hammer": what is chosen, as an axis calls it.
 QString choiceName(const SweepAxis& choice);
-/// With its sense: "largest efficiency in the worst 5 %".
+/// Describes an aim with its sense: "largest efficiency in the worst 5 %".
 QString aimWords(const DesignAim& aim);
 
 /// Requires a study that has a best design.

@@ -66,7 +66,7 @@ class DesignPlot : public StudyFrame {
     QVector<QCPItemText*> m_barNames;
 };
 
-/// A name in lines, so that so many of them have room beside each other.
+/// Breaks a name into lines so that so many of them have room beside each other.
 QString inLines(const QString& name, qsizetype count);
 
 }  // namespace drillwave

@@ -22,7 +22,7 @@ class PresetTicks : public QWidget {
 
     /// Offers the parts that presets can replace in the scenario; ticks of presets that fit stay.
     void present(const Scenario& scenario);
-    /// As on the command line, a text for each part with ticks: "hammer=medium drifter,COP 1838".
+    /// The words of the command line, a text for each part with ticks: "hammer=medium drifter,COP 1838".
     std::vector<std::string> texts() const;
     /// Ticks what the text chooses. False, and nothing changes, where it chooses no presets that are offered.
     bool tick(const std::string& text);

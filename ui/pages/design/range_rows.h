@@ -24,8 +24,8 @@ class UnitChoice;
 /// Use of the ranges.
 enum class RangeUse { uncertain, chosen };
 
-/// One range with what it takes besides: how it scatters, or how many values are tried. Text that is no value
-/// stays in its field, marked, and changes nothing.
+/// One range with its distribution, or with the number of values to try. Text that is no value stays in its
+/// field, marked, and changes nothing.
 class RangeRow : public QWidget {
     Q_OBJECT
 
@@ -37,9 +37,9 @@ class RangeRow : public QWidget {
     void present(const Scenario& scenario);
     const StudyRange& range() const { return m_range; }
     void setRange(const StudyRange& range);
-    /// As on the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
+    /// The words of the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
     std::string text() const;
-    /// Shows what such a text says. False, and nothing changes, where the row has no controls for it.
+    /// Shows such a text. False, and nothing changes, if the row has no controls for it.
     bool setText(const std::string& text);
     /// Returns why the text in a field is wrong, with the field's name; empty if all are right.
     QString problem() const;
@@ -81,7 +81,7 @@ class RangeRows : public QWidget {
     Q_OBJECT
 
   public:
-    /// At least and at most so many rows, below `words`.
+    /// Holds at least and at most so many rows, below `words`.
     RangeRows(RangeUse use, const QString& words, std::size_t least, std::size_t most,
               const UnitChoice& units, QWidget* parent);
 
@@ -102,7 +102,7 @@ class RangeRows : public QWidget {
     const std::vector<RangeRow*>& rows() const { return m_rows.rows(); }
 
   public slots:
-    /// One more row, of what is usually asked next.
+    /// Adds a row with the parameter that is usually wanted next.
     void add();
 
   signals:

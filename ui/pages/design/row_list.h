@@ -14,8 +14,8 @@ namespace drillwave {
 template <class Row>
 class RowList {
   public:
-    /// At least and at most so many rows; new ones stand before the button that adds them, or last where that
-    /// is elsewhere.
+    /// Holds at least and at most so many rows; new ones are inserted before the button `add`, or last if
+    /// that is in another layout.
     RowList(QVBoxLayout& layout, QToolButton& add, std::size_t least, std::size_t most)
         : m_layout(layout), m_add(add), m_least(least), m_most(most) {}
 

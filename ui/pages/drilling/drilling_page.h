@@ -42,7 +42,7 @@ class DrillingPage : public StudyPage {
     const StudyActivity& scanActivity() const { return m_scan.job(); }
 
   public slots:
-    /// Starts the scan over the range of the fields.
+    /// Starts scans with the values of the fields; stops a running scan.
     void scan();
 
   signals:
@@ -88,7 +88,7 @@ class DrillingPage : public StudyPage {
     DrillingPlot* m_plot = nullptr;
     std::shared_ptr<const DrillingAnswer> m_complete;  // the last that came to its end
     std::shared_ptr<const DrillingAnswer> m_before;    // that of an earlier scenario
-    bool m_wantsScan = false;                          // it was stopped by going out of sight
+    bool m_wantsScan = false;                          // it was stopped because it is out of sight
     AskedStudy<DrillingQuestion, DrillingAnswer> m_march;
     AskedStudy<DrillingScanQuestion, DrillingScanAnswer> m_scan;
     RunDrilling m_runMeans;

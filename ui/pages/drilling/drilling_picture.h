@@ -78,7 +78,7 @@ struct ScanPicture {
 ScanPicture scanPicture(const DrillingScan& scan, const DrillingScan* constantForce,
                         const DrillingScan* strongDamper, const DrillingShown& shown);
 
-/// All that a plot shows; either may be missing.
+/// Content of the plot; either may be missing.
 struct DrillingPicture {
     QString message = {};  ///< shown instead of all else: why there is nothing to show
     DrillingShown units;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plots of many blows: penetration rate over a parameter and penetration blow by blow; gaps, their
-// distribution and the energy as details.
+// Many blows: gaps and penetrations, the scatter and sequence of the gaps, the energy, and a scan over a
+// parameter.
 #pragma once
 
 #include "ui/pages/drilling/drilling_picture.h"
@@ -31,7 +31,7 @@ class DrillingPlot : public StudyFrame {
     const ScanRects& scan() const { return *m_scan; }
     /// Whether a place in that rect is one along the scan.
     bool isScan(const QCPAxisRect* rect) const;
-    /// From value to value of the scan.
+    /// The keys go from value to value of the scan.
     KeyPlaces keyPlaces() const override;
 
   private:

@@ -24,7 +24,7 @@ struct DrillingQuestion {
     bool operator==(const DrillingQuestion&) const = default;
 };
 
-/// With windowSettingsOf().
+/// Returns the question with windowSettingsOf().
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
 /// e of the blow alone over the gap [d0] that it meets the rock after, along one period of it; empty where it
@@ -43,8 +43,8 @@ struct DrillingAnswer {
     bool isComplete() const { return result && result->outcome != DrillingOutcome::stopped; }
 };
 
-/// Answers one question after another and keeps the last answers, so that undo costs nothing. On one thread
-/// at a time.
+/// Answers one question after another and keeps the last answers, so that undo costs nothing. Use it on one
+/// thread at a time.
 class DrillingStudent {
   public:
     static constexpr std::size_t keptAnswers = 32;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Axis rects of a sequence of blows: gap and penetration blow by blow; distribution of the gaps, next gap
-// over gap, and energy in a row of details.
+// The rects of a march: gaps and penetrations above; in the middle the scatter and the sequence of the gaps,
+// and the energy.
 #pragma once
 
 #include <qcustomplot.h>

@@ -18,10 +18,10 @@ struct RunMeans {
 
 using RunDrilling = RunStudies<DrillingQuestion, RunMeans>;
 
-/// In as many cells as a scan.
+/// Returns the question with as many cells as a scan.
 DrillingQuestion runQuestion(const Scenario& scenario);
 
-/// Nothing where it cannot be drilled with, or the machine is pushed back.
+/// Returns nothing if the scenario cannot drill, or the machine is pushed back.
 std::optional<RunMeans> runMeans(const DrillingQuestion& question, const std::stop_token& stop);
 
 }  // namespace drillwave

@@ -23,16 +23,16 @@ class ScanRects : public QObject {
     QCPGraph* gapDots() const { return m_dots; }
     QCPGraph* constantForce() const { return m_constantForce; }
     QCPGraph* strongDamper() const { return m_strongDamper; }
-    /// "f I₀", …, as they stand at their lines.
+    /// The texts at the lines: "f I₀", ….
     QStringList marks() const;
 
     /// `isOld`: of an earlier scenario, faintly.
     void present(const ScanPicture& picture, const DrillingShown& units, bool isOld);
     void setStyle(const PlotStyle& style);
     void fit();
-    /// So that their words can be read; once the plot is laid out.
+    /// Places the texts so that they can be read; call it once the plot is laid out.
     void placeMarks();
-    /// Where the words of a mark are, from the top of the rect [px].
+    /// Place of the text of a mark, from the top of the rect [px].
     double markTop(int index) const {
         return m_marks[index].words->position->pixelPosition().y() - m_rates->top();
     }

@@ -18,9 +18,9 @@ class LevelField : public QLineEdit {
 
     explicit LevelField(QWidget* parent = nullptr);
 
-    /// As shown; none for no contours.
+    /// The levels in shown units; none for no contours.
     const std::vector<double>& levels() const { return m_levels; }
-    /// Shows others, and tells nobody.
+    /// Shows other levels, without a signal.
     void setLevels(const std::vector<double>& levels);
     /// Why the text is no list of levels; empty when it is.
     const QString& problem() const { return m_problem; }

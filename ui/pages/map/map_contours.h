@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contours of a map with their levels beside them.
+// The contours of a map with their levels at the lines.
 #pragma once
 
 #include <qcustomplot.h>

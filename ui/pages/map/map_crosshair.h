@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where in a map the present scenario is, to be dragged.
+// The place of the present scenario in a map, which the mouse can drag.
 #pragma once
 
 #include <qcustomplot.h>

@@ -61,7 +61,7 @@ class MapPage : public StudyPage {
     ChoiceBox* m_points;
     LevelField* m_levels;
     MapPlot* m_plot = nullptr;
-    QString m_problem;  // why the controls say no map
+    QString m_problem;  // why the controls give no map
     QString m_readout;  // of what is below the pointer
     int m_gesture = 0;  // of the crosshair
     bool m_ofString = false;

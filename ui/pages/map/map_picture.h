@@ -17,7 +17,7 @@ class QCPColorGradient;
 
 namespace drillwave {
 
-/// How values become colours: about a level that matters, or from the smallest to the largest.
+/// Mapping of values to colours: about a level that matters, or from the smallest to the largest.
 struct MapColours {
     double least = 0;             ///< in the units of the map, as the next two
     double largest = 1;           ///< > least
@@ -26,7 +26,7 @@ struct MapColours {
     /// Maps a value to −1 … 1 for ColourScale::colour(); NaN for none.
     double share(double value) const;
     const ColourScale& scale() const;
-    /// For a bar from `least` to `largest`.
+    /// Returns the colours of a bar from `least` to `largest`.
     QCPColorGradient gradient() const;
 };
 
@@ -48,7 +48,7 @@ struct MapPicture {
     QString xText(double si, const QLocale& locale) const;
     QString yText(double si, const QLocale& locale) const;
     QString outputText(double value, const QLocale& locale) const;
-    /// Where a scenario is, in shown units; nullopt where it has no value of a parameter.
+    /// Returns the place of a scenario, in shown units; nullopt if it lacks a value of a parameter.
     std::optional<QPointF> placeOf(const Scenario& scenario) const;
     /// The point of the map nearest to a place in shown units; nullopt outside.
     std::optional<MapGrid::Place> pointAt(QPointF shown) const;
@@ -68,13 +68,13 @@ std::vector<double> usualLevels(const Output& output);
 /// The colours of the values of a map, about a level that matters where there is one.
 MapColours coloursOf(const MapGrid& grid, std::optional<double> level);
 
-/// In which numbers a map of an output is asked for where results are shown in such units.
+/// Returns the units in which a map of an output is computed for results on show in `system`.
 OutputUnits mapUnits(const Output& output, UnitSystem system);
 
 /// The unit in which such a map is shown.
 ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const ShownUnits& units);
 
-/// `units` are those on show, for the study's scenario. With the built-in presets.
+/// Makes the picture with the built-in presets; `units` are those on show, for the study's scenario.
 MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units);
 
 }  // namespace drillwave

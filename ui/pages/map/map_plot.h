@@ -15,8 +15,8 @@ class MapContours;
 class MapCrosshair;
 class MapPresets;
 
-/// Colours over two parameters with a bar, lines where contours are, and through the crosshair a cut below
-/// and one beside. Fitted, the whole map is in view.
+/// Colours over two parameters with a bar, lines at the contours, and through the crosshair a cut below and
+/// one at the side. Fitted, the whole map is in view.
 class MapPlot : public StudyFrame {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ class MapPlot : public StudyFrame {
 
     /// Shows a map; the view stays where it is unless it was fitted, or parameters, ranges or units changed.
     void present(const MapPicture& picture);
-    /// Where the present scenario is, in shown units: at first that of the map.
+    /// Sets the place of the present scenario, in shown units: at first that of the map.
     void setCrosshair(const std::optional<QPointF>& place);
 
     const std::optional<MapPicture>& picture() const { return m_picture; }
@@ -50,7 +50,7 @@ class MapPlot : public StudyFrame {
     void addCuts();
     void linkAxes();
     void showCuts();
-    /// By the points they go through; false where they are called so already.
+    /// Names the cuts by their points; false if they have these names already.
     bool nameCuts();
     void setLabels();
     QString summary() const;

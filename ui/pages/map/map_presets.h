@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The presets that lie in a map, with their names beside them.
+// The presets that lie in a map, with their names.
 #pragma once
 
 #include <qcustomplot.h>

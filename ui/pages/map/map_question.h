@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of the page Map: what is asked, and the answer while it grows.
+// The study of the page Map: its question, and the answer while it grows.
 #pragma once
 
 #include <atomic>
@@ -19,8 +19,8 @@ struct MapQuestion {
     /// The number of the page's newest question: who sees that it is another one makes room for it.
     std::shared_ptr<const std::atomic<int>> newest;
 
-    /// Whether the answer is the same. The two parameters that vary may have any value, so that a crosshair
-    /// that is dragged asks nothing new; the title does not matter.
+    /// Whether the answer is the same. The two parameters that vary may have any value, so that dragging a
+    /// crosshair makes no new question; the title does not matter.
     bool operator==(const MapQuestion& other) const;
 };
 

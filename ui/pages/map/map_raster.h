@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Where a pixel or a place lies among the values of an axis.
+/// Places of pixels and values along an axis.
 class AxisPlaces {
   public:
     AxisPlaces() = default;
@@ -25,9 +25,9 @@ class AxisPlaces {
     SweepAxis m_axis;
 };
 
-/// A map as rectangles of one colour around its points, cut off where its axes end. A point that is not there
-/// yet has the colour of a coarser one; one without a value is hatched. The work is that of the pixels in
-/// view, however many points there are.
+/// A map as rectangles of one colour around its points, cut off at the ends of its axes. A point that is not
+/// computed yet has the colour of a coarser one; one without a value is hatched. The work is that of the
+/// pixels in view, however many points there are.
 class MapRaster : public QCPAbstractItem {
     Q_OBJECT
 

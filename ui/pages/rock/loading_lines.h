@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Marks the corners that a blow has passed, and names the lines behind them by their slopes as multiples of
-/// k. Lives as a child of the plot.
+/// Marks the corners that a blow has passed, and names the following lines by their slopes as multiples of k.
+/// Lives as a child of the plot.
 class LoadingLines : public QObject {
     Q_OBJECT
 

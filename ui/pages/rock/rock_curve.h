@@ -29,7 +29,7 @@ struct RockCurve {
 
     ShownUnits units;
     Path path;  ///< penetration, force; the parameter t is the global time
-    /// The path as it is drawn and filled: the same, but of a bounded number of points.
+    /// The path as drawn and filled, with a limited number of points.
     Path outline;
     double peakForce = 0;                          ///< Fm
     double maxPenetration = 0;                     ///< Um
@@ -47,7 +47,7 @@ struct RockCurve {
 /// ContactLaw::penetration(); while bit and rock are apart, it is the remaining penetration.
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
-/// Penetration and force at a global time in shown units; at either end of the path before and behind it.
+/// Returns penetration and force at a global time in shown units; the ends of the path before and after it.
 QPointF rockPoint(const RockCurve& curve, double time);
 
 }  // namespace drillwave

@@ -21,7 +21,7 @@ class RockPlot : public StudyFrame {
 
     /// Shows the curve; the view stays where it is unless it was fitted or the units changed.
     void present(const RockCurve& curve);
-    /// The path of another blow faintly behind; nullptr takes it away.
+    /// Shows the path of another blow faintly; nullptr removes it.
     void setGhost(const RockCurve* before);
     /// Marks a point of the path, in shown units, on the overlay layer; replots nothing.
     void setPoint(const std::optional<QPointF>& point);
@@ -55,7 +55,7 @@ class RockPlot : public StudyFrame {
     QCPItemLine* m_toPenetrationAxis;
     RockCurve m_curve;
     QSizeF m_ghostSize;         // largest penetration and force of the ghost
-    QStringList m_peakNumbers;  // as they are named there
+    QStringList m_peakNumbers;  // their texts
 };
 
 }  // namespace drillwave

@@ -19,7 +19,7 @@
 
 namespace drillwave {
 
-/// Never changed once built; stresses as they are shown are positive in tension.
+/// Never changed once built; shown stresses are positive in tension.
 struct RodCurves {
     ShownUnits units;
     RodEnvelope envelope;                        ///< dimensionless
@@ -41,7 +41,7 @@ struct RodCurves {
     /// Where rod or string begins, in the same lengths.
     double rear() const { return string ? string->rear() : 0; }
     const RodForce& largest(Load line) const { return envelope.largest[line]; }
-    /// As shown.
+    /// Returns the stress as shown.
     double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
@@ -56,7 +56,7 @@ struct RodCurves {
 /// work early, with lines that are too low.
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
 
-/// For each line position, stress and the time at which it occurs, side by side, in the units shown.
+/// Returns position, stress and time of each line, side by side, in the units shown.
 QByteArray rodCsv(const RodCurves& curves, char separator);
 
 }  // namespace drillwave

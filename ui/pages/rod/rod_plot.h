@@ -11,11 +11,11 @@
 
 namespace drillwave {
 
-/// Largest tension above and largest compression below zero over the position in the rod, while the blow
-/// lasts (solid) and of the waves left (dashed), with the strengths of the rod and a mark at each extreme.
-/// A string has its hammer at negative positions, a line where sections meet, and the strengths of each.
-/// Fitted, all curves are in view, and the strengths that are not far from them. One is at a position and,
-/// where a time is chosen, the stress there and then.
+/// Largest tension above and largest compression below zero over the position in the rod, during the blow
+/// (solid) and of the residual waves (dashed), with the strengths of the rod and a mark at each extreme. A
+/// string has its hammer at negative positions, a line where sections meet, and the strengths of each.
+/// Fitted, all curves are in view, and the strengths that are not far from them. A cursor marks a position
+/// and, at a chosen time, the stress there and then.
 class RodPlot : public StudyFrame {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ class RodPlot : public StudyFrame {
 
     /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
     void present(const RodCurves& curves);
-    /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
+    /// Shows the curves of another blow faintly, in no legend; nullptr removes them.
     void setGhost(const RodCurves* before);
 
     /// Returns the extreme that is marked near a point of the plot, or the largest stress at that position by

@@ -36,9 +36,9 @@ class StrengthLines {
 
     /// Whether it is a strength of compression, too.
     bool isOfBoth() const { return m_kind == Kind::yield; }
-    /// The name with the places where it may stand beside its line; without any where it is not shown.
+    /// The name with possible places along its line; without any if it is not shown.
     PlacedLabel label(const RodCurves& curves) const;
-    /// All of them as they are shown.
+    /// All strengths as shown.
     std::vector<double> values(const RodCurves& curves) const;
 
   private:

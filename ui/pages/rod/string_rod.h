@@ -36,20 +36,20 @@ struct StringRod {
     double forcesEnd = 0;                      ///< Impact::forcesEnd
 
     double rear() const { return stretches.front().rear; }
-    /// The section at a place, the one behind it where two meet.
+    /// Returns the section at a place; the front one where two sections meet.
     std::size_t sectionAt(double place) const;
     /// The largest stresses at a place, of both sections where two meet. Requires waves.
     RodForces largestAt(double place) const;
 };
 
-/// From a force [F0] at a place ξ of a section to the stress there, as scales have it.
+/// Returns the stress for a force [F0] at a place ξ of a section, in the unit of scales.
 double stressOf(const RodStretch& section, double force, double share);
 
 /// Returns the sections for a blow on a drill string.
 StringRod stringRod(const Blow& blow);
 
-/// Compression and tension while the blow lasts, and later where it was followed so long; a place where
-/// sections meet has both. Nothing where the waves were not kept. A stop ends the work early.
+/// Returns compression and tension during the blow, and later if it was followed so long; a place where
+/// sections meet has both. Nothing if the waves were not kept. A stop ends the work early.
 RodEnvelope stringRodEnvelope(const StringRod& rod, const Blow& blow, const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a cell of the table of sections is edited: numbers in a field like those of the form.
+// Editor of the cells in the table of sections: numbers in a field like those of the form.
 #pragma once
 
 #include <QStyledItemDelegate>

@@ -22,13 +22,13 @@ class StringDrawing : public QWidget {
 
     /// The row whose sections are marked; −1 for none.
     void setRow(int row);
-    /// The section of the chain below a point; nothing beside hammer and string.
+    /// Returns the section of the chain below a point; nothing beside hammer and string.
     std::optional<std::size_t> sectionAt(QPointF point) const;
-    /// Where a section of the chain is drawn.
+    /// Returns the rect of a section of the chain.
     QRectF sectionRect(std::size_t section) const;
     /// Describes a section: its name, impedance, and largest stresses with place and time.
     QString textOf(std::size_t section) const;
-    /// By what factor diameters are larger than lengths; 0 where there is nothing to draw.
+    /// Returns the factor of diameters over lengths; 0 if there is nothing to draw.
     double exaggeration() const;
 
     QSize sizeHint() const override;

@@ -23,16 +23,16 @@ class StringEdits : public QObject {
     /// Document, model and table must outlive it; the actions are the table's, too.
     StringEdits(Document& document, StringModel& model, QTableView& table);
 
-    /// In the order of a bar.
+    /// The actions in the order of a bar.
     const QList<QAction*>& actions() const { return m_actions; }
     /// Menu of sections to add: presets, and the sections of the example strings.
     QMenu* addMenu() const { return m_addMenu; }
     /// The presets that can replace the selected sections.
     QMenu* replaceMenu() const { return m_replaceMenu; }
-    /// Behind the selected one, after the repeat where that is the last of one; at the end where none is. At
-    /// least one section.
+    /// Adds sections after the selected one, or after its repeat if it is the last of one; at the end if none
+    /// is selected. Requires at least one section.
     void add(const std::vector<Section>& sections);
-    /// Where they belong in a string: adapters at the shank, bits at the rock.
+    /// Adds sections at their end of a string: adapters at the shank, bits at the rock.
     void addAt(StringEnd end, const std::vector<Section>& sections);
     /// Replaces the hammer.
     void useHammer(const SectionPreset& piston);
@@ -41,7 +41,7 @@ class StringEdits : public QObject {
     void duplicate();
     void remove();
     void move(MoveTo direction);
-    /// From row to row, past those between.
+    /// Moves a row past those between.
     void moveRow(int from, int to);
     /// Makes a repeat of the selected rows, or leads to the number of theirs.
     void repeat();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of the sections: a row for each as it stands in a file, with numbers to be edited and what the
-// blow does to it.
+// The table of the sections: a row for each as in a file, with numbers to be edited and the results of the
+// blow.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Shows the document's string. Every edit is one step of its history; what is wrong stays out of it.
+/// Shows the document's string. Every edit is one step of its history; invalid values stay out of it.
 class StringModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ class StringModel : public QAbstractTableModel {
     /// The column of that number of a section, "area".
     static int columnOf(std::string_view field);
 
-    /// For whose units numbers of that key are shown, "bore", of whichever section.
+    /// Returns the parameter whose units show numbers of that key, "bore", for any section.
     static KeptParameter ofColumn(std::string_view field);
 
     /// The document must outlive the model.
@@ -60,7 +60,7 @@ class StringModel : public QAbstractTableModel {
     QString peakText(const RowPeak& peak) const;
     /// The place of a row in keys: "3", "H1" in the hammer.
     QString placeText(int row) const;
-    /// Where a spot is in the table; −1 where there is none.
+    /// Returns the row of a spot; −1 if there is none.
     int rowOf(const SectionSpot& spot) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

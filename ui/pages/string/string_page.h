@@ -42,7 +42,7 @@ class StringPage : public Page {
     StringEdits* edits() const { return m_edits; }
 
   signals:
-    /// The user asks which value of that number gives a result.
+    /// The user wants the value of that number for a given result.
     void goalRequested(const QString& key);
 
   private:

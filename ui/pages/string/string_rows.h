@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// A section as it stands in a file. One in a repeat stands there once, for all its places.
+/// A section as in a file. A section in a repeat is listed once for all its places.
 struct StringRow {
     SectionSpot spot;
     Section section;
@@ -40,7 +40,7 @@ struct ChainSection {
     std::uint64_t place = 1;  ///< in its hammer or string
     double start = 0;         ///< of its rear end from that of the hammer [m]
 };
-/// All of them, from the rear of the hammer to the bit: those of sectionStresses().
+/// Returns all sections from the rear of the hammer to the bit: those of sectionStresses().
 std::vector<ChainSection> chainSections(const DrillString& drillString, const std::vector<StringRow>& rows);
 
 /// The largest of one kind over all the places of a row.
@@ -63,7 +63,7 @@ struct StringResults {
     std::vector<SectionStress> sections;
     double largest = 0;  ///< stress of all of them [Pa]
 };
-/// Nothing where the blow is unsolved, or of a string with other sections.
+/// Returns nothing if the blow is unsolved, or of a string with other sections.
 std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::vector<StringRow>& rows,
                                            const std::vector<ChainSection>& chain);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the sections of a drill string meet in its picture, and what they are called.
+// Joints of the sections of a drill string in its picture, and the names of the sections.
 #pragma once
 
 #include <QRectF>
@@ -9,13 +9,13 @@
 
 namespace drillwave {
 
-/// A thin line at every joint, a stronger one where hammer and string meet, thick while they touch. The names
-/// of sections stand above the picture, those of short ones upright inside of it, as far as there is room.
+/// A thin line at every joint, a stronger one between hammer and string, thick while they touch. The names of
+/// sections are above the picture, those of short ones upright inside of it, if there is room.
 class JointMarksItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    /// A name as it is drawn, centred in the visible part of its section.
+    /// A name as drawn, centred in the visible part of its section.
     struct Name {
         QString text;
         QRectF box;
@@ -28,7 +28,7 @@ class JointMarksItem : public WavePictureItem {
     void setStyle(const PlotStyle& style) override;
     /// The names in view that have room, the longest section first.
     QVector<Name> names() const;
-    /// Where the lines in view are [px from the left].
+    /// Places of the lines in view [px from the left].
     QVector<double> lines() const;
 
   protected:

@@ -25,7 +25,7 @@ class PictureCursors : public QObject {
     /// Global time t/t0.
     void setTime(double t);
     void setStyle(const PlotStyle& style);
-    /// Where the lines are [px].
+    /// Places of the lines [px].
     double sectionPixel() const;
     double timePixel() const;
 

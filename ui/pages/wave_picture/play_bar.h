@@ -15,8 +15,8 @@ class QToolButton;
 
 namespace drillwave {
 
-/// Plays a span of time at a chosen speed, as long as it can be seen. Whoever owns it carries its times on,
-/// and tells it where the cursor is.
+/// Plays a span of time at a chosen speed, as long as it can be seen. Its owner follows its times, and sets
+/// the place of the cursor.
 class PlayBar : public QWidget {
     Q_OBJECT
 
@@ -25,9 +25,9 @@ class PlayBar : public QWidget {
 
     /// Sets the span to play and scrub, t/t0; `secondsPerUnit` is t0 [s], 0 where there is none.
     void setSpan(const TimeSpan& span, double secondsPerUnit);
-    /// Where the time cursor is, t/t0.
+    /// Sets the place of the time cursor, t/t0.
     void setTime(double t);
-    /// How to write a time for people.
+    /// Sets the time in words.
     void setTimeText(const QString& text);
     bool isPlaying() const { return m_timer.isActive(); }
     /// Starts at the cursor, at the beginning when the cursor is not before the end of the span.

@@ -12,9 +12,9 @@
 
 namespace drillwave {
 
-/// Colours can be laid over each other no better than pictures; what the picture has along the line of its
-/// time cursor can, as curves. There for a drill string, and while runs are laid over the page; in line
-/// with the rod below. Place and time are those of the blow on show: a longer rod ends outside, a shorter one
+/// The field along the time cursor's line as curves, because curves can be laid over each other and
+/// colours cannot. There for a drill string, and while runs are laid over the page; in line with the
+/// rod below. Place and time are those of the blow on show: a longer rod ends outside, a shorter one
 /// inside.
 class RodProfile : public QWidget {
     Q_OBJECT
@@ -33,7 +33,7 @@ class RodProfile : public QWidget {
     void setBlow(const SolvedBlowPtr& blow);
     /// Global time t/t0 of the blow.
     void setTime(double t);
-    /// Where the rod begins and ends [px from the left].
+    /// Sets the ends of the rod [px from the left].
     void setRodEnds(int left, int right);
 
     /// The blow, and the runs that are laid over it; none without runs.

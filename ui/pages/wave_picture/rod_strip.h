@@ -25,7 +25,7 @@ class RodStrip : public QWidget {
     /// Global time t/t0.
     void setTime(double t);
     double time() const { return m_time; }
-    /// Where the rod begins and ends [px from the left], to be in line with a picture above.
+    /// Sets the ends of the rod [px from the left], to be in line with a picture above.
     void setRodEnds(int left, int right);
     /// "t = 0.52 ms: contact, penetration 0.8 mm, force 120 kN; stress −45 … 12 MPa", or the
     /// velocity where the picture shows that.

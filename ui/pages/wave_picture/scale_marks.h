@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On the colour bar of the wave picture: the extremes in view, and whether the colours end before them.
+// Marks on the colour bar of the wave picture: the extremes in view, and whether the colours end before them.
 #pragma once
 
 #include "ui/pages/wave_picture/wave_picture_items.h"

@@ -54,7 +54,7 @@ struct RunWaves {
     }
 };
 
-/// As wavePicture().
+/// Same requirements as wavePicture().
 RunWaves runWaves(const Blow& blow);
 
 /// Data beside the picture of a drill string.
@@ -80,7 +80,7 @@ struct WavePicture {
     std::optional<StringPicture> string = {};     ///< of a drill string
     std::vector<RunOverlay<RunWaves>> runs = {};  ///< whose waves are drawn below it
 
-    /// All that is of interest.
+    /// The whole span of interest.
     PictureWindow whole() const { return {rear, 1, interesting}; }
 };
 
@@ -88,7 +88,7 @@ struct WavePicture {
 bool isClippedBelow(const WavePicture& picture);
 bool isClippedAbove(const WavePicture& picture);
 
-/// A time with as many digits as tell the instants of a span apart: "10000005.3 t₀", four at least.
+/// Formats a time with enough digits to distinguish the instants of a span: "10000005.3 t₀", four at least.
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale);
 
 /// A raster has no more cells than this: larger needs are met more coarsely.

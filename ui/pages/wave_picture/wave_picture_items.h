@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Something drawn from a blow with a picture over the axes of a plot, position to the right and time upward.
-/// Cuts off by itself what lies outside of the axes: not every format can.
+/// An item drawn from a blow with a picture over the axes of a plot, position to the right and time upward.
+/// Clips itself to the axes, because not every format can.
 class WavePictureItem : public QCPAbstractItem {
     Q_OBJECT
 
@@ -74,12 +74,12 @@ class WaveFrontsItem : public WavePictureItem {
     void drawName(QCPPainter& painter, const FrontRun& run) const;
 };
 
-/// Bars beside the bit's end of the picture while bit and rock touch, ticks at the other events.
+/// Bars at the bit's end of the picture while bit and rock touch, ticks at the other events.
 class ContactBarsItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    static constexpr int width = 46;  ///< that it needs beside the axes [px]
+    static constexpr int width = 46;  ///< of the room beside the axes [px]
 
     explicit ContactBarsItem(QCustomPlot* plot) : WavePictureItem(plot) { setClipToAxisRect(false); }
 
