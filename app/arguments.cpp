@@ -101,7 +101,7 @@ const OptionSpec* optionNamed(const OptionWord& given, const std::string& word,
     return nullptr;
 }
 
-/// The word behind an option that takes one. An option of the command is none: its value is missing.
+/// Returns the word after an option with a value. An option of the command is none: the value is missing.
 const std::string& valueBehind(const OptionSpec& option, std::span<const std::string> rest,
                                std::span<const OptionSpec> options) {
     const Message needs{translatable("`%1` needs a value: %2"), {option.text(), std::string(option.value)}};

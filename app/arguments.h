@@ -18,7 +18,7 @@ struct OptionSpec {
     std::string_view name;   ///< "set", or a single letter
     std::string_view value;  ///< what it takes, for the help; empty for a switch
     std::string_view help;   ///< one line
-    enum class Times { once, repeated, list } times = Times::once;  ///< list: takes all KEY=… words behind it
+    enum class Times { once, repeated, list } times = Times::once;  ///< list: takes all KEY=… words after it
     std::string_view sets = {};  ///< the key of a scenario that it is short for: "drill.blows" of --blows
 
     /// Whether it has two dashes: words, and the axes x and y.
@@ -52,11 +52,11 @@ class Arguments {
 
     /// The words again as a shell takes them, operands first, without the options named.
     std::string shellText(std::span<const std::string_view> without) const;
-    /// Only the options of these words.
+    /// Returns the text of only the options.
     std::string optionsText(std::span<const std::string_view> without) const;
 
-    /// The whole number given to an option, or `fallback`. Throws CommandError (usage) when it is none or out
-    /// of range.
+    /// Returns the whole number given to an option, or `fallback`. Throws CommandError (usage) when it is
+    /// none or out of range.
     long number(std::string_view option, long fallback, long low, long high) const;
 
   private:

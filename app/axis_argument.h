@@ -22,14 +22,14 @@ SweepAxis rangeArgument(const std::string& option, const std::string& word);
 /// "--vary beta=1,2", for messages.
 std::string quotedAxis(const std::string& option, const std::string& word);
 
-/// The number behind --`option`, SI where it is of a quantity: then a unit may stand behind. Throws
-/// CommandError (usage).
+/// Returns the number after --`option`, in SI for a quantity, which may have a unit. Throws CommandError
+/// (usage).
 double quantityArgument(const std::string& option, const std::string& word, Quantity quantity);
 
 /// Returns the values of every --level. Throws CommandError (usage) also for more than mostLevels.
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);
 
-/// The axis as it was asked for.
+/// Returns the record of an axis as it was given.
 RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word);
 
 }  // namespace drillwave

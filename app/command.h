@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// One subcommand: what it takes and what it does.
+/// One subcommand: its arguments and its function.
 struct Command {
     std::string_view name;
     std::string_view operands;  ///< for the help, "FILE CASES.csv"
@@ -49,13 +49,13 @@ const Command& validateCommand();
 const Command& examplesCommand();
 const Command& presetsCommand();
 
-/// All of them, in the order of the help.
+/// Returns all commands, in the order of the help.
 std::span<const Command* const> commands();
 
 /// The one of that name, or none.
 const Command* findCommand(std::string_view name);
 
-/// Parses the words behind the subcommand and checks the number of operands.
+/// Parses the words after the subcommand and checks the number of operands.
 Arguments parseArguments(const Command& command, std::span<const std::string> words,
                          const Language& language = languages[0]);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a command ends early: an exit code and the lines that say why.
+// Early end of a command: an exit code and the lines with the reasons.
 #pragma once
 
 #include <stdexcept>
@@ -26,13 +26,13 @@ enum class ExitCode : int {
 /// Thrown by commands, caught in main(), which prints it to stderr.
 class CommandError : public std::runtime_error {
   public:
-    /// One line, printed behind the name of the command.
+    /// Takes one line, printed after the name of the command.
     CommandError(ExitCode code, const Message& line)
         : std::runtime_error(line.text()), m_code(code), m_messages{line}, m_isLocated(false) {}
-    /// Where the lines of a report begin.
+    /// Beginning of the lines of a report.
     enum class Begin {
         withPlace,   ///< "file:line:column: …", printed as they are
-        withOption,  ///< "--set x: …", printed behind the name of the command
+        withOption,  ///< "--set x: …", printed after the name of the command
     };
     CommandError(ExitCode code, std::vector<Message> problems, Begin begin = Begin::withPlace)
         : std::runtime_error("problems in the input"),
@@ -42,7 +42,7 @@ class CommandError : public std::runtime_error {
 
     ExitCode code() const { return m_code; }
     const std::vector<Message>& messages() const { return m_messages; }
-    /// The same in English.
+    /// Returns the lines in English.
     std::vector<std::string> lines() const {
         std::vector<std::string> lines;
         for (const Message& message : m_messages) lines.push_back(message.text());

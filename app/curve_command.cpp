@@ -49,7 +49,7 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
     return quantityArgument("goal", *word, hasUnit ? quantity : Quantity::ratio);
 }
 
-/// In the order of CurveQuestion::axes().
+/// Returns the axes in the order of CurveQuestion::axes().
 std::vector<std::string> quotedAxes(const Arguments& arguments) {
     std::vector<std::string> words;
     for (const char* option : {"family", "along"})

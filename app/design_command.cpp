@@ -93,7 +93,7 @@ FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::
             .outdated = [](const std::string& there) { return studyFilesThere(there, pictureOwner); }};
 }
 
-/// Samples are taken in powers of two: says so where it asks for another number.
+/// Prints that samples are taken in powers of two, if another number was given.
 void remarkOnSamples(const Arguments& arguments, std::uint64_t taken) {
     const std::optional<std::string> asked = arguments.value("samples");
     if (asked && *asked != std::to_string(taken))

@@ -59,7 +59,7 @@ void readLimits(const Wanted& wanted, bool atMost, DesignStudy& study, DesignFau
     }
 }
 
-/// In front of the sign of equality, empty without one.
+/// Returns the part before the equals sign, empty without one.
 std::string keyOfWord(const std::string& word) {
     const std::size_t equals = word.find('=');
     return equals == std::string::npos ? std::string() : word.substr(0, equals);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program without the library of the desktop: it goes on as the one that has it.
+// The program without the library of the desktop: it executes the one that has it.
 #include <unistd.h>
 
 #include <filesystem>

@@ -83,7 +83,7 @@ void prepareFailure(bool isPlatformChosen) {
         "\n";
 }
 
-/// Qt aborts when it finds no platform it can use; this says so in one line.
+/// Prints one line when Qt finds no platform it can use, before it aborts.
 void onStartupMessage(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type != QtFatalMsg) return;
     std::fputs(lineOfFailure.c_str(), stderr);
@@ -92,7 +92,7 @@ void onStartupMessage(QtMsgType type, const QMessageLogContext&, const QString&)
 
 QtMessageHandler usualHandler = nullptr;
 
-/// The platform without a display says of each window what it cannot do.
+/// Drops the messages of the platform without a display about its limits.
 void onWindowMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
     if (!message.startsWith(QLatin1String("This plugin does not support")))
         usualHandler(type, context, message);
@@ -102,8 +102,8 @@ bool isHome(const QString& path) {
     return !path.isEmpty() && QFileInfo(path).isDir();
 }
 
-/// A session without a home folder gets one, or Qt would make folders in the root of the disk, or where HOME
-/// says: that of the user where HOME is not set, else one that goes with the window.
+/// Gives a session without a home folder one, or Qt would make folders in the root of the disk, or in the
+/// missing HOME: that of the user if HOME is not set, else one that is removed with the window.
 class Home {
   public:
     Home() {
@@ -127,15 +127,15 @@ WindowArguments wordsFor(const QStringList& words) {
     return windowArguments(plain);
 }
 
-// The application object takes over the user's locale, and with it a decimal comma in what printf writes, and
-// the reasons of the system in another language than the sentences they stand in.
+// Undoes the user's locale, which the application object sets: printf would write decimal commas, and reasons
+// of the system would be in another language than the sentences around them.
 void writePlainly() {
     std::setlocale(LC_NUMERIC, "C");
     std::setlocale(LC_MESSAGES, "C");
 }
 
-/// Qt looks for a desktop even on the platform that needs none, and makes a folder for its sockets where the
-/// session names none (XDG_RUNTIME_DIR). It goes again, unless it was there or something has come into it.
+/// Qt looks for a desktop even on the platform that needs none, and makes a folder for its sockets if the
+/// session names none (XDG_RUNTIME_DIR). Removes it, unless it existed before or is not empty.
 class RuntimeFolder {
   public:
     RuntimeFolder() : m_wasThere(QFileInfo::exists(path())) {}
@@ -210,7 +210,7 @@ int openWindow(int argc, char** argv) {
     QCoreApplication::setApplicationName("Drillwave");
     QCoreApplication::setOrganizationName("Drillwave");
     QCoreApplication::setApplicationVersion(versionText);
-    // By its entry in the menu a desktop knows which window is whose.
+    // A desktop identifies the window by its entry in the menu.
     QGuiApplication::setDesktopFileName("drillwave");
     QGuiApplication::setWindowIcon(programIcon());
 
@@ -238,7 +238,7 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Languag
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
-    // A signal while that folder is there would leave it behind.
+    // A signal now would leave that folder.
     const HeldInterruptions held;
     const RuntimeFolder runtimeFolder;
     auto drawing = std::make_unique<const QtDrawing>(argc, argv, language);

@@ -36,9 +36,9 @@ using StudyValue =
                  const DrillingReport*, const DrillingScanReport*, const MapReport*, const StringAccuracy*,
                  const StudyAnswer*, const SweepRows*, const ThrustReport*>;
 
-/// Draws in the language of the command, numbers too; what it draws with is another program's matter
-/// (desktop.h). All of them throw CommandError (unwritable output) where something could not be drawn, and
-/// give not all pictures after a stop.
+/// Draws in the language of the command, numbers too; its means belong to another program (desktop.h). All
+/// functions throw CommandError (unwritable output) if something could not be drawn, and return not all
+/// pictures after a stop.
 class Drawing {
   public:
     Drawing() = default;

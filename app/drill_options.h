@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// SI unless --dimensionless. All of these throw CommandError (usage) where an option is wrong.
+/// Returns SI unless --dimensionless. All functions here throw CommandError (usage) for a wrong option.
 OutputUnits drillUnits(const Arguments& arguments);
 
 /// --cells; `usual` without it.
@@ -33,7 +33,7 @@ double permittedDrillWork(const Arguments& arguments);
 /// Throws CommandError (unsolved or failed) where it takes more cells times nodes than --work-limit permits.
 void checkDrillWork(double work, const Arguments& arguments);
 
-/// Says on stderr what of the scenario counts for nothing here.
+/// Prints on stderr which parts of the scenario have no effect here.
 void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
 }  // namespace drillwave

@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Finds out before anything is computed whether a file of rows can be written, with a record beside it.
-/// Throws CommandError (unwritable output).
+/// Checks before any computation whether a file of rows can be written, with a record beside it. Throws
+/// CommandError (unwritable output).
 void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite);
 

@@ -43,7 +43,7 @@ void list(const std::vector<Example>& examples, const ReadingStyle& style, Outpu
                   style.said(Message::ofTable(example.title)) + "\n");
 }
 
-/// As a stream of YAML documents.
+/// Prints a stream of YAML documents.
 void print(const std::vector<Example>& examples, OutputFile& out) {
     for (const Example& example : examples) {
         if (&example != &examples.front()) out.write("---\n");

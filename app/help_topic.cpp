@@ -94,7 +94,7 @@ bool isNamedBy(const std::vector<std::string>& row, std::string_view name) {
     return cell.find(", " + std::string(name) + ", ") != std::string::npos;
 }
 
-/// The rows of tables whose first cell names it, each under the heading it stands below.
+/// Returns the rows of tables whose first cell names it, each under its heading.
 std::string rowText(std::span<const Chapter> manual, std::string_view name, std::size_t width) {
     std::string text;
     for (const Chapter& chapter : manual) {
@@ -187,12 +187,12 @@ std::string placesText(std::span<const WordPlace> places, std::size_t width, con
     return plainText(std::span(&table, 1), width);
 }
 
-/// Everything that has the words without being called so: options, a section with that very title or rows of
-/// tables, places of the manual, parameters and outputs. Empty where there is none.
+/// Returns all places with these words that have another name: options, a section with that very title or
+/// rows of tables, places of the manual, parameters and outputs. Empty if there is none.
 std::string searchText(std::span<const Chapter> manual, const std::string& words, std::size_t width,
                        const ReadingStyle& style) {
     constexpr std::size_t mostPlaces = 12;
-    constexpr std::size_t longestSymbol = 2;  // columns: e and d0 stand everywhere
+    constexpr std::size_t longestSymbol = 2;  // columns: e and d0 are in most texts
     const auto other = std::ranges::find(otherWords, lowerCase(words),
                                          &std::pair<std::string_view, std::string_view>::first);
     const std::string meant = other != otherWords.end() ? std::string(other->second) : words;

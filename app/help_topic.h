@@ -21,7 +21,7 @@ std::string topicText(std::span<const std::string> words, std::size_t width,
 /// The keys of numbers and words that every scenario may have, which --set takes.
 std::vector<std::string> parameterNames();
 
-/// All that has a name: commands, chapters, parameters, outputs.
+/// Returns all names: commands, chapters, parameters, outputs.
 std::vector<std::string> topicNames();
 
 }  // namespace drillwave

@@ -41,7 +41,7 @@ class Pipe {
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
 
-    /// Up to `most` of the next bytes; 0 at the end and where there is a problem().
+    /// Reads up to `most` of the next bytes; 0 at the end and after a problem().
     std::size_t read(char* bytes, std::size_t most) {
         while (m_problem.isEmpty()) {
             const ssize_t got = ::read(m_descriptor, bytes, most);
@@ -71,7 +71,7 @@ std::string temporaryFolder() {
     return chosen && *chosen != '\0' ? chosen : "/tmp";
 }
 
-/// A file whose name goes with this object.
+/// A file that is removed with this object.
 struct TemporaryFile {
     std::string name = temporaryFolder() + "/drillwave-rows-XXXXXX";
     int descriptor = ::mkstemp(name.data());  ///< negative where it cannot be made
@@ -164,7 +164,7 @@ void RereadableInput::keep(const std::string& path, std::uint64_t most, const Re
     }
     if (!pipe.problem().isEmpty())
         throw CommandError(ExitCode::unreadableInput, about(inputName(path), pipe.problem()));
-    // The name goes at once, the rows when the stream is closed: nothing can be left behind.
+    // The name is removed now, the rows when the stream is closed: no file can be left over.
     if (!m_buffer.open(kept.name, std::ios::in | std::ios::binary)) refuse(reason(errno));
 }
 

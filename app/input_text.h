@@ -16,18 +16,18 @@ namespace drillwave {
 /// Whether a word names standard input: "-".
 bool isStandardInput(const std::string& path);
 
-/// How messages call it: the path, or "standard input".
+/// Returns the name of an input in messages: the path, or "standard input".
 std::string inputName(const std::string& path);
 
-/// No more than the first `most` bytes of a file, of standard input ("-") or of a pipe. Waits for a pipe to
-/// be written to, which is said in that style.
+/// Reads no more than the first `most` bytes of a file, of standard input ("-") or of a pipe. Waits for a
+/// pipe to be written to, and reports that in `style`.
 FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style);
 
 /// Rows that are read twice, once for checking and once for solving. Rows from a pipe are kept in a temporary
 /// file meanwhile, in bounded memory and on a bounded part of the disk.
 class RereadableInput {
   public:
-    /// A pipe that goes on beyond this has most likely no end: some ten million rows.
+    /// A longer pipe has most likely no end: this is some ten million rows.
     static constexpr std::uint64_t mostKept = std::uint64_t{1} << 30;
 
     /// Keeps up to `most` bytes of a pipe. Throws CommandError: unreadable input, of a pipe also one that is
@@ -35,11 +35,11 @@ class RereadableInput {
     explicit RereadableInput(const std::string& path, std::uint64_t most = mostKept,
                              const ReadingStyle& style = plainStyle());
 
-    /// At the beginning. Throws CommandError (unreadable input) where the disk cannot be read any further.
+    /// Returns the stream, at its beginning. Throws CommandError (unreadable input) if the disk fails.
     std::istream& stream() { return m_stream; }
 
   private:
-    /// As all files are, but that it says which one cannot be read.
+    /// A file buffer that reports which file cannot be read.
     class Buffer : public std::filebuf {
       public:
         explicit Buffer(std::string name) : m_name(std::move(name)) {}

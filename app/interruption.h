@@ -9,14 +9,14 @@
 
 namespace drillwave {
 
-/// From here on the first SIGINT, SIGTERM or, unless it is ignored (nohup), SIGHUP ends the program with
-/// ExitCode::interrupted, in one line: there is nothing yet that could be left behind.
+/// Lets the first SIGINT, SIGTERM or, unless it is ignored (nohup), SIGHUP end the program with
+/// ExitCode::interrupted, in one line: there are no files yet that could be left over.
 void exitOnInterruption();
 
-/// In which style that line is, for as long as the program runs.
+/// Sets the style of that line, for as long as the program runs.
 void speakOnInterruption(const ReadingStyle& style);
 
-/// Keeps these signals waiting until exitOnInterruption(), also in the program that this one goes on as.
+/// Holds these signals until exitOnInterruption(), also in the program that replaces this one (exec).
 void holdInterruptions();
 
 /// Keeps them waiting as long as one lives, and then ends the program where one has come.
@@ -29,7 +29,7 @@ class HeldInterruptions {
 };
 
 /// While one exists, the first of these signals requests a stop instead of ending the program; a second one
-/// of its kind ends it at once. Where no thread can be started, the first one ends it. At most one at a time.
+/// of its kind ends it at once. If no thread can be started, the first one ends it. At most one at a time.
 class Interruption {
   public:
     Interruption();

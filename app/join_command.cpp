@@ -67,8 +67,8 @@ JoinedPart loadPart(const std::string& file) {
     }
 }
 
-/// In what a part differs from another, of one and the same run; empty where it does not. FILE may have
-/// another name: its scenario stands in the record.
+/// Returns the difference of a part from another one, empty if they are of the same run. FILE may have
+/// another name: its scenario is in the record.
 Message difference(const JoinedPart& one, const JoinedPart& other) {
     if (std::string key = differingKey(one.part, other.part); !key.empty()) return key;
     if (one.part.shard.count != other.part.shard.count) return translatable("number of parts");
@@ -77,7 +77,7 @@ Message difference(const JoinedPart& one, const JoinedPart& other) {
     return isSame ? Message() : Message(translatable("command"));
 }
 
-/// In their order. Throws where they are no whole.
+/// Loads the parts in their order. Throws if they do not make a whole.
 std::vector<JoinedPart> loadParts(const std::vector<std::string>& files) {
     std::vector<JoinedPart> loaded;
     std::vector<Message> problems;
@@ -138,8 +138,8 @@ std::vector<std::string> partsIn(const std::string& folder) {
     return files;
 }
 
-/// The files of rows that the operands name: a folder names the parts in it, a record beside its rows
-/// nothing.
+/// Returns the files of rows that the operands name: a folder stands for its parts, a record beside its rows
+/// for nothing.
 std::vector<std::string> filesOf(const std::vector<std::string>& operands) {
     std::vector<std::string> files;
     for (const std::string& operand : operands) {

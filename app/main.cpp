@@ -64,7 +64,7 @@ bool asksForVersion(std::span<const std::string> words) {
     return asksFor(words, {"--version"});
 }
 
-/// Words that would be passed over are most likely meant for something else.
+/// Refuses further words, which are most likely meant for something else.
 void refuseMore(std::span<const std::string> words, std::size_t taken) {
     if (words.size() > taken)
         throw CommandError(ExitCode::usage,
@@ -78,7 +78,7 @@ int printVersionAlone(std::span<const std::string> words, const ReadingStyle& st
     return asksForHelp(words) ? print(programHelp(style)) : printVersion();
 }
 
-/// As wide as a terminal is, within what can be read; elsewhere as wide as terminals usually are.
+/// Returns the width of the terminal, limited to what is readable; elsewhere the usual width of terminals.
 std::size_t readableWidth() {
     constexpr std::size_t usual = 80, widest = 110, narrowest = 60;
     winsize size{};
@@ -115,7 +115,7 @@ bool continuesCharacter(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
 }
 
-/// A message with the middle left out of words of the command line, paths mostly, that would fill the screen.
+/// Shortens words of the command line in a message that would fill the screen, mostly paths.
 std::string withShortWords(std::string line, std::span<const std::string> words) {
     constexpr std::size_t longest = 200;
     constexpr std::size_t kept = 60;  // bytes at either end
@@ -141,8 +141,8 @@ int report(const std::string& who, const CommandError& error, std::span<const st
     return static_cast<int>(error.code());
 }
 
-/// In the place of a closed stream the next file that is opened would get what is meant for that. It gets a
-/// file in which what it is for fails.
+/// Occupies each closed stream by a file on which its use fails. Otherwise the next file that is opened would
+/// get the data of that stream.
 void occupyClosedStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);

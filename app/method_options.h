@@ -18,13 +18,13 @@ std::vector<OptionSpec> methodOptionSpecs();
 /// loadScenarioInput() found it, or else exact. Throws CommandError (usage).
 MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult = {});
 
-/// Throws CommandError (usage) if the method says nothing about this scenario, which `path` names.
+/// Throws CommandError (usage) if the method does not apply to this scenario, which `path` names.
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
 
-/// That a method or its option is not for the drill string that `path` names.
+/// Returns the message that a method or its option is not for the drill string that `path` names.
 Message forUniformRods(const std::string& path);
 
-/// Throws where a drill string was asked for by a method for uniform rods.
+/// Throws if a method for uniform rods was chosen for a drill string.
 void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a command writes: standard output, or a file that appears whole or not at all, together with what
-// belongs beside it.
+// Outputs of a command: standard output, or a file that appears whole or not at all, together with the files
+// that belong to it.
 #pragma once
 
 #include <memory>
@@ -22,24 +22,24 @@ class Interruption;
 
 enum class Overwrite { refused, allowed };
 
-/// Throws CommandError (usage) where one of the options is given and not -o, whose files it is about;
-/// `output` is what is to be added, "FILE.csv".
+/// Throws CommandError (usage) if one of the options is given without the -o whose files it concerns;
+/// `output` is the name to add, "FILE.csv".
 void checkAboutFiles(const Arguments& arguments, std::initializer_list<const char*> options,
                      const char* output);
 
 /// --decimal-comma, for the options of a command that writes CSV.
 OptionSpec decimalCommaSpec();
-/// Has all CSV of this run of the program written as that option says.
+/// Sets the signs of all CSV in this run of the program from its option.
 void useCsvSigns(const Arguments& arguments);
 /// Returns whole CSV in the signs of this run.
 std::string inCsvSigns(std::string_view csv);
 /// Returns the bytes of a file, CSV in the signs of this run.
 std::string bytesInSigns(const NamedFile& file);
 
-/// Names of what an earlier run left in the folder beside a file.
+/// Returns the names of files that an earlier run left in the folder beside a file.
 using LeftBeside = std::vector<std::string> (*)(const std::string& folder, const std::string& file);
 
-/// Whether a name is standard output, a device or a pipe: written to as it is, with nothing beside it.
+/// Whether a name is standard output, a device or a pipe: written to directly, with no files beside it.
 bool isStream(const std::string& path);
 
 /// Throws CommandError (unwritable output) where standard output is closed: for commands that print when
@@ -47,7 +47,7 @@ bool isStream(const std::string& path);
 void checkStandardOutput();
 
 /// Throws CommandError (unwritable output) for a name with bytes that are not UTF-8: records and messages
-/// could not tell it.
+/// could not contain it.
 void checkName(const std::string& path);
 
 /// Throws CommandError (unwritable output) when a file of that name exists and may not be overwritten.
@@ -56,13 +56,13 @@ void checkOverwrite(const std::string& path, Overwrite overwrite);
 /// Checks a file and those left beside it, after repairing what a run that died has left in the folder.
 void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
 
-/// One output. All failures throw CommandError (unwritable output), at opening already where they can be
-/// known then.
+/// One output. All failures throw CommandError (unwritable output), at opening if they can be known
+/// then.
 class OutputFile {
   public:
     /// A stream is written directly. Anything else has no name until commit().
     OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
-    /// Goes on behind the rows that are kept for this file, and keeps them where it is not committed.
+    /// Continues after the rows that are kept for this file, and keeps them if it is not committed.
     OutputFile(const std::string& path, Overwrite overwrite, const KeptRows& kept);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -72,7 +72,7 @@ class OutputFile {
     void write(std::string_view text);
     /// Size and checksum of all that was written, the kept rows included.
     const FileSum& sum() const { return m_sum; }
-    /// A file to be beside this one, which must be no stream.
+    /// Adds a file beside this one, which must be no stream.
     void add(NamedFile beside);
     /// Writes everything as one (writeWholeFolder()) and replaces what was left beside the file; for a
     /// stream, finds out whether everything has found room. Throws CommandError (interrupted) on a stop.

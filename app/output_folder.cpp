@@ -42,7 +42,7 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
         return;
     }
     if (interruption) interruption->check();
-    // Another run may have been faster: that is said as it would have been before the work.
+    // Another run may have been faster: report that as before the work.
     checkNames(path, files.names(), overwrite);
     if (files.outdated) checkNames(path, files.outdated(path), overwrite);
     throw CommandError(ExitCode::unwritableOutput, end.problem);

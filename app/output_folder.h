@@ -15,8 +15,8 @@ namespace drillwave {
 /// CommandError (unwritable output).
 void checkFolder(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite);
 
-/// As writeWholeFolder(), which an interruption, if there is one, may end before anything is written, and not
-/// after. Throws CommandError: unwritable output; interrupted.
+/// Writes as writeWholeFolder() does; an interruption, if there is one, may end it before anything is
+/// written, and not after. Throws CommandError: unwritable output; interrupted.
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
                  const Interruption* interruption);
 

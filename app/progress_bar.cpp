@@ -102,7 +102,7 @@ ElapsedTime::ElapsedTime(const ReadingStyle& style) {
     try {
         m_drawing = std::jthread(draw);
     } catch (const std::system_error&) {
-        // No thread is left: the work goes on unseen.
+        // No thread is left: the work goes on without a bar.
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far long work is, on a terminal and in a log.
+// Progress of long work, on a terminal and in a log.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// From line to line of a log.
+/// Time between the lines of a log.
 inline constexpr std::chrono::seconds linesBetween{15};
 
 /// "42 s", "3 min 20 s", "5 h 12 min".
@@ -26,7 +26,7 @@ struct ProgressOutput {
 };
 
 /// Draws "[####    ] 41 %  520000/s  3 s left" on a terminal when the work lasts over a second. Elsewhere, in
-/// the log of a job, a line "41 % done, 30 s left" after a second where the work takes over ten, and then now
+/// the log of a job, a line "41 % done, 30 s left" after a second if the work takes over ten, and then now
 /// and then.
 class ProgressBar {
   public:
@@ -41,7 +41,7 @@ class ProgressBar {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// How long what is left takes [s], as far as what is done tells; not finite where nothing is.
+    /// Estimates the time left [s] from the part that is done; not finite if nothing is.
     double secondsLeft(std::uint64_t done) const;
     std::string numbers(std::uint64_t done) const;
 
@@ -55,7 +55,7 @@ class ProgressBar {
     Clock::time_point m_nextDrawing;
 };
 
-/// The same for work that tells what share of it is done.
+/// A progress bar for work that reports a share.
 class ShareBar {
   public:
     explicit ShareBar(const ReadingStyle& style) : m_bar(static_cast<std::uint64_t>(parts), {}, style) {}
@@ -69,8 +69,8 @@ class ShareBar {
     ProgressBar m_bar;
 };
 
-/// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and the work, whose end nobody
-/// can tell, lasts over a second; elsewhere a line "solving for 15 s" now and then.
+/// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and work of unknown length
+/// lasts over a second; elsewhere a line "solving for 15 s" now and then.
 class ElapsedTime {
   public:
     explicit ElapsedTime(const ReadingStyle& style);

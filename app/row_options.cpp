@@ -70,7 +70,7 @@ void checkResumes(const Arguments& arguments) {
                                        {std::string("--") + option}));
 }
 
-/// "2 rows", to stand before a reason.
+/// Formats "2 rows", followed by a reason.
 Message countOf(std::uint64_t count, RowNoun noun) {
     if (noun == RowNoun::row) return counted(count, translatable("%1 row"), translatable("%1 rows"));
     return counted(count, translatable("%1 point"), translatable("%1 points"));
@@ -252,7 +252,7 @@ void commitRows(OutputFile& rows, const RowOptions& options, RowRecord record, s
 
 namespace {
 
-/// Whether FILE is there already, with the rows of this record; of them what the run in one piece would tell.
+/// Returns the part if FILE already has the rows of this record, for the report of a run in one piece.
 std::optional<RowPart> rowsThere(const RowRecord& record, const std::string& path) {
     const FileBytes there = readFile(recordName(path), maximumInputBytes);
     std::ifstream rows(path, std::ios::binary);
@@ -284,8 +284,8 @@ std::string bytesText(double bytes, const ReadingStyle& style) {
     return style.number(bytes, 2) + " " + units[unit];
 }
 
-/// Tells once, as soon as the rate is known, what rows that take long will take, and refuses those that the
-/// disk has no room for.
+/// Reports once, as soon as the rate is known, how long many rows will take, and refuses rows for which the
+/// disk has no room.
 class RowForecast {
   public:
     RowForecast(const RowOptions& options, const RowsDone& begin, std::uint64_t rows,
@@ -334,7 +334,7 @@ class RowForecast {
     bool m_isDone = false;
 };
 
-/// Opens the rows that an earlier run left, where this one goes on behind them. Throws CommandError.
+/// Opens the rows of an earlier run, which this one continues. Throws CommandError.
 std::unique_ptr<KeptRows> keptRows(const RowRecord& record, const RowOptions& options) {
     if (!options.resumes) return nullptr;
     checkOutput(options.path, options.overwrite);

@@ -50,11 +50,11 @@ struct RowOptions {
     Shard shard;
     std::string path;  ///< "-" is standard output
     Overwrite overwrite = Overwrite::refused;
-    bool resumes = false;  ///< keeps rows of a run that ends, and goes on behind those of one that did
+    bool resumes = false;  ///< keeps rows of a run that ends, and continues those of an earlier one
     MethodChoice method;
     long workLimit = defaultWorkLimit;  ///< wave pieces of a row
 
-    /// For scenarios like this one.
+    /// Returns the columns for scenarios like this one.
     std::vector<OutputColumn> columnsFor(const Scenario& scenario) const;
 };
 
@@ -69,8 +69,8 @@ Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit);
 
 /// --work-limit, in wave pieces; `fallback` where it is not given.
 long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
-/// The same for one blow of a command that is not about rows. A string takes seconds more often than a rod:
-/// it has the limit of the option only where that is given.
+/// Returns the limits of one blow, for commands without rows. A string takes seconds more often than a rod:
+/// it has the limit of the option only if that is given.
 WorkLimits workLimitsOf(const Arguments& arguments);
 /// The option of such a command.
 OptionSpec workLimitSpec();
@@ -78,11 +78,11 @@ OptionSpec workLimitSpec();
 Message couldNotBeSolved(const std::string& path, const Message& reason);
 /// Whether a reason is that limit.
 bool isAtLimit(const Message& reason);
-/// A reason, with "; --work-limit, now 1000000, permits more" behind it where that has stopped a blow.
+/// Returns a reason, with "; --work-limit, now 1000000, permits more" after it if that has stopped a blow.
 Message reasonWithHint(const Message& reason, long workLimit);
-/// The same of a blow within workLimitsOf().
+/// Returns the reason for a blow within workLimitsOf(), with the same hint.
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario);
-/// The same where it is known what has stopped it.
+/// Returns the reason in the same way if it is known what has stopped the blow.
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario,
                        Hindrance hindrance);
 
@@ -94,8 +94,8 @@ std::string commandText(std::string_view command, const Arguments& arguments);
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
                    std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows);
 
-/// Finds out before anything is computed whether rows can be written there, with a record beside a file.
-/// Throws CommandError: usage, where an input would be overwritten; unwritable output.
+/// Checks before any computation whether rows can be written there, with a record beside a file. Throws
+/// CommandError: usage, if an input would be overwritten; unwritable output.
 void checkRows(const RowOptions& options, const Arguments& arguments, const ScenarioDocument& document);
 
 /// The file of rows with its record, and with pictures, see StudyPlots::besideFile(). Throws CommandError:
@@ -110,7 +110,7 @@ Message unsolvedRows(std::uint64_t unsolved, std::uint64_t rows);
 using RunRows =
     std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress, std::uint64_t done)>;
 
-/// Draws what has been run; no function where nothing is to be drawn.
+/// Draws the results; no function if there is nothing to draw.
 using DrawRows = std::function<std::vector<NamedFile>()>;
 
 /// Runs into the file of -o and commits it with its record and what is drawn then, with progress on a

@@ -23,7 +23,7 @@ namespace drillwave {
 
 namespace {
 
-/// Where the files of a run go.
+/// Output of a run.
 struct RunFiles {
     std::string directory;             ///< empty: no files
     std::vector<std::string> plots;    ///< formats

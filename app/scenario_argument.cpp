@@ -34,11 +34,11 @@ namespace {
 struct Setting {
     std::string key;
     std::string value;
-    std::string word;  ///< as it is quoted: "--set drill.blows=50", "--blows 50"
+    std::string word;  ///< as quoted: "--set drill.blows=50", "--blows 50"
     bool isShort = false;
 };
 
-/// One setting would silently undo the other.
+/// Refuses two settings of which one would silently undo the other.
 [[noreturn]] void refusePair(const std::string& one, const std::string& other, const Message& problem) {
     throw CommandError(ExitCode::usage,
                        Message(translatable("%1 and %2 %3; give one of them"), {one, other, problem}));
@@ -50,7 +50,7 @@ Assignments assignmentsOf(const std::vector<Setting>& settings) {
     return assignments;
 }
 
-/// In the order in which the scenario takes them.
+/// Returns the settings in the order in which the scenario takes them.
 std::vector<Setting> settings(const Arguments& arguments) {
     std::vector<Setting> all;
     for (const std::string& word : arguments.values(setOption.name)) {
@@ -89,7 +89,7 @@ Message assign(Scenario& scenario, const Setting& setting) {
     return {};
 }
 
-/// The built-in example that FILE names; a file of that name goes first.
+/// Returns the built-in example that FILE names; a file of that name goes first.
 const Example* exampleNamed(const std::string& path) {
     std::error_code error;
     return std::filesystem::exists(path, error) ? nullptr : findExample(path);

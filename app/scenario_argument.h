@@ -25,19 +25,19 @@ inline constexpr std::string_view scenarioOperandHelp =
     "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
     "a built-in example, or - for standard input.";
 
-/// Loads what FILE names (loadScenarioFile()), applies the presets and then every --set: pulse.shape first,
-/// then physical parameters, then groups, whatever their order. The scenario is valid. Says on stderr where
-/// the file is from a newer program. Throws CommandError.
+/// Loads the scenario that FILE names (loadScenarioFile()), applies the presets and then every --set:
+/// pulse.shape first, then physical parameters, then groups, whatever their order. The scenario is valid.
+/// Reports on stderr if the file is from a newer program. Throws CommandError.
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments);
 
-/// The same for a command that solves exactly, whatever a result was solved by: says so where it matters.
+/// Loads it for a command that solves exactly, and reports if a result was solved by another method.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
 /// The options that name a file which is read.
 inline constexpr std::string_view inputOptions[] = {"presets", "draws", "signal"};
 
-/// Every file that a command reads: its operands, those of inputOptions, and the table of the scenario's
-/// blow.
+/// Returns every file that a command reads: its operands, those of inputOptions, and the table of the
+/// scenario's blow.
 std::vector<std::string> inputsOf(const Arguments& arguments, const ScenarioDocument& document);
 
 /// Throws CommandError (usage) if `output`, which the command writes, is one of these.
@@ -47,23 +47,23 @@ void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
 /// Throws CommandError (usage) if `output` is one of the `inputs`.
 void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs);
 
-/// Throws CommandError (usage) if a --set sets what an axis, which the word beside it quotes, is to change:
-/// one would silently undo the other. `scenario` is what loadScenarioInput() made.
+/// Throws CommandError (usage) if a --set sets a parameter of an axis, which the word in `words` quotes: one
+/// would silently undo the other. `scenario` is the result of loadScenarioInput().
 void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
                  std::span<const std::string> words);
 
 /// A line on stderr in the language of the reader.
 void printRemark(const Message& remark, const ReadingStyle& style);
 
-/// One line on stderr for each value outside its usual range, which is most often a mistyped unit: to be
-/// called before work that such a value may make long.
+/// Prints one line on stderr for each value outside its usual range, which is most often a mistyped unit:
+/// call it before work that such a value may make long.
 void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
 /// Just loads a scenario file, the scenario of a result, a built-in example where there is no file of that
 /// name, or standard input. Throws CommandError with every problem of the file.
 ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& style = plainStyle());
 
-/// The same in two steps: what FILE names as it is, and that read.
+/// Does the same in two steps: reads the bytes that FILE names, and parses them.
 std::string inputBytes(const std::string& path, const ReadingStyle& style);
 ScenarioInput parsedInput(std::string_view bytes, const std::string& path);
 

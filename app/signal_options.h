@@ -24,9 +24,9 @@ SignalOptions signalOptionsOf(const Arguments& arguments);
 /// CommandError.
 void saveRecorder(const Arguments& arguments);
 
-/// Replaces the blow of the scenario by that of --signal, thinned to thinningError, unless --all-samples asks
-/// for all of them, and keeps the remarks on its quality. A hammer of sections makes room for it. Says on
-/// stderr what was done. Throws CommandError: usage where a reading option comes without --signal, unreadable
+/// Replaces the blow of the scenario by that of --signal, thinned to thinningError, unless --all-samples
+/// keeps all of them, and keeps the remarks on its quality. It replaces a hammer of sections. Prints a
+/// summary on stderr. Throws CommandError: usage if a reading option comes without --signal, unreadable
 /// input, an open question.
 void applySignal(ScenarioDocument& document, const Arguments& arguments, const std::string& path);
 

@@ -35,7 +35,7 @@ std::vector<std::string> formatsIn(const std::string& list) {
     return formats;
 }
 
-/// Where -o says; throws where pictures cannot be there.
+/// Returns the place given by -o; throws if pictures cannot be there.
 std::string placeOf(const Arguments& arguments, const char* what) {
     const std::string place = arguments.value("o").value_or("-");
     if (place == "-")

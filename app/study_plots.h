@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `--plots` of a study: which pictures it writes, and where they go beside its numbers.
+// `--plots` of a study: its pictures, and their places beside its numbers.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace drillwave {
 /// The formats of `--plots png,svg`; none without it. Throws CommandError (usage).
 std::vector<std::string> plotFormats(const Arguments& arguments);
 
-/// Whether they are asked for: Command::draws of a study.
+/// Whether the arguments ask for plots: Command::draws of a study.
 bool asksForPlots(const Arguments& arguments);
 
 /// `--plots`, for a table of options.
@@ -33,7 +33,7 @@ class StudyPlots {
     static StudyPlots inFolder(const Arguments& arguments, std::string_view name);
 
     bool areWanted() const { return !m_order.formats.empty(); }
-    /// All that goes into the folder, without it: these files and the pictures.
+    /// Returns the names of all files in the folder, without it: these files and the pictures.
     std::vector<std::string> namesWith(std::vector<std::string> files) const;
     /// Throws CommandError (unwritable output) where one of them is an input or may not be overwritten:
     /// before anything is computed.

@@ -30,7 +30,7 @@ Scenario sampleOf(const Scenario& base, const std::vector<SweepAxis>& axes) {
     return sample;
 }
 
-/// The axes as they were asked for; parseAxis() has read the words.
+/// Returns the axes as given; parseAxis() has read the words.
 std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const Arguments& arguments) {
     const std::vector<std::string> words = arguments.values("vary");
     std::vector<RecordedAxis> recorded;

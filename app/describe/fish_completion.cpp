@@ -10,7 +10,7 @@ namespace drillwave {
 
 namespace {
 
-/// As one word of fish.
+/// Quotes a text as one word of fish.
 std::string fishWord(std::string_view text) {
     std::string shown = "'";
     for (const char character : text) {
@@ -69,8 +69,8 @@ function __drillwave_stage
 end
 )fish";
 
-/// Prints the words of a kind, a line each; of lists also what is there already, up to the last comma, and
-/// only words that are not; of aims and limits the statistics behind the "@".
+/// Returns a function that prints the words of a kind, a line each; for lists with the present ones up to the
+/// last comma in front, and only new words; for aims and limits the statistics after the "@".
 std::string fishFunction(ValueKind kind) {
     const std::vector<std::string> words = wordsOf(kind);
     if (words.empty()) return {};

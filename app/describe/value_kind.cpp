@@ -100,7 +100,7 @@ std::vector<std::string> statisticWords() {
     return words;
 }
 
-/// "max:efficiency@" behind "max:".
+/// Returns the outputs with words around them: "max:efficiency@" after "max:".
 std::vector<std::string> outputsBetween(std::string_view before, std::string_view behind) {
     std::vector<std::string> words = outputWords();
     for (std::string& word : words) word = std::string(before) + word + std::string(behind);

@@ -33,7 +33,7 @@ enum class ValueKind {
     topic,  ///< of `help`
 };
 
-/// Its name, which the scripts of shells use.
+/// Returns its name, which the scripts of shells use.
 std::string_view name(ValueKind kind);
 
 /// Options that may stand before a command.
@@ -48,8 +48,8 @@ ValueKind operandKind(const Command& command);
 /// Returns whether words of a kind are typed in stages, up to the next of "=", ":" and "@".
 bool isStaged(ValueKind kind);
 
-/// The words of a kind that has a list of them, of parameters with "=" behind; else none. Aims and limits end
-/// with "@". Words that agree up to one of "=", ":" and "@" are neighbours.
+/// Returns the words of a kind that has a list of them, parameters followed by "="; else none. Aims and
+/// limits end with "@". Words that agree up to one of "=", ":" and "@" are neighbours.
 std::vector<std::string> wordsOf(ValueKind kind);
 
 }  // namespace drillwave

@@ -83,7 +83,7 @@ std::string zshFunction(ValueKind kind) {
             break;
         case ValueKind::parameter:
         case ValueKind::choice:
-            // Behind the first one of a list FILE may stand as well.
+            // After the first one of a list FILE may follow as well.
             text += "    [[ $previous == -* ]] || _drillwave_scenario\n    _drillwave_stage $words\n";
             break;
         case ValueKind::outputs:
@@ -103,7 +103,7 @@ std::string operandSpecification(const Command& command) {
     if (command.mostOperands == 0) return {};
     const std::string operand = ":" + zshText(command.operands, ":\\") + ":";
     const ValueKind kind = operandKind(command);
-    // A scenario comes first, and other files behind it.
+    // A scenario comes first, and other files after it.
     if (kind == ValueKind::scenario && command.mostOperands < 3)
         return " \\\n            '1" + operand + action(kind) + "' '*" + operand + "_files'";
     return " \\\n            '*" + operand + action(kind) + "'";
