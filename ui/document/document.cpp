@@ -77,8 +77,8 @@ QString fileStemOf(const std::string& title) {
 Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std::move(check)) {
     m_undoStack.setUndoLimit(undoLimit);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::stateChanged);
-    // A step is in the history only after it has been done. Who empties it tells that, but for the
-    // destructor.
+    // A step is in the history only after it has been done. The owner of clear() reports emptying, except in
+    // the destructor.
     connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
         if (m_undoStack.count() > 0) emit stateChanged();
     });
@@ -132,7 +132,7 @@ ScenarioDocument Document::contents() const {
     return {m_scenario, isChangedExample() ? withoutHead(m_text) : m_text, m_source.source, m_design};
 }
 
-// Its own title comes back with its values.
+// Restores an example's own title together with its values; otherwise marks it as changed.
 void Document::nameChanged(Scenario& after) const {
     if (!m_example || m_example->title.empty()) return;
     const std::string& own = m_example->title;
@@ -229,7 +229,7 @@ void Document::push(std::unique_ptr<ScenarioEdit> edit, const QString& name) {
     m_undoStack.push(edit.release());
 }
 
-// With its text, byte for byte.
+// Pushes a step with its text, byte for byte.
 void Document::pushContents(Scenario after, const std::string& text, const DesignSetup& design,
                             const QString& name) {
     ScenarioDocument contents{std::move(after), text, m_source.source, design};

@@ -220,7 +220,7 @@ Recovery::Recovery(const Document& document, const QString& folder, QObject* par
     m_delay.setSingleShot(true);
     m_delay.setInterval(delayMilliseconds);
     connect(&m_delay, &QTimer::timeout, this, &Recovery::write);
-    // Not restarted by the next change: while a slider is dragged for minutes, the file follows.
+    // Further changes do not restart the timer: the file is written during a drag of minutes, too.
     connect(&document, &Document::stateChanged, this, &Recovery::writeSoon);
 }
 

@@ -134,7 +134,7 @@ void ExportMenu::saveEvents() {
     saveFile(tr("Export the events"), QStringLiteral("_events.csv"), eventsFile);
 }
 
-// Where to is asked first: a question that pops up when the solver is done would be in the way.
+// Asks for the file first: a question that pops up when the solver is done would be in the way.
 void ExportMenu::saveFile(const QString& title, const QString& ending, const MakeFile& make) {
     if (isUnsolved()) return;
     const QString path = m_questions.fileToExport(m_window, title, suggestion(ending), csvFilter());

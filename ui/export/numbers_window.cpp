@@ -17,8 +17,8 @@
 namespace drillwave {
 namespace {
 
-/// As other programs take tables: tabs between cells, the heads of the columns above where more than one cell
-/// is taken.
+/// Returns cells in the form for other programs: tabs between cells, the heads of the columns above if more
+/// than one cell is copied.
 QString copied(const QTableView& view) {
     QModelIndexList chosen = view.selectionModel()->selectedIndexes();
     std::sort(chosen.begin(), chosen.end());
@@ -62,7 +62,7 @@ QTableView* NumbersWindow::makeView(const QString& title, const QByteArray& csv)
     view->setAccessibleName(title);
     view->setAccessibleDescription(
         tr("%1 rows, %2 columns").arg(numbers->rowCount()).arg(numbers->columnCount()));
-    view->setTabKeyNavigation(false);  // out of the table
+    view->setTabKeyNavigation(false);  // Tab leaves the table
     constexpr int air = 6;             // above and below a line, together
     view->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + air);
     view->horizontalHeader()->setResizeContentsPrecision(100);

@@ -64,7 +64,7 @@ const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured) {
     return found == measured.end() ? nullptr : &*found;
 }
 
-// In the middle of a rod; in a string in that of its longest section, where histories.csv has its waves too.
+// Returns the middle of a rod; in a string the middle of its longest section, as in histories.csv.
 double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured) {
     if (const MeasuredSignal* inside = firstInside(measured)) return shareAt(scenario, inside->place);
     return shareOfString(scenario.drillString, middleOfLongest(scenario.drillString));
@@ -89,7 +89,7 @@ PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader) {
 }
 
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader) {
-    // At 180 mm about 150 cells an inch.
+    // About 150 cells per inch at 180 mm.
     constexpr WavePictureNeed need{.field = WaveQuantity::force, .window = {}, .columns = 900, .rows = 450};
     auto solved = std::make_shared<SolvedBlow>();
     static_cast<Blow&>(*solved) = blow;

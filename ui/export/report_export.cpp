@@ -26,7 +26,7 @@ std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plot
     return reportHtml(report, pictures, ReportMedium::screen, style);
 }
 
-/// Where the reader has the words and numbers of the commands, the page is that of the commands to the byte.
+/// For a reader with the words and numbers of the commands, the page has the bytes of the commands.
 template <class Use>
 auto inStyleOf(const PaperReader& reader, const Use& use) {
     std::optional<EnglishTexts> english;

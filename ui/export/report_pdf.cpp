@@ -13,7 +13,7 @@ namespace {
 
 constexpr int resolution = 1200;  // of the layout of the text [1/in]
 
-// The same report is the same file tomorrow. The length stays, as the file counts its bytes.
+// Makes the same report the same file tomorrow. Keeps the length, as the file counts its bytes.
 void removeDate(QByteArray& pdf) {
     const qsizetype begin = pdf.indexOf("/CreationDate (D:");
     const qsizetype end = pdf.indexOf(')', begin) + 1;

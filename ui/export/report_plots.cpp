@@ -10,7 +10,7 @@
 namespace drillwave {
 namespace {
 
-/// As much of a page of A4 as it can have together with the others.
+/// Gives a plot as much of a page of A4 as it can have together with the others.
 ReportPlot placed(const char* name, const QString& caption, PaperPlot paper, Millimetres size) {
     paper.size = size;
     return {{name, caption.toStdString(), name}, std::move(paper)};

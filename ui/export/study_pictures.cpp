@@ -16,7 +16,7 @@
 namespace drillwave {
 namespace {
 
-/// In the formats of an order.
+/// Draws a plot in the formats of an order.
 Pictures drawn(const PaperPlot& paper, const std::string& title, const PictureOrder& order) {
     return renderPictures(*paper.plot, paper.size, QString::fromStdString(title), order);
 }

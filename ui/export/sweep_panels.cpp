@@ -55,7 +55,7 @@ struct Point {
     double y;
 };
 
-// One output of the rows at which the family axis has its i-th value, by growing x.
+// Returns one output of the rows at the i-th value of the family axis, by growing x.
 std::vector<Point> pointsOf(const SweepRows& rows, std::size_t along, std::uint64_t line,
                             std::size_t output) {
     const SweepAxis& axis = rows.axes[along];

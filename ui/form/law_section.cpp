@@ -16,7 +16,7 @@
 namespace drillwave {
 namespace {
 
-/// Where a next corner is proposed, of the force of the one before.
+/// Force of a proposed corner, relative to the last one.
 constexpr double nextCorner = 1.5;
 
 }  // namespace

@@ -39,7 +39,7 @@ QString hardText(const Range& range, Quantity quantity, const Unit& unit) {
     return range.highOpen ? tr("%1 to below %2").arg(low, high) : tr("%1 to %2").arg(low, high);
 }
 
-// Meaning, range and what is usual, in that unit, and that F1 tells more.
+// Returns meaning, range and usual values in a unit, and a hint at F1.
 ParameterTip tipOf(const Parameter& parameter, const Unit& shown) {
     const auto text = [&](double si) { return fieldText(si, parameter.quantity, shown, QLocale()); };
     const Range& usual = parameter.plausible;
@@ -127,7 +127,7 @@ void ParameterRow::setTaker(QuantityField::Taker taker) {
     m_field->setTaker(m_taker);
 }
 
-// In the unit that the field has now.
+// Shows the tips in the present unit of the field.
 void ParameterRow::tell() {
     const ParameterTip tip = tipOf(m_parameter, m_field->unit());
     m_label->setToolTip(tip.html);
@@ -140,7 +140,7 @@ void ParameterRow::tell() {
                   QStringLiteral("<p>%1</p>").arg(tr("The value is outside the range of the slider.")));
 }
 
-// Where the slider cannot go, the value stays and the reason is said.
+// Shows the reason if the slider cannot go further; the value stays.
 void ParameterRow::drag(double si) {
     showProblem(m_taker ? m_taker(m_field->rounded(si)) : QString());
 }
@@ -152,7 +152,7 @@ void ParameterRow::showProblem(const QString& problem) {
         m_plate->say(QStringLiteral("⚠ %1: %2").arg(m_label->text(), problem));
 }
 
-// Whoever works at another field is not to have it covered: the mark in this one says the reason, too.
+// Whether the user works at another field, which must stay uncovered: the mark here has the reason, too.
 bool ParameterRow::isElsewhere() const {
     const QWidget* focus = m_field->window()->focusWidget();
     return focus && focus != m_field && focus != m_slider && !m_field->isAncestorOf(focus) &&

@@ -138,7 +138,7 @@ void PresetBox::take(const Preset& preset) {
     if (!problem.isEmpty())
         m_questions.tell(window(), Questions::Tone::failure,
                          tr("This preset does not fit the rest of the scenario."), problem);
-    // The same values again leave the document as it is, the box too.
+    // The same values again change neither document nor box.
     present(m_document.scenario());
 }
 

@@ -16,7 +16,7 @@ QWidget* hostOf(QWidget* field) {
         const auto* area = widget ? qobject_cast<QAbstractScrollArea*>(widget->parentWidget()) : nullptr;
         return area && area->viewport() == widget;
     };
-    // A cell of a table stands in the viewport itself.
+    // A cell of a table is a child of the viewport itself.
     QWidget* host = field->parentWidget();
     while (host->parentWidget() && !host->isWindow() && !isViewport(host) &&
            !isViewport(host->parentWidget()))
@@ -47,7 +47,7 @@ void ProblemPlate::say(const QString& text) {
     raise();
 }
 
-// Below the field; above it where there is no room below.
+// Places it below the field; above it if there is no room below.
 void ProblemPlate::place() {
     const QWidget* host = parentWidget();
     const int width = std::max(1, host->width() - 2 * edge);

@@ -67,7 +67,7 @@ PulsePreview::PulsePreview(const UnitChoice& units, QWidget* parent) : QWidget(p
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-// In a unit that suits it, which may be far from the mean force that other units go by.
+// Uses a unit that suits the peak, which may be far from the mean force that sets other units.
 QString PulsePreview::peakText(double peak, const Scenario& scenario) const {
     if (naturalUnits(scenario) == UnitSystem::si)
         return m_units.text(peak * scalesOf(scenario).force, UnitKind::force);

@@ -123,7 +123,7 @@ QString PulseSection::offerImpulse(double impulse) {
     return {};
 }
 
-// When the typing has come to its end: one step, whatever was on the way.
+// Scales when the typing has ended: one step, whatever was typed before.
 void PulseSection::scale() {
     const std::optional<double> wanted = std::exchange(m_wanted, std::nullopt);
     const double present = pulseImpulse(m_document.scenario());
@@ -150,7 +150,7 @@ void PulseSection::present(const Scenario& scenario, Shapes shapes) {
     if (scenario.pulse.shape == PulseShape::table) showTable(scenario);
 }
 
-// Only shapes that the scenario can have; a table can always be chosen from a file.
+// Offers only shapes that the scenario can have; a table can always be chosen from a file.
 void PulseSection::showShape() {
     const QSignalBlocker quiet(m_shape);
     m_shape->clear();
@@ -174,7 +174,7 @@ void PulseSection::showTable(const Scenario& scenario) {
 void PulseSection::chooseShape(PulseShape shape) {
     if (m_document.canHaveShape(shape)) return m_document.setShape(shape);
     chooseTable();
-    // Without a table the shape stays what it was.
+    // Without a table the shape stays.
     showShape();
 }
 

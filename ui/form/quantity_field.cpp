@@ -33,7 +33,7 @@ constexpr int margin = 4;
 
 constexpr int patienceMs = 500;  // a half-typed number is not called wrong before that
 
-// One unit of the second digit, so that a step is a few per cent wherever the value lies.
+// Returns one unit of the second digit, so that a step is a few per cent of any value.
 double stepSize(double value, int direction) {
     const double magnitude = std::abs(value);
     double decade = std::floor(std::log10(magnitude));
@@ -76,7 +76,7 @@ QSize UnitButton::sizeHint() const {
             fontMetrics().height() + 2 * margin};
 }
 
-// Styles put their mark of a menu into the corner, over the unit; here it stands behind it.
+// Styles draw their mark of a menu in the corner, over the unit; here it is drawn after the unit.
 void UnitButton::paintEvent(QPaintEvent* /*event*/) {
     QStyleOptionToolButton option;
     initStyleOption(&option);
@@ -250,7 +250,7 @@ void QuantityField::showProblem() {
 
 void QuantityField::endEdits() {
     if (m_problem.isEmpty()) {
-        // Whoever types inches wants to see inches.
+        // Users who type inches want to see inches.
         if (m_typedUnit && m_typedUnit != m_unit) {
             setUnit(*m_typedUnit);
             emit unitChosen(*m_unit);

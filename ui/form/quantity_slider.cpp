@@ -110,7 +110,7 @@ void QuantitySlider::wheelEvent(QWheelEvent* event) {
         event->ignore();
 }
 
-// A handle that goes out of sight while it is held is let go: whoever waits for that would wait for ever.
+// A handle that is hidden while it is held is released: receivers would otherwise wait for ever.
 void QuantitySlider::hideEvent(QHideEvent* event) {
     setSliderDown(false);
     endSteps();

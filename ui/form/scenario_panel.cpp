@@ -142,8 +142,8 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     showScenario();
 }
 
-// Sliders that are held and fields with the focus hand their edits over as they go out of sight: while the
-// panel and the document are still there.
+// Sliders that are held and fields with the focus deliver their edits when they are hidden: panel and
+// document must still exist then.
 ScenarioPanel::~ScenarioPanel() {
     hide();
 }
@@ -215,7 +215,7 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     connect(row, &ParameterRow::resetRequested, this, [this, &parameter] { reset(parameter); });
     connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::beginDrag);
     connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::endDrag);
-    // A slider that was held stands where the hand was, which may not be what the document took.
+    // A slider that was held is where the hand was, which may not be the document's value.
     connect(row, &ParameterRow::editsEnded, this, [this, row] {
         m_gesture = m_document.newGesture();
         row->present(m_document.scenario());
@@ -246,7 +246,7 @@ void ScenarioPanel::endDrag() {
     emit dragEnded();
 }
 
-// One set of columns through all sections. The long units of a machine, which is folded at first, make them
+// Aligns all sections to one set of columns. The long units of a machine, which is folded at first, make them
 // no wider.
 void ScenarioPanel::alignColumns() {
     int label = 0;
@@ -308,7 +308,7 @@ void ScenarioPanel::placeGroups(ScenarioForm form) {
     orderTabs();
 }
 
-// The keyboard goes from top to bottom.
+// Makes the keyboard go from top to bottom.
 void ScenarioPanel::orderTabs() {
     QWidgetList chain;
     for (const Section& section : std::as_const(m_sections))

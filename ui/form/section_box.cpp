@@ -12,7 +12,7 @@ namespace drillwave {
 
 namespace {
 
-constexpr int mostHeight = 900;   // asked for; the rest is scrolled [px]
+constexpr int mostHeight = 900;   // of the size hint; the rest is scrolled [px]
 constexpr int leastHeight = 200;  // [px]
 
 }  // namespace

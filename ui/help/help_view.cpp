@@ -76,7 +76,7 @@ void HelpView::showChapter() {
     const BookChapter* chapter = m_book.find(place().chapter);
     if (!chapter) return;
     m_shown = chapter->name;
-    // Every change of a document on show is laid out at once, which takes seconds for a page with tables.
+    // Each change of a visible document is laid out at once, which takes seconds for a page with tables.
     auto* made = new QTextDocument(this);
     made->setDocumentMargin(margin);
     made->setDefaultFont(font());

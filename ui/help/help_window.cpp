@@ -227,7 +227,7 @@ void HelpWindow::save() const {
     settings.setValue(zoomKey, m_view->zoom());
 }
 
-// Whether it is closed, which hides it, or goes with its owner, which closes nothing.
+// Distinguishes closing, which hides it, from the end of its owner, which closes nothing.
 void HelpWindow::hideEvent(QHideEvent* event) {
     save();
     QWidget::hideEvent(event);

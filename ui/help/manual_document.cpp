@@ -67,7 +67,7 @@ QColor mixed(const QColor& one, const QColor& other, double share) {
                   mix(one.blue(), other.blue()));
 }
 
-// The number of an equation stands far to the right of it in a text of fixed width.
+// Moves the number of an equation, which is far to the right of it in a text of fixed width.
 QString withNarrowFormulas(const QString& markdown) {
     static const QRegularExpression blanks(QStringLiteral("(?<=\\S) {4,}(?=\\[paper|\\([TSD][0-9]+\\))"));
     return QString(markdown).replace(blanks, QStringLiteral("   "));
@@ -148,8 +148,8 @@ void layOut(const QTextBlock& block, QTextCursor& cursor, const ManualColours& c
     cursor.setBlockFormat(format);
 }
 
-// By the words in them: each column as wide as its longest word at least, the rest of a line of so many
-// characters by how much they say. A key may go on in the next line at its dots.
+// Returns widths by the words in the columns: each as wide as its longest word at least, and the rest of a
+// line of so many characters by their amount of text. A key may go on in the next line at its dots.
 QList<QTextLength> columnWidths(const QTextTable& table, qsizetype line) {
     constexpr qsizetype longestWord = 15, longestText = 60, sides = 3;  // characters
     static const QRegularExpression blank(QStringLiteral("[\\s.]"));
@@ -260,7 +260,7 @@ QTextBlock blockOf(const QTextDocument& document, const QString& heading) {
     QTextBlock found = document.begin();
     for (QTextBlock block = document.end().previous(); block.isValid(); block = block.previous()) {
         const bool isTitle = block.blockFormat().headingLevel() > 0;
-        // One that is it word by word comes before those that only begin so.
+        // A heading with exactly these words comes before those that only begin with them.
         if (isTitle && block.text() == heading) return block;
         if (isTitle ? isHeading(block.text(), heading)
                     : heading.startsWith(u'(') && block.text().endsWith(u' ' + heading))

@@ -24,7 +24,7 @@ std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& bl
     const auto [section, peak] = largestStress(stresses, *output.load);
     const DrillString& drill = blow.scenario.drillString;
     const double length = allSections(drill)[section]->length;
-    // Where sections meet, stresses differ: a little inside of the one that is meant.
+    // Stresses differ where sections meet: take a place slightly inside of this section.
     constexpr double inside = 1e-9;
     const double share = std::clamp(peak.place / length, inside, 1 - inside);
     return RodForce{peak.stress, shareOfString(drill, {section, share}), peak.time / blow.scales.time};

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-// In which unit an output is shown.
+// Units of outputs on show.
 
 /// Returns the unit of an output's values in its measure (Output::measure). Plain numbers, works and shares
 /// have none, also in SI. `size` is the size of values without a dimensionless number: N, W or m/s.

@@ -21,7 +21,7 @@ SolvedBlowPtr answered(const SolveJob::Solve& solve, const SolveRequest& request
 }
 
 SolveJob::Solve exactly() {
-    // One solver keeps its workspace from blow to blow: the job never runs two at a time.
+    // The solver keeps its workspace from blow to blow: the job never runs two at a time.
     struct Kept {
         // Nobody can permit more work in the window.
         MethodSolver solver{WorkLimits{.pieces = mostWorkLimit}};

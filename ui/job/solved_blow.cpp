@@ -29,7 +29,7 @@ void dropMeans(SolveRequest& request) {
     request.stop = {};
 }
 
-/// One of many blows, with the pages of a request.
+/// Returns one of many blows, with the pages of a request.
 SolvedBlowPtr marchedAnswer(const SolveRequest& request, const SolvedBlow* before) {
     auto blow = std::make_shared<SolvedBlow>();
     const bool isKnown = before && before->marchedBlow && before->marchedBlow->isSolved() &&
@@ -47,7 +47,7 @@ SolvedBlowPtr marchedAnswer(const SolveRequest& request, const SolvedBlow* befor
     return blow;
 }
 
-/// With the blow that `make` gives.
+/// Completes a request with the blow returned by `make`.
 template <class Make>
 SolvedBlowPtr answerWith(const SolveRequest& request, const SolvedBlow* before, const Make& make) noexcept {
     auto blow = std::make_shared<SolvedBlow>();

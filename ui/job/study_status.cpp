@@ -28,7 +28,7 @@ QString timeText(double seconds, const QLocale& locale) {
                        : StudyStatus::tr("%1 min").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
 }
 
-// The place stays when what is in it goes.
+// Keeps the place of a widget while it is hidden.
 void keepPlace(QWidget* widget) {
     QSizePolicy policy = widget->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -46,7 +46,7 @@ SolveStatus::SolveStatus(QWidget* parent)
     layout->addWidget(m_text);
     layout->addWidget(m_button);
     layout->addStretch();
-    // The line keeps its height when the button comes and goes.
+    // The line keeps its height when the button appears or goes.
     setMinimumHeight(m_button->sizeHint().height());
     m_button->hide();
     m_late.setSingleShot(true);
@@ -201,7 +201,7 @@ void StudyStatus::follow(StudyActivity* activity, const QString& name) {
 
 void StudyStatus::update() {
     if (m_activity->state() == StudyState::running) {
-        if (!m_since.isValid()) clear();  // of what was said of a stopped one
+        if (!m_since.isValid()) clear();  // the message of a stopped one
         // A study that has done nothing has just begun.
         if (!m_since.isValid() || m_activity->progress().done == 0) m_since.start();
         if (m_button->isHidden()) {

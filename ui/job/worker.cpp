@@ -82,7 +82,7 @@ void Worker::finish() {
     if (wanted) delivery();
 }
 
-// On the worker's thread. A task that has come stays where it is while it is done: nobody replaces it before
+// Runs on the worker's thread. A task stays in m_task while it is done: nobody replaces it before
 // finish().
 void Worker::work(Urgency urgency) {
     if (urgency == Urgency::background) yieldToTheWindow();

@@ -21,16 +21,16 @@ class Page : public QWidget {
 
     /// Name on the tab.
     virtual QString title() const = 0;
-    /// Whether it has something to show of such a scenario; a page that has not cannot be chosen, has no tab
-    /// where its answer is elsewhere(), and is asked for nothing.
+    /// Whether it has something to show for a scenario. Other pages cannot be chosen, have no tab if their
+    /// answer is elsewhere(), and get no requests.
     virtual bool shows(const Scenario& /*scenario*/) const { return true; }
     /// Why it does not show a scenario and where the answer is, in one line. Empty if the user can make a
     /// scenario that it shows by its tab.
     virtual QString elsewhere() const { return {}; }
     /// Whether elsewhereRequested() leads there.
     virtual bool leadsElsewhere() const { return false; }
-    /// How what this page needs now is made from a blow; asked for only while the page can be seen. Empty
-    /// where it needs nothing but the blow.
+    /// Returns the function that makes the present data of this page from a blow; called only while the page
+    /// can be seen. Empty if the page needs only the blow.
     virtual PreparePage prepare() const = 0;
     /// Shows an answer to a request for it, or for other pages.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
@@ -40,7 +40,7 @@ class Page : public QWidget {
     virtual void fit() = 0;
     /// Returns the exports of the page, in the order of a menu.
     virtual QList<PageExport> exports() const = 0;
-    /// Returns the study that it runs beside the blow, for the status line; nullptr if it runs none.
+    /// Returns the study that it runs in addition to the blow, for the status line; nullptr if it runs none.
     virtual StudyActivity* activity() const { return nullptr; }
     /// Whether what it shows answers the present input: what does not is not copied.
     virtual void setCurrent(bool current) = 0;

@@ -132,8 +132,8 @@ void fitLogarithmic(QCPAxis& axis) {
 
 bool setTickCount(QCPAxis& axis) {
     if (axis.orientation() == Qt::Horizontal) return false;
-    constexpr int least = 3, most = 5;  // of two there may be one in view, which tells no scale
-    constexpr double linesApart = 2;    // between neighbours, of which there may be more than asked for
+    constexpr int least = 3, most = 5;  // with two, only one may be in view, which shows no scale
+    constexpr double linesApart = 2;    // between neighbours, of which there may be more than requested
     const double line = QFontMetricsF(axis.tickLabelFont()).height();
     const int count =
         std::clamp(static_cast<int>(axis.axisRect()->height() / (linesApart * line)), least, most);

@@ -77,7 +77,7 @@ CursorBar::CursorBar(QWidget* parent)
     m_choice->setFixedWidth(choiceWidth);
     for (qsizetype i = 0; i < readingCellCount; ++i) {
         auto* label = new QLabel(this);
-        // Asks for no width: all columns are alike whatever they say.
+        // Has no width of its own: all columns are alike whatever their text.
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         m_labels.append(label);
@@ -126,7 +126,7 @@ int CursorBar::heightFor(int width) const {
     return (form == Form::narrow ? text + lineGap + choice : std::max(text, choice)) + 2 * margin + 2;
 }
 
-// In five columns, or in three with what follows from both cursors below them.
+// Arranges five columns, or three with the readings of both cursors below them.
 void CursorBar::arrange() {
     m_form = formFor(width());
     const bool wide = m_form == Form::wide, narrow = m_form == Form::narrow;
@@ -150,7 +150,7 @@ void CursorBar::arrange() {
     m_grid->addWidget(m_close, 0, cellColumns + 4, wide ? 2 : 3, 1);
 }
 
-// The buttons are behind the curve, in the last column.
+// The buttons follow the curve, in the last column.
 void CursorBar::arrangeNarrow() {
     m_grid->setColumnStretch(cellColumns, 0);
     m_grid->addWidget(m_choice, 0, 0, Qt::AlignLeft);  // which leaves the column its width

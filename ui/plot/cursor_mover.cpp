@@ -7,7 +7,7 @@
 
 namespace drillwave {
 
-// In which pixels are times: those used last, or the first with graphs.
+// Returns the axes that map pixels to times: those used last, or the first with graphs.
 QCPAxisRect* CursorMover::axesInUse() const {
     const QList<QCPAxisRect*> rects = m_plot.reader().cursors().rects();
     QCPAxisRect* active = m_plot.view().activeRect();

@@ -41,7 +41,7 @@ class UnitScale {
     double m_size;
 };
 
-// From where to where the way from a to b is within 0 to 1, as shares of it (Liang and Barsky).
+// Part of the way from a to b that is within 0 to 1, as shares of it (Liang and Barsky).
 struct Inside {
     double begin = 0;
     double end = 1;
@@ -73,7 +73,7 @@ QVector<QCPGraphData> clippedLine(const QCPGraphDataContainer& points, const QCP
         return QPointF(keys.share(point.key), values.share(point.value));
     };
     QVector<QCPGraphData> line;
-    bool open = false;  // whether the line goes on from its last point
+    bool open = false;  // whether the line continues from its last point
     for (auto to = points.constBegin(); to != points.constEnd(); ++to) {
         if (to == points.constBegin()) continue;
         const QCPGraphData& from = *(to - 1);

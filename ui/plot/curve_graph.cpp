@@ -60,7 +60,7 @@ class Straightener {
         m_straight.append(point);
         m_last = point;
     }
-    // From the last point on, which stays.
+    // Restarts from the last point, which stays.
     void restart() {
         if (!m_straight.isEmpty() && isFinite(m_last) && m_straight.last() != m_last)
             m_straight.append(m_last);
@@ -91,8 +91,8 @@ QVector<QPointF> straightened(const QVector<QPointF>& line, double tolerance) {
     return straight;
 }
 
-// As one path a line costs with its length: that of a noisy record is drawn piece by piece, in a small part
-// of the time. In so dense a band neither the ends of the pieces nor dashes could be seen.
+// The cost of a line as one path grows with its length: a noisy record is drawn piece by piece, in a small
+// part of the time. In so dense a band neither the ends of the pieces nor dashes could be seen.
 constexpr double longestPath = 20'000;  // [device pixels]
 
 double lengthOf(const QVector<QPointF>& line) {

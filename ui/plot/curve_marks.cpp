@@ -16,7 +16,7 @@ constexpr int gapToPoint = 5;              // [px]
 constexpr char goalProperty[] = "isGoal";  // of points, which are filled then
 constexpr int unreadable = 1000;           // words over other words, worse than over any curve
 
-// Where words may stand beside their point, the best first: QCPItemText aligns that corner of itself with it.
+// Possible places of words at their point, the best first: QCPItemText puts its own corner there.
 constexpr Qt::Alignment alignments[] = {Qt::AlignLeft | Qt::AlignBottom,    Qt::AlignRight | Qt::AlignBottom,
                                         Qt::AlignLeft | Qt::AlignTop,       Qt::AlignRight | Qt::AlignTop,
                                         Qt::AlignHCenter | Qt::AlignBottom, Qt::AlignHCenter | Qt::AlignTop};
@@ -28,7 +28,7 @@ QRectF boxOf(QPointF at, QSizeF size, Qt::Alignment alignment) {
     return {QPointF(left, alignment & Qt::AlignTop ? at.y() : at.y() - size.height()), size};
 }
 
-// How much would be hidden behind words there.
+// Counts what words would hide there: points, and other words at the weight `unreadable`.
 int hitsOf(const QRectF& box, const QPolygonF& curve, const QVector<QRectF>& taken, const QRectF& inside) {
     const QRectF words = box.adjusted(gapToPoint, gapToPoint, -gapToPoint, -gapToPoint);
     int hits = inside.contains(words) ? 0 : 2 * unreadable;
@@ -37,7 +37,7 @@ int hitsOf(const QRectF& box, const QPolygonF& curve, const QVector<QRectF>& tak
                       curve, [&](const QPointF& point) { return words.contains(point); }));
 }
 
-// All curves in view of the rect, along their lines as well: between two points they may pass behind words.
+// Returns all curves in view of the rect, along their lines as well: words could hide lines between points.
 QPolygonF inPixels(const QCPAxisRect& rect) {
     constexpr double step = 4;  // [px], less than a letter
     const QRectF inside = rect.rect();
@@ -59,7 +59,7 @@ QPolygonF inPixels(const QCPAxisRect& rect) {
     return points;
 }
 
-// Markers of other things in the rect, which words are not to stand on.
+// Returns markers of other things in the rect, which words must not cover.
 QVector<QRectF> markersIn(QCPAxisRect& rect, const QVector<QCPItemTracer*>& own) {
     QVector<QRectF> found;
     const QCustomPlot& plot = *rect.parentPlot();
@@ -107,7 +107,7 @@ void CurveMarks::present(const QVector<CurveMark>& marks, const ShownUnit& x, co
         return count <= (kind == CurveMark::Kind::extreme ? mostNamedExtremes : mostNamed);
     };
     const QLocale locale = m_graph->parentPlot()->locale();
-    QVector<CurveMark> byWeight = marks;  // where there is no room for all words, the later ones give way
+    QVector<CurveMark> byWeight = marks;  // later ones lose their words if there is no room
     std::ranges::stable_sort(byWeight, {}, &CurveMark::kind);
     for (const CurveMark& mark : byWeight)
         add(mark, isNamed(mark.kind) ? wordsOf(mark, x, y, locale) : QString());
@@ -160,7 +160,7 @@ void CurveMarks::applyStyle() {
     }
 }
 
-// Words may stand on none of them but the one that they are of.
+// Returns the points that words must not cover: all except the one that they name.
 QVector<QRectF> CurveMarks::ownPointsBut(QPointF named) const {
     QVector<QRectF> found;
     for (const QCPItemTracer* point : m_points) {

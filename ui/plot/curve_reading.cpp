@@ -12,7 +12,7 @@ constexpr double noReading = std::numeric_limits<double>::quiet_NaN();
 
 using Point = QCPGraphDataContainer::const_iterator;
 
-// The first point behind x.
+// Returns the first point after x.
 Point pointBehind(const QCPGraphDataContainer& points, double x) {
     return std::upper_bound(points.constBegin(), points.constEnd(), x,
                             [](double key, const QCPGraphData& point) { return key < point.key; });
@@ -42,7 +42,7 @@ double valueOf(const QCPGraphDataContainer& points, const CurveMeaning& meaning,
     return meaning.value ? meaning.value(x) : chordValue(points, x);
 }
 
-// How much of the way from a to b there is a curve to take the mean of.
+// Returns the part of the way from a to b with a curve, for the mean.
 double coveredLength(const QCPGraphDataContainer& points, const CursorReading& ends) {
     if (std::isfinite(ends.yA) && std::isfinite(ends.yB)) return ends.b - ends.a;
     if (points.isEmpty()) return 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr qsizetype mostSegments = 2000;  // looked at for one pointer position
 
-// Where on the line from a to b, 0 to 1, it is nearest to p; all in pixels.
+// Returns the share of the line from a to b, 0 to 1, that is nearest to p; all in pixels.
 double nearestShare(QPointF a, QPointF b, QPointF p) {
     const QPointF along = b - a;
     const double square = QPointF::dotProduct(along, along);
@@ -148,7 +148,7 @@ void HoverMark::show(QCPAxisRect& rect, QPointF pixel, const QString& text) {
     m_ring->position->setCoords(pixel);
     m_ring->setVisible(true);
     m_label->setText(text);
-    // Away from the pointer, towards the middle of the plot, so that it is never cut off.
+    // The text is away from the pointer, towards the middle of the plot, so that it is never cut off.
     const bool left = pixel.x() > rect.center().x();
     const bool above = pixel.y() > m_plot.viewport().top() + 60;
     m_label->setPositionAlignment((left ? Qt::AlignRight : Qt::AlignLeft) |

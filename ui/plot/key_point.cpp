@@ -57,7 +57,7 @@ std::optional<QPointF> KeyPoint::pixel() const {
     return m_place ? std::optional(toPixel(*m_place)) : std::nullopt;
 }
 
-// With the frame.
+// Includes the frame.
 bool KeyPoint::isInView(QPointF place) const {
     return QRectF(m_places.rect->rect()).adjusted(-1, -1, 1, 1).contains(toPixel(place));
 }
@@ -106,7 +106,7 @@ void KeyPoint::leave() {
     show();
 }
 
-// On the curve nearest to a place, or on the point of one.
+// Puts it on the curve nearest to a place, or on a point of one.
 bool KeyPoint::putOnNearest(QPointF place) {
     if (m_places.on == KeyPlaces::On::points) {
         const QVector<QPointF> all = points(Qt::Horizontal);
@@ -251,7 +251,7 @@ QCPGraph* KeyPoint::curveHere() const {
     return nullptr;
 }
 
-// With other data.
+// Follows other data.
 void KeyPoint::follow() {
     if (!m_place) return;
     if (m_places.on == KeyPlaces::On::curves) {

@@ -38,7 +38,7 @@ QVector<QPointF> pointsAlong(const QCPGraph& graph) {
         if (!std::isfinite(point.y())) continue;
         const QPointF last = points.isEmpty() ? point : points.last();
         const double length = std::hypot(point.x() - last.x(), point.y() - last.y());
-        // A graph that is far out of view has no need of points.
+        // A graph far out of view needs no points in between.
         constexpr double most = 1e4;
         if (points.isEmpty() || length > most) {
             points.append(point);

@@ -7,8 +7,8 @@ namespace drillwave {
 
 void redrawOverlay(QCustomPlot& plot) {
     QCPLayer& layer = *plot.layer(QStringLiteral("overlay"));
-    // On paper it is drawn with all others, and before a plot was drawn once there is nothing to draw it
-    // into.
+    // On paper it is drawn with all other layers, and before its first replot a plot has no buffer for
+    // it.
     if (layer.mode() == QCPLayer::lmBuffered && plot.replotTime(true) > 0) layer.replot();
 }
 

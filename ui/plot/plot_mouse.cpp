@@ -76,7 +76,7 @@ void PlotMouse::doubleClick(const QMouseEvent& event) {
         m_plot.setCurveVisible(curve, !curve->visible());
     else if (event.button() == Qt::LeftButton)
         m_plot.fit();
-    // Its release is no click of its own.
+    // Its release does not count as a click.
     m_pressed = QPointF(-1e6, -1e6);
 }
 

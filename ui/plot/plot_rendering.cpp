@@ -43,7 +43,7 @@ QByteArray png(QCustomPlot& plot, Millimetres size, double dpi, const QString& c
     return buffer.data();
 }
 
-// An element with what a reader sees of the text. Qt 6.4 writes titles and descriptions as they are.
+// Returns an element with the visible words of the text. Qt 6.4 writes titles and descriptions unescaped.
 QByteArray svgElement(const QByteArray& name, const QString& text) {
     return QByteArray::fromStdString(htmlElement(name.toStdString(), text.toStdString()));
 }

@@ -71,7 +71,7 @@ PlotStyle PlotStyle::forScreen(const QPalette& palette, const QFont& font) {
 PlotStyle PlotStyle::forPaper() {
     PlotStyle style;
     setColors(style, Qt::white, QColor(0x1a, 0x1a, 0x1a));
-    // By the name of what is really there: "Sans Serif" would mean nothing to another program.
+    // Uses the name of the real font: "Sans Serif" would mean nothing to another program.
     style.font.setFamily(QFontInfo(style.font).family());
     style.font.setPixelSize(12);
     // QCustomPlot draws the line five pixels too long and trusts a clip that SVG does not have.

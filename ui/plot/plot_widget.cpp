@@ -224,7 +224,7 @@ void PlotWidget::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() != QContextMenuEvent::Mouse) openMenu();
 }
 
-// Without Ctrl it scrolls what the plot stands in.
+// Without Ctrl it scrolls the parent of the plot.
 void PlotWidget::wheelEvent(QWheelEvent* event) {
     if (!(event->modifiers() & Qt::ControlModifier)) return event->ignore();
     emit mouseWheel(event);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr qsizetype longestLabel = 4;
 
-// One unit over or times another; nothing for mere numbers.
+// Joins two units by a sign, such as a quotient or a product; nothing for mere numbers.
 QString joined(const QString& left, QChar sign, const QString& right) {
     if (right.isEmpty()) return left;
     return (left.isEmpty() && sign == QLatin1Char('/') ? QStringLiteral("1") : left) +

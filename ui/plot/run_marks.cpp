@@ -22,7 +22,7 @@ bool isSamePlace(const QPointF& a, const QPointF& b) {
     return isNear(a.x(), b.x()) && isNear(a.y(), b.y());
 }
 
-// At one place.
+// Marks at one place.
 struct Place {
     RunMark mark;
     QStringList letters;
@@ -91,7 +91,7 @@ void RunMarks::draw() {
         text->setFont(m_style.font);
         text->setColor(colour);
         text->setBrush(m_style.behindWords());
-        text->setPadding(QMargins(8, 2, 8, 2));  // beside the ring of the present scenario
+        text->setPadding(QMargins(8, 2, 8, 2));  // clear of the ring of the present scenario
         text->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
         for (QCPItemPosition* position : {point->position, text->position}) {
             position->setType(QCPItemPosition::ptPlotCoords);
@@ -130,7 +130,7 @@ QVector<QRectF> RunMarks::taken() const {
     return rects;
 }
 
-// With every view: what is apart in one may be together in another.
+// Places the names for the present view: marks that are apart in one view may coincide in another.
 void RunMarks::placeNames() {
     if (m_drawn.isEmpty()) return;
     QVector<QRectF> rects = taken();
@@ -148,7 +148,7 @@ void RunMarks::placeNames() {
                 const QRectF rect = rectOf(*drawn.name);
                 const QRectF inside = rect & room;
                 const double cut = rect.width() * rect.height() - inside.width() * inside.height();
-                // Every name meets its own point.
+                // Each name also overlaps its own point.
                 const double lost = cut + overlap(rect, rects);
                 if (lost < least - 1) {
                     least = lost;

@@ -53,7 +53,7 @@ QString element(double dy, const QString& attributes, const QString& text) {
         .arg(QString::number(dy, 'g', 4), attributes, text);
 }
 
-// One text without markup in it.
+// Converts one text that has no markup in it.
 QString withTspans(const QString& text) {
     QString result;
     double back = 0;  // of what is next on the line

@@ -28,7 +28,7 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    // At the top of the room that is kept, without asking for more.
+    // The alerts are at the top of the room that is kept, and need no more.
     layout->setAlignment(Qt::AlignTop);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_rest.setSingleShot(true);

@@ -150,7 +150,7 @@ void EnergyBar::paintEvent(QPaintEvent*) {
         drawPart(painter, area, part, palette());
         const QString label = labelOf(part);
         if (label.isEmpty()) continue;
-        // On a plate of its own: patterns would run through the letters.
+        // The letters have a plain background: patterns would run through them.
         QRectF plate = fontMetrics().boundingRect(label).adjusted(-3, -1, 3, 1);
         plate.moveCenter(area.center());
         painter.fillRect(plate, palette().color(QPalette::Base));

@@ -44,7 +44,7 @@ class EnergyBar : public QWidget {
     std::array<double, energyParts.size()> m_shares{};  // together 1, or all 0 without a result
 };
 
-/// The pattern of one part, for the list beside the bar.
+/// The pattern of one part, for the list at the bar.
 class EnergySwatch : public QWidget {
     Q_OBJECT
 

@@ -37,7 +37,7 @@ constexpr int visibleEvents = 7;
 void EventModel::present(const SolvedBlowPtr& blow) {
     beginResetModel();
     m_blow = blow;
-    // One unit for all rows, in which the last can be read.
+    // All rows have one unit, in which the last can be read.
     const bool listed = rowCount() > 0;
     m_unit = listed ? readable(blow->units.time, timeAt(rowCount() - 1)) : blow->units.time;
     endResetModel();

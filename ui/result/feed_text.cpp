@@ -24,7 +24,7 @@ double requiredBy(const SolvedBlow& blow) {
     return blow.feed->need(ThrustCase::scenario).thrust;
 }
 
-// In the unit that suits the thrust needed, so that all can be compared at a glance.
+// Returns the unit that suits the required feed, so that all can be compared at a glance.
 ShownUnit unitOf(const SolvedBlow& blow) {
     const double installed = blow.scenario.drill.thrust.value_or(0);
     ShownUnit unit = blow.units.of(UnitKind::force, blow.feed ? requiredBy(blow) : installed);

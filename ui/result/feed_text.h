@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The required and the installed feed, as the window writes them: empty
-// where the scenario does not say enough.
+// The required and the installed feed, as the window writes them: empty if the scenario lacks
+// data.
 #pragma once
 
 #include <QString>
@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-// The required feed of all four cases, which takes a study of all gaps: found beside the blow.
+// The required feed of all four cases, which takes a study of all gaps, in addition to the blow.
 
 /// Follows the blow on show as soon as its values rest. Keeps the estimate of the earlier one until then.
 class WorstNeed : public QObject {
@@ -32,7 +32,7 @@ class WorstNeed : public QObject {
     std::optional<double> thrust() const;
     /// Why there is none, in a sentence; may be empty.
     QString problem() const;
-    /// Whether estimate() is that of the blow asked for last.
+    /// Whether estimate() is that of the last blow.
     bool isCurrent() const;
     /// Whether it is on its way.
     bool isAwaited() const;
@@ -46,7 +46,7 @@ class WorstNeed : public QObject {
 
     std::optional<Scenario> m_scenario;  // with a thrust
     StudyJob<ThrustStudy> m_job;
-    bool m_due = false;  // asked, and not run yet
+    bool m_due = false;  // requested, and not run yet
     QTimer m_rest;
 };
 
@@ -70,11 +70,11 @@ QString thrustInstalledText(const SolvedBlow& blow);
 /// The installed force less what this blow requires [N]; below zero what is missing.
 std::optional<double> thrustMargin(const SolvedBlow& blow);
 
-/// The same in words, and as a share of what is required.
+/// Formats the margin, also as a share of the required feed.
 QString thrustMarginText(const SolvedBlow& blow);
 
-/// By how much a margin is off another one [N], in the unit of the blow: "+1.27 kN". A margin passes through
-/// zero, where a share of it says nothing.
+/// Formats the difference of two margins [N], in the unit of the blow: "+1.27 kN". A margin passes through
+/// zero, where a share of it has no meaning.
 QString marginChangeText(double margin, double reference, const SolvedBlow& blow);
 
 /// The estimate by which the feed is judged, and whether its cases of all gaps are on their way.

@@ -84,7 +84,7 @@ QString signedText(double difference, int digits) {
 
 QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units) {
     QStringList changes;
-    // All the numbers of the one form are new in the other.
+    // All the numbers of one form are new in the other.
     if (!areOfOneKind(before, after)) return hasSections(after) ? tr("drill string") : tr("uniform rod");
     if (before.pulse.shape != after.pulse.shape || !(before.pulse.tablePoints == after.pulse.tablePoints))
         changes << blowWords(after.pulse);

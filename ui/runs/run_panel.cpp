@@ -116,7 +116,7 @@ QAction* RunPanel::add(const QString& text, const QKeySequence& keys,
     action->setShortcut(keys);
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, [this, then] {
-        // A copy: what is done may take it off the list.
+        // Takes a copy: `then` may remove it from the list.
         if (const Run* run = chosen()) then(Run(*run));
     });
     m_list->addAction(action);

@@ -35,7 +35,7 @@ struct Run {
     bool isSolved() const { return blow && blow->fault.isEmpty(); }
 };
 
-/// In the order in which they were pinned; never changed once made, so that other threads may look at it.
+/// The runs in the order in which they were pinned; never changed once made, so that threads can share it.
 using RunList = std::vector<Run>;
 using RunListPtr = std::shared_ptr<const RunList>;
 

@@ -98,7 +98,7 @@ QString Catalogue::translate(const char* context, const char* source, const char
 }
 
 void speak(const Language& language) {
-    // They take themselves away where another language was spoken before.
+    // Their destructors remove them if another language was spoken before.
     static QPointer<QTranslator> ofQt, ours;
     delete ofQt;
     delete ours;

@@ -16,8 +16,8 @@ inline const QString noNumber = QStringLiteral("–");
 /// another.
 QLocale withoutGroups(QLocale locale);
 
-/// So many significant digits, without trailing zeros: "0.4067", "−0.4067" with a real minus sign; all digits
-/// before the point up to a million, "12345", without group separators; "1.235·10⁷" and "1.235·10⁻⁵" beyond.
+/// Formats significant digits without trailing zeros: "0.4067", "−0.4067" with a real minus sign; all digits
+/// before the point up to a million, "12345", without group separators; "1.235·10⁷" beyond.
 QString numberText(double value, int digits, const QLocale& locale);
 
 /// The text of a number with its sign: "+" before that of a positive one.

@@ -52,7 +52,7 @@ void ScrolledLabel::showEvent(QShowEvent* event) {
     window()->installEventFilter(this);
 }
 
-// Its share is another height then.
+// The share of another window height is another height.
 bool ScrolledLabel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == window() && event->type() == QEvent::Resize) updateGeometry();
     return QScrollArea::eventFilter(watched, event);

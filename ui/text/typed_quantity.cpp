@@ -20,7 +20,7 @@ struct Word {
     std::string_view unit;
 };
 
-// In the plural, which stands for the singular too.
+// Words in the plural, which match the singular too.
 constexpr Word unitWords[] = {
     {u"'", "ft"},
     {u"′", "ft"},
@@ -81,8 +81,8 @@ const Unit* unitInOtherCase(const QString& spelling, Quantity quantity) {
     return found;
 }
 
-// "5' 6 1/2\"" and "1 1/2 in", whose blank is a plus, as sums. So is the hyphen of "12'-3\"", which touches
-// both; any other, as in "12 ft - 3 in", is a minus.
+// Writes "5' 6 1/2\"" and "1 1/2 in", whose blank is a plus, as sums. The hyphen of "12'-3\"", which touches
+// both, is a plus as well; any other, as in "12 ft - 3 in", is a minus.
 QString withSumsWrittenOut(QString text) {
     static const QString part = QStringLiteral(R"((?:\d+\s+\d+/\d+|\d+/\d+|\d+(?:[.,]\d+)?))");
     static const QRegularExpression feetAndInches(
@@ -138,7 +138,7 @@ class Arithmetic {
         if (problem.isEmpty()) problem = reason;
         return 0;
     }
-    // Up to the sign of the next summand, or the end.
+    // Reads up to the sign of the next summand, or the end.
     QString unit() {
         next();
         const qsizetype begin = m_at;

@@ -12,7 +12,7 @@ namespace drillwave {
 
 namespace {
 
-// Digits of a mantissa in runs, and the sign that stands before each run but the first.
+// Digits of a mantissa in runs, and the sign before each run but the first.
 struct Mantissa {
     QStringList runs;
     QString separators;
@@ -30,7 +30,7 @@ struct Mantissa {
 };
 
 // Blanks of any width, and the apostrophes of Switzerland, group digits everywhere. Tabs and line breaks do
-// not: they stand between two numbers.
+// not, because they separate two numbers.
 bool isNeutralGroup(QChar c) {
     return c.category() == QChar::Separator_Space || c == u'\'' || c == u'’';
 }

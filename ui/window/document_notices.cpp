@@ -128,7 +128,7 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
                 tr("A force drives the string now: any shape, or a measured blow by File ▸ Import."));
     });
     connect(m_toRig, &QAction::triggered, this, [this] { (new RigDialog(m_document, window()))->open(); });
-    // Whatever comes after it, an undo for one, is another scenario.
+    // Any later change, for example an undo, makes another scenario.
     connect(&document, &Document::scenarioChanged, this, [this] {
         if (!m_isConverting) hide();
         offer();

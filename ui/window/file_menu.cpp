@@ -144,7 +144,7 @@ void FileMenu::addExamples() {
     addFigures(*menu->addMenu(tr("&Figures of the paper")));
 }
 
-// Beside the window, whose scenario stays.
+// Opens figures next to the window, whose scenario stays.
 void FileMenu::addFigures(QMenu& menu) {
     menu.setToolTipsVisible(true);
     const QStringList contents{
@@ -273,7 +273,7 @@ bool FileMenu::saveAs() {
     QString path = m_questions.fileToSave(m_window, m_document.suggestedPath());
     if (path.isEmpty()) return false;
     if (isScenarioName(path)) return saveTo(path);
-    // The dialog has asked about the name as it was given.
+    // The dialog has asked about the name as given.
     path += QStringLiteral(".yaml");
     if (QFileInfo::exists(path) && !m_questions.confirm(m_window, tr("A file of this name exists already."),
                                                         QDir::toNativeSeparators(path), tr("Overwrite")))

@@ -25,7 +25,7 @@ class FileDrop : public QObject {
     explicit FileDrop(QWidget* window);
 
   signals:
-    /// Paths of local files, at least one; sent when the program they come from has been let go.
+    /// Paths of local files, at least one; sent after the drop has ended for the program they come from.
     void dropped(const QStringList& paths);
 
   protected:
@@ -58,7 +58,7 @@ class FileMenu : public QMenu {
 
   signals:
     void exampleOpened(const drillwave::Example& example);
-    /// A measured signal is to be imported: from that file, or from one to be asked for.
+    /// The user wants to import a measured signal: from that file, or from one to be chosen.
     void importRequested(const QString& path);
 
   private:
@@ -71,7 +71,7 @@ class FileMenu : public QMenu {
     void forget(const QString& path);
     void showRecentFiles();
     bool saveTo(const QString& path);
-    /// Whether there is no problem; tells of one.
+    /// Whether there is no problem; reports one.
     bool succeeded(const QString& what, const QString& problem);
 
     Document& m_document;

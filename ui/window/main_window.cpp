@@ -163,12 +163,12 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     present(m_job->solveNow(request()));
 }
 
-// A dock of its own does not go out of sight with the window: its panel goes first of all.
+// A floating dock is not hidden with the window: its panel is destroyed first.
 MainWindow::~MainWindow() {
     hide();
 }
 
-// Above the docks, over the whole width.
+// Adds the tabs above the docks, over the whole width.
 void MainWindow::addTabs() {
     auto* bar = new QToolBar(tr("Pages"), this);
     bar->setObjectName(QStringLiteral("pages"));
@@ -253,7 +253,7 @@ void MainWindow::addMenus() {
     edit->setToolTipsVisible(true);
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
     auto* view = new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote, *m_questions}, this);
-    // When the menu has closed.
+    // Queued: after the menu has closed.
     connect(view, &ViewMenu::restartWanted, this, &MainWindow::restart, Qt::QueuedConnection);
     menuBar()->addMenu(view);
     menuBar()->addMenu(new StudyMenu(*m_pages, this));
@@ -359,7 +359,7 @@ void MainWindow::goToParameter(const QString& key) {
     m_stringPage->goTo(*parameter->address);
 }
 
-// On the page first, so that the field for the goal can have the focus.
+// Shows the page first, so that the field for the goal can have the focus.
 void MainWindow::seekGoal(const QString& key) {
     const KeptParameter parameter = findParameter(key.toStdString());
     if (!parameter || !parameter->applies(m_document.scenario())) return;

@@ -47,11 +47,11 @@ class MainWindow : public QMainWindow {
 
   public:
     explicit MainWindow(QWidget* parent = nullptr);
-    /// With another solver and other answers to its questions.
+    /// Makes a window with another solver and other answers to its questions.
     MainWindow(std::unique_ptr<Questions> questions, SolveJob::Solve solve, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens a scenario file, or tells why it cannot. True when opened.
+    /// Opens a scenario file, or reports why it cannot. True when opened.
     bool openFile(const QString& path);
     void openExample(const Example& example);
     /// Keeps unsaved changes in a folder from now on, and offers those of instances that died.
@@ -125,7 +125,7 @@ class MainWindow : public QMainWindow {
     AlertLink* m_alertLink = nullptr;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
-    // Hands the last edits over as it goes: while all of the above is still there.
+    // Delivers the last edits when it is destroyed: while all of the above still exists.
     std::unique_ptr<ScenarioPanel> m_scenarioPanel;
     std::unique_ptr<Importer> m_importer;
 };

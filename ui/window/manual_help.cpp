@@ -77,7 +77,7 @@ HelpWindow& ManualHelp::help() {
     return *m_help;
 }
 
-// Where there is room, to the right of the window, else to its left, else at the right edge of the screen.
+// Places it right of the window if there is room, else left of it, else at the right edge of the screen.
 void ManualHelp::placeBeside() {
     if (m_help->restorePlace()) return keepOnScreen(*m_help);
     const QRect room = m_window->screen()->availableGeometry(), frame = m_window->frameGeometry();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Leads from what one works at in the window to where the manual tells of it.
+// Links from the widget in use to its place in the manual.
 #pragma once
 
 #include <QMainWindow>
@@ -14,7 +14,7 @@ namespace drillwave {
 
 class PageTabs;
 
-/// Opens the manual beside the window.
+/// Opens the manual next to the window.
 class ManualHelp : public QObject {
     Q_OBJECT
 
@@ -22,10 +22,10 @@ class ManualHelp : public QObject {
     /// Window and pages must outlive it.
     ManualHelp(QMainWindow* window, const PageTabs& pages);
 
-    /// At the field or the part that has the focus, or else the page on show.
+    /// Shows the place of the focused field or part, or else of the page on show.
     void showHere();
     void showAt(const ManualPlace& place);
-    /// Where showHere() leads.
+    /// The place that showHere() shows.
     ManualPlace here() const;
     /// The window of the manual; nullptr until it has been opened.
     HelpWindow* helpWindow() const { return m_help; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A strip above the pages that says something without being in the way.
+// A strip above the pages for messages that need no answer.
 #pragma once
 
 #include <QFrame>
@@ -11,8 +11,8 @@ namespace drillwave {
 
 class ScrolledLabel;
 
-/// Hidden until it has something to say; goes away by its last button. The text can be selected, and scrolls
-/// where it would leave the pages too little room.
+/// Hidden without a text; its last button closes it. The text can be selected, and scrolls if it would leave
+/// the pages too little room.
 class Notice : public QFrame {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ class Notice : public QFrame {
     /// A button in front of the one that dismisses.
     QPushButton* addButton(const QString& text, const QString& toolTip);
     void say(const QString& text);
-    /// Says something else, shown or hidden as it is.
+    /// Changes the text, shown or hidden as it is.
     void setText(const QString& text);
     QString text() const;
 

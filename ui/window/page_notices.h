@@ -14,9 +14,9 @@ namespace drillwave {
 class Page;
 class PageTabs;
 
-// Says why a page that is wanted is not there for this scenario, and where its answer is.
+// Reports why a page is not there for this scenario, and where its answer is.
 
-/// Goes away with the next page on show, and when its page is there again.
+/// Goes away with the next page on show, and when its page can be chosen again.
 class ElsewhereNotice : public Notice {
     Q_OBJECT
 
@@ -31,9 +31,9 @@ class ElsewhereNotice : public Notice {
     QPointer<Page> m_page;
 };
 
-// Says that pages show one of many blows under the feed, and leads back to the single one.
+// Reports that pages show one of many blows under the feed, and leads back to the single one.
 
-/// Keeps which blow that is until it is sent away or forgotten; seen beside the pages that show it.
+/// Keeps which blow that is until it is closed or forgotten; visible above the pages that show it.
 class MarchedNotice : public Notice {
     Q_OBJECT
 
@@ -59,7 +59,7 @@ class MarchedNotice : public Notice {
     std::optional<MarchedQuestion> m_blow;
 };
 
-// Says which value was taken from a plot, and takes it back.
+// Reports which value was taken from a plot, and takes it back.
 
 /// Goes away with the next change of the scenario.
 class TakenNotice : public Notice {
@@ -76,7 +76,7 @@ class TakenNotice : public Notice {
     int m_step = -1;  // index of the undo stack after the step that is shown
 };
 
-// Says why a page of waves is empty, and rounds lengths so that it is not.
+// Reports why a page of waves is empty, and rounds lengths so that it is not.
 
 /// Shown while the waves of the page were too many to be kept, where rounded lengths may help.
 class WavesNotice : public Notice {

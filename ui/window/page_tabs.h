@@ -27,13 +27,13 @@ class PageTabs : public QStackedWidget {
   public:
     explicit PageTabs(QWidget* parent);
 
-    /// Behind the pages of its group that are there.
+    /// Adds a page after the present ones of its group.
     void add(Page* page, PageGroup group);
     /// The one on show.
     Page& current() const;
-    /// As wide as any page needs, and as high as the one on show does at the width that there is.
+    /// As wide as any page needs, and as high as the page on show at the available width.
     QSize minimumSizeHint() const override;
-    /// In the order of the tabs, from 0; count() says how many there are.
+    /// Returns a page in the order of the tabs, from 0 to count() − 1.
     Page& page(int index) const;
     /// The row of tabs, for the window to place.
     TabStrip* strip() const { return m_strip; }
@@ -41,14 +41,14 @@ class PageTabs : public QStackedWidget {
     void addTo(QMenu& menu);
     /// Whether what all pages show answers the present input.
     void setCurrent(bool current);
-    /// Only the pages that show such a scenario can be chosen from now on. Where the one on show cannot, the
-    /// one that was last on show for such a scenario takes its place.
+    /// Makes only the pages that show such a scenario choosable. If the one on show is not among them, the
+    /// last one on show for such a scenario replaces it.
     void follow(const Scenario& scenario);
     /// Whether a page can be chosen, of the scenario that is there.
     bool isOffered(int index) const;
     /// Veils what is shown.
     void setOutOfDate(bool outOfDate);
-    /// Puts a page on show; where it cannot be chosen, says where its answer is.
+    /// Puts a page on show; if it cannot be chosen, reports where its answer is.
     void choose(int index);
     /// The page shown last in an earlier run of the program.
     void restoreChoice();

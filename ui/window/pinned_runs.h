@@ -29,7 +29,7 @@ class PinnedRuns : public QObject {
     RunPanel* panel() const { return m_panel; }
     /// Asks to pin the present result; see pin().
     QAction* pinAction() const { return m_pinAction; }
-    /// Keeps the runs beside the scenario file, or no more.
+    /// Keeps the runs beside the scenario file, or stops that.
     QAction* keepAction() const { return m_keepAction; }
     /// Has the numbers of the panel compared with the reference.
     void follow(ResultPanel& result);
@@ -38,13 +38,13 @@ class PinnedRuns : public QObject {
 
     /// The present result, which may be of an earlier scenario. Pins that wait for it get it.
     void present(const SolvedBlowPtr& blow);
-    /// Pins the scenario as it is now with its result; where that is not there yet, the run waits for it,
-    /// whatever is changed or shown meanwhile.
+    /// Pins the present scenario with its result; if that is not there yet, the run waits for it, whatever is
+    /// changed or shown meanwhile.
     void pin();
     /// Brings back the scenario of a run, as one undo step.
     void revertTo(int number);
-    /// Asks what is still to be asked, and waits until the runs are written. False where that has failed and
-    /// the user would rather have the window stay.
+    /// Asks the open questions, and waits until the runs are written. False if that has failed and the user
+    /// wants to keep the window.
     bool mayClose();
 
   private:
@@ -64,7 +64,7 @@ class PinnedRuns : public QObject {
     QAction* m_keepAction;
     RunPanel* m_panel;
     SolvedBlowPtr m_now;
-    QString m_othersFolder;  // to be asked about; empty without
+    QString m_othersFolder;  // of the question about it; empty without
 };
 
 }  // namespace drillwave

@@ -14,7 +14,7 @@ inline constexpr std::array<int, 8> iconWidths{16, 22, 24, 32, 48, 64, 128, 256}
 /// A square of so many pixels, with transparent corners. Needs no application object.
 QImage programImage(int width);
 
-/// In all of iconWidths.
+/// Returns the icon in all of iconWidths.
 QIcon programIcon();
 
 }  // namespace drillwave

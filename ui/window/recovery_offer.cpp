@@ -56,7 +56,7 @@ void offerLostChanges(const QString& folder, Document& document, Recovery& recov
         if (!scenario.problems.isEmpty())
             questions.tell(window, Questions::Tone::failure, tr("Some pinned runs cannot be restored."),
                            scenario.problems.join(QLatin1Char('\n')));
-        // Only when they are safe again.
+        // The lost file may go only when the changes are safe again.
         recovery.writeNow();
         if (QFile::exists(recovery.file()) || !document.isModified()) lost.discard();
         return;

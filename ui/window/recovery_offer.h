@@ -11,9 +11,9 @@
 namespace drillwave {
 
 /// Asks about the lost changes in the folder, the last ones first, until some are restored into the document;
-/// what is not answered stays for the next start. Restored changes have the path of their file, whose saved
-/// state undo brings back; `takeBeside` takes what was beside the document. Changes that a window left for
-/// its successor come back without a question. Files that cannot be used are reported and set aside.
+/// unanswered ones stay for the next start. Restored changes have the path of their file, whose saved state
+/// undo brings back; `takeBeside` takes the work beside the document. Changes that a window left for its
+/// successor come back without a question. Files that cannot be used are reported and set aside.
 void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
                       QWidget* window, const std::function<void(const WorkBeside&)>& takeBeside);
 

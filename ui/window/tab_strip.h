@@ -8,23 +8,23 @@ class QWidget;
 
 namespace drillwave {
 
-/// A caption is a tab that cannot be chosen. Where the row is too short the captions shrink to a gap, then
-/// tabs are cut short, then scrolled; the chosen one is always in view.
+/// A caption is a tab that cannot be chosen. If the row is too short the captions shrink to a gap, then tabs
+/// are cut short, then scrolled; the chosen one is always in view.
 class TabStrip : public QTabBar {
     Q_OBJECT
 
   public:
     explicit TabStrip(QWidget* parent = nullptr);
 
-    /// Both stand before the tab at `index`.
+    /// Insert a caption or a tab before the tab at `index`.
     void insertCaption(int index, const QString& text);
     void insertPage(int index, QWidget* page, const QString& title);
     /// nullptr for a caption, and where there is no tab.
     QWidget* pageAt(int index) const;
-    /// Where the tab of a page is; −1 where there is none.
+    /// Changes the title of the tab at `index`.
     void rename(int index, const QString& title);
-    /// Whether a page can be chosen; `why` not is said by its tab, which is away where there is nothing to
-    /// say.
+    /// Sets whether a page can be chosen; otherwise its tab shows `why`, or is hidden if that is
+    /// empty.
     void setOffered(int index, bool offered, const QString& why);
     int indexOf(const QWidget* page) const;
     /// Chooses the tab `step` tabs of pages further on, round the row.

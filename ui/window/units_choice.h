@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menu of units: a system, and for each kind of value another unit; in View and behind a button.
+// The menu of units: a system, and for each kind of value another unit; in View and at a button.
 #pragma once
 
 #include <QMenu>

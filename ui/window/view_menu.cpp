@@ -63,7 +63,7 @@ PlotViewMenu::PlotViewMenu(PageTabs& pages, QWidget* window)
     addAction(tr("No plot"))->setEnabled(false);  // an empty menu would not open
 }
 
-// That with the focus, else the first that can be seen.
+// Returns the plot with the focus, else the first visible one.
 PlotWidget* PlotViewMenu::plot() const {
     PlotWidget* first = nullptr;
     for (PlotWidget* each : m_pages.current().findChildren<PlotWidget*>()) {

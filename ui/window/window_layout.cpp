@@ -33,7 +33,7 @@ QWidget* focusOf(QWidget* area) {
 // Raised when docks or toolbars change so that an old layout no longer fits.
 constexpr int layoutVersion = 2;
 constexpr QSize usualSize{1440, 900};
-constexpr int usefulPageWidth = 480;  // narrower, a plot beside both docks can hardly be read
+constexpr int usefulPageWidth = 480;  // in a narrower page, a plot between both docks can hardly be read
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString stackedKey = QStringLiteral("window/stacked");
@@ -81,7 +81,7 @@ void WindowLayout::addDock(const QString& title, const QString& name, QWidget* c
     dock->setWidget(content);
     m_window->addDockWidget(areas[m_docks.size()], dock);
     m_docks.append(dock);
-    // Side by side they would widen a window that is to be small before anybody has asked.
+    // Side by side they would widen a window that should be small at first.
     if (m_docks.size() == 2) shareOneSide();
 }
 
@@ -164,10 +164,10 @@ void WindowLayout::shareOneSide() {
     m_stacked = true;
 }
 
-// That both docks need, and a page that is to be of use.
+// Returns the width that both docks and a useful page need.
 int WindowLayout::widthSideBySide() const {
-    // One more than the least: a window that has been made as narrow as it can be has the docks come
-    // together.
+    // One more than the least: in a window that is as narrow as possible the docks share one
+    // side.
     const auto* pages = m_window->centralWidget()->findChild<PageScroll*>();
     int width = std::max(usefulPageWidth, pages->neededWidth() + 1);
     for (const QDockWidget* dock : std::as_const(m_docks))

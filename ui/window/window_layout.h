@@ -21,7 +21,7 @@ class AreaKeys : public QObject {
     Q_OBJECT
 
   public:
-    /// In the order of the keys.
+    /// Takes the areas in the order of the keys.
     AreaKeys(QList<QWidget*> areas, QWidget* window);
 
     void addTo(QMenu& menu);

@@ -90,7 +90,7 @@ void AccuracyPage::ask() {
         m_study.job().cancel();
 }
 
-// Each study keeps what it has found while the other one runs.
+// Keeps the results of each study while the other one runs.
 void AccuracyPage::takeOver() {
     const ProofAnswer* answer = m_study.value();
     if (!answer) return;

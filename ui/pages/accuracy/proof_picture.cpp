@@ -13,7 +13,7 @@
 namespace drillwave {
 namespace {
 
-constexpr double leastError = 1e-17;  // below, e as a double tells nothing
+constexpr double leastError = 1e-17;  // below, a double cannot show e
 constexpr double leastRatio = 1e-6;   // farther from a mark is all the same
 
 bool isLattice(const AccuracyRow& row, LatticeWaves waves) {
@@ -125,7 +125,7 @@ ProofPicture accuracyPicture(const StringAccuracy& accuracy, const QLocale& loca
         series.labels.append(tr("cells of %1").arg(runTimeText(row.cell, locale)));
         series.rows.append(static_cast<int>(i));
     }
-    for (ProofSeries& series : picture.series)  // the finest: the table tells of the others
+    for (ProofSeries& series : picture.series)  // the finest: the table shows the others
         for (qsizetype i = 0; i + 1 < series.labels.size(); ++i) series.labels[i].clear();
     return picture;
 }

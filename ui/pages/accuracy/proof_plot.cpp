@@ -124,7 +124,7 @@ void ProofPlot::addSeries(const ProofSeries& series, int index) {
     }
 }
 
-// Words that would end beyond the axes stand on the other side of their point.
+// Puts words that would end beyond the axes on the other side of their point.
 void ProofPlot::placeLabels() {
     const QRectF inside = m_rect->rect();
     for (QCPItemText* label : m_labels) {

@@ -52,7 +52,7 @@ double interestingEnd(const Blow& blow, double last) {
     return end > 0 ? std::min(end, last) : last;
 }
 
-/// In which section of a string the waves are observed.
+/// Names the section of a string in which the waves are observed.
 void namePlace(BlowCurves& curves, const DrillString& drill) {
     const std::vector<const Section*> sections = allSections(drill);
     if (sections.empty()) return;

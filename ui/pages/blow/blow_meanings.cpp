@@ -48,7 +48,7 @@ CurveMeaning forceLike(const ShownUnits& units, std::function<double(double)> va
     return meaning;
 }
 
-// One of the waves at the section: over the round trip from its arrival, as it is drawn.
+// Returns the meaning of one of the waves at the section, over the round trip from its arrival, as drawn.
 CurveMeaning waveMeaning(const SolvedBlowPtr& blow, int number) {
     const double section = blow->page<BlowCurves>()->section;
     return forceLike(
@@ -66,7 +66,7 @@ CurveMeaning forceMeaning(const ShownUnits& units) {
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     const ShownUnits& units = blow->units;
     const double section = blow->page<BlowCurves>()->section;
-    // Read when asked; the blow lives as long as the function.
+    // Values are read on demand; the blow lives as long as the function.
     const auto reading = [blow, section](double RodState::*value) {
         return [=](double t) { return BlowWaves(*blow).state(section, t).*value; };
     };

@@ -22,7 +22,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int hintChars = 125;  // wide enough for a hint beside the other words
+constexpr int hintChars = 125;  // wide enough for a hint and the other words
 
 QString misfitText(const Misfit& misfit, const SolvedBlow& blow) {
     const Scales scales = scalesOf(blow.request.scenario);
@@ -181,7 +181,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     redraw();
 }
 
-// In other units the cursors A and B stay where they are in the blow.
+// Moves the cursors A and B with the units, so that they stay where they are in the blow.
 void BlowPage::carryCursors() {
     const ShownUnit& unit = m_blow->units.time;
     if (unit.unit != m_cursorUnit.unit) {
@@ -274,7 +274,7 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-// As many lines as the longest readings need at this width: the plots below stand still whatever it says.
+// Reserves as many lines as the longest readings need at this width, so that the plots below do not move.
 void BlowPage::reserveInstant() {
     const QString longest =
         QStringLiteral("t = %1 · N = %1 · F = %1 · I = %1 · p = %1").arg(QStringLiteral("−888.8 kN s"));

@@ -13,7 +13,7 @@ namespace {
 
 enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
 
-// The sum, the first waves, and all behind them by their heading.
+// The sum, the first waves, and all later ones by their heading.
 const QStringList waveNames{QStringLiteral("N"),   QStringLiteral("N₀ₚ"), QStringLiteral("N₁ₙ"),
                             QStringLiteral("N₂ₚ"), QStringLiteral("N₃ₙ"), QStringLiteral("N₄ₚ…"),
                             QStringLiteral("N₅ₙ…")};
@@ -36,12 +36,12 @@ QPen wavePen(const PlotStyle& style, int index) {
     return pen;
 }
 
-// By name: their factors follow the scenario.
+// Compares by name: factors follow the scenario.
 bool sameUnitsOfHistories(const ShownUnits& a, const ShownUnits& b) {
     return a.time.unit == b.time.unit && a.force.unit == b.force.unit && a.impulse.unit == b.impulse.unit;
 }
 
-// Two decimals, three where they say more.
+// Formats two decimals, or three if they differ.
 QString sectionText(double section, const QLocale& locale) {
     const bool twoDo = std::abs(100 * section - std::round(100 * section)) < 0.05;
     return locale.toString(section, 'f', twoDo ? 2 : 3);

@@ -123,7 +123,7 @@ void MeasuredBar::setComparable(bool comparable) {
     m_align->setEnabled(comparable);
 }
 
-// That was not there before; -1 where nothing has come.
+// Returns the index of a new signal; -1 without one.
 int MeasuredBar::indexOfNew() const {
     const std::vector<MeasuredSignal>& all = m_list.signalList();
     if (all.size() <= m_names.size()) return -1;

@@ -59,7 +59,7 @@ QPen MeasuredCurves::pen(const PlotStyle& style, int index) {
     return pen;
 }
 
-// As many graphs as signals, each in the plot of its kind.
+// Makes as many graphs as signals, each in the plot of its kind.
 void MeasuredCurves::match(const std::vector<MeasuredSignal>& measured) {
     const auto sameKind = [&](std::size_t i) {
         return i < measured.size() && m_shown[i].signal.name == measured[i].name &&

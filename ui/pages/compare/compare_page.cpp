@@ -132,7 +132,7 @@ void ComparePage::offerReferences() {
     }
 }
 
-// As soon as it is known, all is presented again.
+// All is presented again once the estimate is known.
 std::optional<FeedEstimate> ComparePage::ofAllGaps(int column, const SolvedBlow& blow) {
     std::unique_ptr<WorstNeed>& need = m_needs[column];
     if (!need) {

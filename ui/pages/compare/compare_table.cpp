@@ -67,7 +67,7 @@ QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& s
     return parameterName(parameter);
 }
 
-/// More rows of sections, hammer and string together, would push the results out of sight.
+/// More rows of sections, of hammer and string together, would push the results out of sight.
 constexpr std::ptrdiff_t mostSectionRows = 12;
 
 bool isOfSection(const KeptParameter& parameter) {
@@ -91,7 +91,7 @@ void addParameters(CompareTable& table, const std::vector<const Scenario*>& scen
     }
 }
 
-/// From those numbers to the ones on show, whose scale `base` has.
+/// Returns the unit of a column on show, whose scale `base` has, for numbers of an output.
 ShownUnit unitOf(const Output& output, const ShownUnits& units, const Scales& base, double size) {
     if (output.measure == Measure::share || output.measure == Measure::energy)
         return {1, QStringLiteral("%"), false};

@@ -32,7 +32,7 @@ std::vector<StudyFamily> preferredFamilies() {
     return {{findParameter("bit_rock.gamma"), gammas}, {findParameter("gamma"), gammas}};
 }
 
-/// How many points a curve of a drill string may have.
+/// Numbers of points that a curve of a drill string may have.
 constexpr int pointsOfCurve[] = {51, 101, 201, 401, 1001};
 
 CurvePageStudy solve(const CurvePageQuestion& question, const StudyFeed<CurvePageStudy>& feed) {
@@ -45,7 +45,6 @@ CurvePageStudy solve(const CurvePageQuestion& question, const StudyFeed<CurvePag
         [&](const CurvePageStudy& soFar) { feed.show(soFar); });
 }
 
-/// As many digits as a pixel is worth.
 }  // namespace
 
 CurvePage::CurvePage(Document& document, QWidget* parent)
@@ -120,7 +119,7 @@ void CurvePage::varyGap() {
         {gap, 0, readableNear(gap, std::max(blows * d0, 2 * gap.value(scenario()).value_or(0))), false});
 }
 
-// One curve, which the answer is of. Sections of one name are asked for by that.
+// Asks for one curve, which has the answer. Sections of one name are changed by that name.
 void CurvePage::seek(const KeptParameter& parameter) {
     KeptParameter varied = parameter;
     if (const std::string called = sectionName(*parameter, scenario()); !called.empty())
@@ -149,7 +148,7 @@ void CurvePage::takeGoal() {
     askSoon();
 }
 
-// Where the results have been shown in other units since, by the scales of the scenario.
+// Converts the goal if the results have other units since, by the scales of the scenario.
 std::optional<double> CurvePage::askedGoal(const OutputColumn& of) const {
     const auto found = m_goals.find(of.output);
     if (found == m_goals.end()) return std::nullopt;
@@ -159,7 +158,7 @@ std::optional<double> CurvePage::askedGoal(const OutputColumn& of) const {
     return of.units == OutputUnits::si ? goal.value * scale : goal.value / scale;
 }
 
-// In the unit that the results have.
+// Shows the goal in the unit of the results.
 void CurvePage::showGoal() {
     const OutputColumn of = column();
     const std::optional<double> goal = askedGoal(of);
@@ -189,7 +188,7 @@ void CurvePage::followForm() {
     emit titleChanged();
 }
 
-/// As the command has it: a range to be followed, or with a number of points.
+/// Returns the axis as in the command: a range to be followed, or with a number of points.
 std::string CurvePage::axisText() const {
     const StudyRange& range = m_axis->range();
     if (!m_isSampled) return range.text() + range.tail();
@@ -202,7 +201,7 @@ std::optional<double> CurvePage::hereOf(const KeptParameter& parameter) const {
     return parameter->value(scenario());
 }
 
-/// With that of the scenario among its values, where it is wanted.
+/// Returns the family, including the value of the scenario if that is wanted.
 StudyFamily CurvePage::askedFamily() const {
     StudyFamily family = m_family->family();
     const std::optional<double> own = hereOf(family.parameter);
@@ -254,7 +253,7 @@ void CurvePage::ask() {
     m_study.ask(std::move(*now.question));
 }
 
-// In the place of the curves, and none of them to be clicked or written.
+// Shows the problem instead of the curves, none of which can be clicked or written then.
 void CurvePage::refuse(const QString& problem) {
     m_shown = {};
     showNothing(problem);
@@ -300,7 +299,7 @@ void CurvePage::draw() {
     redraw();
 }
 
-/// By the blow that is on show, which follows the hand.
+/// Uses the blow on show, which follows the hand.
 void CurvePage::showHere() {
     const Point here = pointOf(*blow());
     m_plot->setHere(here.x, here.y);
@@ -340,7 +339,7 @@ void CurvePage::showRuns() {
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
-// Where a blow lies on the plot.
+// Returns the place of a blow on the plot.
 CurvePage::Point CurvePage::pointOf(const SolvedBlow& blow) const {
     const CurvePicture& picture = m_plot->picture();
     if (!picture.output || !m_shown.study) return {};
@@ -398,7 +397,7 @@ QStringList CurvePage::commandWords() const {
     return words;
 }
 
-// With a goal the one that answers it, which has more to say than a column of numbers.
+// Returns the command for the goal if there is one, as it prints more than a column of numbers.
 QString CurvePage::command() const {
     const QStringList words = commandWords();
     if (!words.contains(QStringLiteral("--goal"))) return StudyPage::command();

@@ -25,7 +25,7 @@ double largestOf(const CurveStudy& study) {
     return largest;
 }
 
-/// A group that goes with the parameter, as the axis above shows it.
+/// Adds the axis above for a group that changes with the parameter.
 void addAbove(CurvePicture& picture, const CurveQuestion& question) {
     if (!hasUnits(question.base)) return;
     const Scales scales = scalesOf(question.base);
@@ -148,7 +148,7 @@ QString shownText(double value, const ShownUnit& unit, const QLocale& locale) {
     return unit.unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit.unit;
 }
 
-/// Where a line takes the goal, how well that is known, and whether there may be others.
+/// Describes where a line reaches the goal, how well that is known, and whether there may be others.
 QString goalWords(const CurvePicture& picture, const CurveLine& line, const QLocale& locale) {
     const QString goal = QStringLiteral("%1 = %2").arg(outputName(*picture.output),
                                                        shownText(*picture.goal, picture.value, locale));
@@ -177,8 +177,8 @@ QString goalWords(const CurvePicture& picture, const CurveLine& line, const QLoc
         .arg(goal, places.join(QStringLiteral("; ")));
 }
 
-/// Where another line takes a goal that the marked one does not: "γ = 0.3 does at 140 MN/m", "γ = 1 is above
-/// it everywhere". Empty where that is not known.
+/// Describes where another line reaches a goal that the marked one does not: "γ = 0.3 does at 140 MN/m", "γ =
+/// 1 is above it everywhere". Empty if that is not known.
 QString otherGoalWords(const CurvePicture& picture, const DrawnCurve& drawn, const CurveLine& line,
                        const QLocale& locale) {
     for (const GoalPlace& place : line.goal->places)
@@ -195,7 +195,7 @@ QString otherGoalWords(const CurvePicture& picture, const DrawnCurve& drawn, con
                : QString();
 }
 
-/// The same of all other lines, where the marked one does not take the goal.
+/// Describes all other lines in the same way, if the marked one does not reach the goal.
 QStringList otherGoals(const CurvePicture& picture, const CurvePageStudy& study, const CurveLine& marked,
                        const QLocale& locale) {
     QStringList words;

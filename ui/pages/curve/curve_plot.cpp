@@ -178,7 +178,7 @@ void CurvePlot::setRanges() {
         values->expanded(QCPRange(*m_picture.goal, *m_picture.goal)).size() <= 2 * values->size())
         values->expand(*m_picture.goal);
     const double size = std::max(values->size(), 0.02 * std::abs(values->upper));
-    // Names of presets stand at the bottom.
+    // Names of presets are at the bottom.
     const double below = m_picture.bands.isEmpty() ? 0.06 : 0.16;
     y()->setRange(values->lower - below * size, values->upper + 0.08 * size);
 }

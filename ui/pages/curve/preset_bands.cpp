@@ -52,7 +52,7 @@ void PresetBands::present(const QVector<PresetBand>& bands) {
     applyStyle();
 }
 
-// As far as they are in view: files do not clip.
+// Clips the bands to the view: files do not clip.
 void PresetBands::place() {
     const QCPRange view = m_rect->axis(QCPAxis::atBottom)->range();
     std::array<double, rows> taken;
@@ -67,7 +67,7 @@ void PresetBands::place() {
     }
 }
 
-// In the lowest row where nothing is in its way; `taken` is how far the names of each row go.
+// Places the name in the lowest free row; `taken` is the end of the names in each row.
 void PresetBands::placeName(const Drawn& drawn, std::span<double> taken) const {
     const QFontMetricsF metrics(drawn.name->font());
     const QMargins padding = drawn.name->padding();

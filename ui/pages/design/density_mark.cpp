@@ -23,7 +23,7 @@ QSize DensityMark::sizeHint() const {
     return {2 * line, line + 4};
 }
 
-// Between neighbouring quantiles lie equal shares: the density is the share over their distance.
+// Neighbouring quantiles enclose equal shares: the density is the share over their distance.
 void DensityMark::paintEvent(QPaintEvent*) {
     constexpr int parts = 48;
     constexpr double tail = 1e-3;

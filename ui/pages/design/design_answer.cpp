@@ -37,8 +37,8 @@ DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<Design
     std::uint64_t wanted = 0;
     for (const DesignStudy& stage : stages) wanted += designSolves(stage);
     StudyBudget budget(question.seconds, feed.stop);
-    // The searches for worst cases take what they take: a stage counts no more than was thought of it, so
-    // that the count never goes back where the next one begins.
+    // The searches for worst cases vary in length: a stage counts at most its estimate, so that the count
+    // never decreases when the next one begins.
     std::uint64_t done = 0, end = 0, solved = 0;
     const auto secondsFor = [&](std::uint64_t solves) {
         return solved > 0 ? budget.elapsed() / double(solved) * double(solves) : 0;
@@ -63,7 +63,7 @@ DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<Design
         DesignFindings shown;
         DesignFindings found = runDesign(stage, work, [&](const DesignFindings& soFar) {
             shown = soFar;
-            if (!isFirst || isLast) return;  // what is there says more
+            if (!isFirst || isLast) return;  // the present answer is better
             answer.report.findings = soFar;
             feed.show(answer);
         });

@@ -53,7 +53,7 @@ class CardNames : public DesignNames {
     const DesignUnits& m_units;
 };
 
-/// By how much of the second the first is off it.
+/// Returns the difference of `value` from `of`, in percent of the second.
 QString percentBetween(double value, double of, const DesignUnits& units) {
     return numberText(100 * std::abs(value / of - 1), 2, units.locale());
 }

@@ -104,7 +104,7 @@ void DesignMap::present(const MapPicture* picture) {
         grid->take(m_bar);
         grid->simplify();
     }
-    // As high as the map.
+    // Makes them as high as the map.
     for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{m_rect, m_bar})
         element->setMarginGroup(QCP::msTop | QCP::msBottom, picture ? m_ends : nullptr);
     m_picture = picture;

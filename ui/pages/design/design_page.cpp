@@ -120,7 +120,7 @@ void DesignPage::forget() {
     m_refined.reset();
 }
 
-// As many samples as are customary for what is solved, until the user chooses.
+// Sets the default number of samples for the scenario, until the user chooses one.
 void DesignPage::followScenario() {
     const int customary = customarySamples(scenario());
     if (m_customary == customary) return;
@@ -182,7 +182,7 @@ DesignSetup DesignPage::setup() const {
     return setup;
 }
 
-// By the user: what the document has, and its file once it is saved.
+// Stores an edit of the user in the document, and so in its file once it is saved.
 void DesignPage::keepSetup() {
     if (!m_isSetUp) return askSoon();
     m_keepEnergy->setEnabled(canKeepEnergy());
@@ -306,7 +306,7 @@ void DesignPage::present() {
     showRuns();
 }
 
-/// Text in a field of a range that is not taken, and why; what was taken last is still asked.
+/// Returns why text in a field of a range is not accepted; the last accepted text stays in use.
 QString DesignPage::inputProblem() const {
     const QString uncertain = m_uncertain->problem();
     return uncertain.isEmpty() ? m_choices->problem() : uncertain;
@@ -350,7 +350,7 @@ void DesignPage::refuse(const QString& why) {
     showNothing(why);
 }
 
-/// By the blow that is on show, which follows the hand.
+/// Uses the blow on show, which follows the hand.
 void DesignPage::showHere() {
     const std::optional<QPointF> here = blow() ? placeOf(*blow()) : std::nullopt;
     m_plot->setHere(here ? std::optional(here->x()) : std::nullopt,
@@ -366,7 +366,7 @@ void DesignPage::showRuns() {
     m_plot->setRuns(marks);
 }
 
-// At its own value of the choice, and what is aimed at as it is.
+// Returns the place at the blow's own value of the variable, with the aimed output as it is.
 std::optional<QPointF> DesignPage::placeOf(const SolvedBlow& blow) const {
     const DesignStudy& study = m_shown->report.study;
     if (study.choices.empty() || !blow.fault.isEmpty()) return {};
@@ -469,7 +469,7 @@ QStringList DesignPage::commandWords() const {
     return words;
 }
 
-// It prints what the page shows; where files are wanted, -o names a folder.
+// Returns a command that prints the results of the page; if it writes files, -o names a folder.
 QString DesignPage::command() const {
     const QStringList words = commandWords();
     return words.isEmpty() ? QString() : commandText(document(), words.first(), words.mid(1));

@@ -52,7 +52,7 @@ void setPoint(QCPGraph& graph, const std::optional<QPointF>& point) {
     if (point) graph.addData(point->x(), point->y());
 }
 
-// More names stand upright, or they would overlap.
+// More names are upright, or they would overlap.
 constexpr qsizetype mostWordsAbreast = 8;
 
 }  // namespace
@@ -277,7 +277,7 @@ void DesignPlot::showScatter() {
     }
 }
 
-// One group of bars below the other, each with its output's name above.
+// Shows one group of bars below the other, each with its output's name above.
 void DesignPlot::showBars() {
     for (const BarPair& pair : m_bars)
         for (QCPBars* bars : {pair.total, pair.first}) m_plot->removePlottable(bars);
@@ -386,7 +386,7 @@ void DesignPlot::setRanges() {
     const double ratio = m_picture.isLogarithmic ? std::pow(along.upper / along.lower, room) : 1;
     const double step = m_picture.isLogarithmic ? 0 : room * along.size();
     x()->setRange(along.lower / ratio - step, along.upper * ratio + step);
-    // Room for whole names: one that goes over the edge is not drawn.
+    // Leaves room for whole names: one beyond the edge is not drawn.
     if (m_picture.words.size() > 1) x()->setRange(-0.5, double(m_picture.words.size()) - 0.5);
     const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
     y()->setRange(values.lower - 0.06 * size, values.upper + 0.06 * size);

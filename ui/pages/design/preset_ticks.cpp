@@ -92,7 +92,7 @@ void PresetTicks::offer(Part& part) {
     showNames(part);
 }
 
-// In the order of the menu.
+// Keeps the order of the menu.
 void PresetTicks::set(Part& part, const std::string& name, bool isTicked) {
     std::vector<std::string> ticked;
     for (const PartPreset& preset : part.offered) {

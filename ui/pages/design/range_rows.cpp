@@ -202,7 +202,7 @@ void RangeRow::addFields() {
     m_low = addField(&StudyRange::start, QStringLiteral("low"), tr("from"));
     m_fields->layout()->addWidget(new QLabel(QStringLiteral("…"), m_fields));
     m_high = addField(&StudyRange::stop, QStringLiteral("high"), tr("to"));
-    // Both are in the unit that one button chooses.
+    // One button chooses the unit of both.
     if (QToolButton* unit = m_low->unitButton()) unit->hide();
     if (QToolButton* unit = m_high->unitButton()) {
         unit->setAccessibleName(tr("%1, unit").arg(m_high->accessibleName()));

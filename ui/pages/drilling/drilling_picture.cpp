@@ -33,7 +33,7 @@ QVector<MarchPicture::Share> energyShares(const DrillingLedger& ledger) {
     return shares;
 }
 
-/// Where a point has no answer the lines are interrupted by nothing: the answers beside it are joined.
+/// A point without an answer does not interrupt the lines: its neighbours are joined.
 void addPoint(ScanCurve& curve, const DrillingScanPoint& point, const DrillingShown& shown) {
     const DrillingResult& result = point.result;
     if (!result.statistics) return;

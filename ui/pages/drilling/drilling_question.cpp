@@ -121,7 +121,7 @@ DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyR
     DrillingScanQuestion question{withoutWords(scenario), range, drillingQuestion(scenario).settings,
                                   hasBracket};
     question.settings.cells = scanCells;
-    // Where the parameter is now does not matter.
+    // The present value of the parameter does not matter.
     if (range.parameter && range.parameter->applies(scenario))
         range.parameter->assign(question.scenario, range.start);
     return question;

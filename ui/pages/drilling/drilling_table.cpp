@@ -65,7 +65,7 @@ void DrillingTable::present(const DrillingResult& result, const UnitChoice& unit
         const DrillingMeasure measure = blowQuantities[quantity].measure;
         const DrillingScale scale = scaleOf(measure, result);
         const BlowSpread& spread = result.spread(quantity);
-        // In one unit, beside its name: cells with units are too wide for the last column to be seen.
+        // One unit for all, next to the name: cells with units would push the last column out of sight.
         const ReadUnit read = measure == DrillingMeasure::count
                                   ? ReadUnit{&unitsOf(Quantity::ratio).front(), {}}
                                   : style.unitFor(scale.value(spread.q95, OutputUnits::si), scale.quantity);
@@ -92,7 +92,7 @@ void DrillingTable::clearNumbers() {
         for (int column = 0; column < columns; ++column) setText(row, column, {});
 }
 
-// All rows in view, whatever the font.
+// Keeps all rows in view, whatever the font.
 QSize DrillingTable::sizeHint() const {
     return {500, horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth()};
 }

@@ -145,7 +145,7 @@ void MarchRects::showSettled(const Series& series, const MarchPicture& picture) 
     series.settled->bottomRight->setCoords(double(picture.blows) + 0.5, 1);
 }
 
-// One bar below the other, with its name and its share.
+// Shows one bar below the other, with its name and its share.
 void MarchRects::showEnergy(const MarchPicture& picture) {
     for (QCPItemText* text : m_shares) m_plot.removeItem(text);
     m_shares.clear();
@@ -205,7 +205,7 @@ void MarchRects::fitSeries(const Series& series) {
     if (series.rect == m_penetrations.rect)
         for (const RunMark& run : m_runs->marks()) most = std::max(most, run.at.y());
     below(series.rect)->setRange(0, m_blows + 1);
-    // A gap of none is drawn on the axis, and is to be seen there.
+    // A gap of zero is drawn on the axis, where it must be visible.
     const double top = most > 0 ? most : 1;
     beside(series.rect)->setRange(-roomAbovePoints * top, (1 + roomAbovePoints) * top);
 }

@@ -107,7 +107,7 @@ void ScanRects::showMarks(const ScanPicture& picture) {
     }
 }
 
-// At the foot, where rates are none, each in the first row in which it runs into no words of those before it.
+// Places the words at the foot, where rates are zero, each in the first row with enough free room.
 void ScanRects::placeMarks() {
     constexpr int margin = 3;
     QVector<double> ends;  // of each row
@@ -153,7 +153,7 @@ void ScanRects::setStyle(const PlotStyle& style) {
         mark.words->setFont(style.font);
         mark.words->setColor(style.text);
         QColor veil = style.background;
-        veil.setAlphaF(0.6F);  // what is behind the words shows through
+        veil.setAlphaF(0.6F);  // the lines below the words show through
         mark.words->setBrush(veil);
     }
 }

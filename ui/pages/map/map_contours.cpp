@@ -28,7 +28,7 @@ QPen contourPen(const PlotStyle& style, int number) {
     return pen;
 }
 
-/// The middle of the longest line: where its name stands.
+/// Returns the middle of the longest line, the place of its name.
 QPointF middleOf(const Contour& contour, const MapPicture& picture) {
     const auto longest = std::ranges::max_element(contour.lines, {}, &ContourLine::size);
     const ContourPoint& point = (*longest)[longest->size() / 2];

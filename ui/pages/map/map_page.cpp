@@ -29,8 +29,7 @@ constexpr int pointsEachWay[] = {20, 40, 50, 100, 200, 400, 1000};
 constexpr int usualPoints = 200;
 constexpr int usualPointsOfString = 40;  // each takes a millisecond or several
 
-/// A number that is easily read, as fine as pixels are.
-/// All there is of it.
+/// Returns the whole range of the elasticity.
 StudyRange wholeElasticity(const Parameter& gamma) {
     return {gamma, 0.01, 1, false};
 }

@@ -52,7 +52,7 @@ struct MapPicture {
     std::optional<QPointF> placeOf(const Scenario& scenario) const;
     /// The point of the map nearest to a place in shown units; nullopt outside.
     std::optional<MapGrid::Place> pointAt(QPointF shown) const;
-    /// Both parameters of a point, and its value or why there is none: "k = 120 MN/m · γ = 0.2 · e = 0.43".
+    /// Describes a point: both parameters, and the value or the reason for none: "k = 120 MN/m · e = 0.43".
     QString textAt(MapGrid::Place place, const QLocale& locale) const;
 };
 

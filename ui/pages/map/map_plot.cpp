@@ -80,7 +80,7 @@ void MapPlot::addRects() {
         for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
     }
     m_below->setMinimumMargins(QMargins(4, 4, 12, 4));
-    x()->setTickLabels(false);  // they stand below the cut
+    x()->setTickLabels(false);  // the cut below has them
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
     m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(3);
     m_below->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
@@ -257,7 +257,7 @@ KeyPlaces MapPlot::keyPlaces() const {
             marks.append({preset.x * m_picture->x.factor, preset.y * m_picture->y.factor});
         return marks;
     };
-    // As narrow as it can be: it stands beside the point.
+    // Wraps the words as narrowly as possible: they are next to the point.
     places.words = [this](QPointF place) {
         return readout(pixelOf(place)).replace(QStringLiteral(" · "), QStringLiteral("\n"));
     };

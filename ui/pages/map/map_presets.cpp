@@ -9,7 +9,7 @@ void MapPresets::present(const std::optional<MapPicture>& picture, const PlotSty
     for (QCPAbstractItem* item : m_items) m_map->parentPlot()->removeItem(item);
     m_items.clear();
     if (!picture) return;
-    bool above = false;  // names of neighbours stand on different sides
+    bool above = false;  // names of neighbours are on different sides
     for (const PresetPoint& preset : picture->presets) {
         const auto column = AxisPlaces(picture->report->study.x).nearest(preset.x);
         const bool leftward = column && 4 * *column > 3 * picture->grid().columns();

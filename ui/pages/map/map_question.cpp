@@ -28,8 +28,8 @@ bool isSameAxis(const SweepAxis& a, const SweepAxis& b) {
            a.stop == b.stop && a.count == b.count;
 }
 
-/// Without what the map sets itself. A duration is not quite that: where the mean force was given, the
-/// impulse follows from the one before.
+/// Returns the scenario without the values that the map sets. A map over the duration keeps all values: with
+/// a given mean force, the impulse follows from them.
 Scenario background(const MapStudy& study) {
     const std::array axes{study.x, study.y};
     const auto isDuration = [](const SweepAxis& axis) { return axis.key() == "pulse.duration"; };

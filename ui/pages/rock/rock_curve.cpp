@@ -36,8 +36,8 @@ RockCurve::Path pathOf(const Blow& blow, const ShownUnits& units) {
     return path;
 }
 
-// A blow of a million reflections runs up and down its lines a million times: to fill between them would take
-// minutes. Where unloading lines lie closer than can be seen, the one that goes deepest stands for them.
+// Simplifies the path: a blow of a million reflections runs up and down its lines a million times, and takes
+// minutes to fill. Of unloading lines too close to be seen apart only the deepest stays.
 RockCurve::Path outlineOf(const QSharedPointer<QCPCurveDataContainer>& path, double peakForce) {
     constexpr int pointsDrawnAtOnce = 20000;
     constexpr double linesTold = 4000;
@@ -71,7 +71,7 @@ RockCurve::Path outlineOf(const QSharedPointer<QCPCurveDataContainer>& path, dou
     return outline;
 }
 
-/// As far as the largest force has come.
+/// Returns the lines up to the largest force.
 QVector<RockLine> linesOf(const BitRockLaw& law, double peakForce, const ShownUnits& units) {
     QVector<RockLine> lines;
     ContactLaw<> rock(law);

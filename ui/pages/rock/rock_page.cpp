@@ -78,7 +78,7 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
     } else if (!blow->fault.isEmpty()) {
         m_rock->showNothing(tr("Nothing to show: %1").arg(blow->fault));
     } else {
-        return;  // solved for another page; what was asked for is on its way
+        return;  // solved for another page; the answer for this one follows
     }
     m_blow = blow;
     showTime();

@@ -24,7 +24,7 @@ QString energyText(const RockCurve& curve, const QLocale& locale) {
         .arg(shown(curve.energy, curve.units.energy, locale), percentText(curve.energyShare, 3, locale));
 }
 
-// By name: their factors follow the scenario.
+// Compares by name: factors follow the scenario.
 bool sameUnitsOfPenetration(const ShownUnits& a, const ShownUnits& b) {
     return a.force.unit == b.force.unit && a.penetration.unit == b.penetration.unit;
 }
@@ -40,7 +40,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : StudyFrame(plot) {
     addHeader(4);
     m_runs = new RunPaths(x(), y(), m_legend);
     m_lines = new LoadingLines(m_rect);
-    // From the peak to both axes: where its numbers are read off.
+    // Lines from the peak to both axes, where its numbers are read off.
     m_toForceAxis = addItem<QCPItemLine>(m_rect);
     m_toPenetrationAxis = addItem<QCPItemLine>(m_rect);
     const QMargins padding(5, 2, 5, 2);
@@ -114,8 +114,8 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
         m_summary += tr(" Above its corners it loads along %1.").arg(behind.join(QStringLiteral(", ")));
 }
 
-// Beside the lines they name, at any zoom: above the loading line, below the unloading line, the residual
-// penetration on the side on which its text fits, and the peak in one line where two would be cut off.
+// Places labels next to their lines, at any zoom: above the loading line, below the unloading line, the
+// residual penetration on the side with room, and the peak in one line if two would be cut off.
 void RockPlot::placeLabels() {
     if (!m_peak->visible()) return;
     const auto pixel = [&](double u, double f) { return pixelOf({u, f}); };
@@ -179,7 +179,7 @@ void RockPlot::showRuns() {
     for (const RunOverlay<RockCurve>& run : m_curve.runs)
         paths.append({run.number, run.title, run.curves->outline});
     m_runs->present(paths);
-    // Beside each other as far as the narrowest page has room: names of a few, letters of more.
+    // Puts side by side what fits on the narrowest page: names of a few, letters of more.
     m_legend->setWrap(m_curve.runs.size() > 3 ? 5 : 2);
     m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }

@@ -103,7 +103,7 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
         m_rod->showNothing(tr("Nothing to show: %1").arg(blow->fault));
         m_plot->setDataText({});
     } else {
-        return;  // solved for another page; what was asked for is on its way
+        return;  // solved for another page; the answer for this one follows
     }
     m_blow = blow;
     showHere();
@@ -136,7 +136,7 @@ std::optional<double> RodPage::stressAt(double section, double time) const {
     return stressOf(in, force, in.shareAt(section)) * shown.units.stress.factor;
 }
 
-// The line is there before it has anything to say: nothing jumps.
+// The line is there even while it is empty, so that the layout does not jump.
 void RodPage::showReadout() {
     const RodCurves* shown = curves();
     if (!shown) return m_readout->setText(QStringLiteral(" "));

@@ -22,7 +22,7 @@ constexpr double strengthInView = 2.5;
 /// A peak of the residual waves up to this many times that of the blow needs no number of its own.
 constexpr double tellingDifference = 1.02;
 
-// By name: their factors follow the scenario.
+// Compares by name: factors follow the scenario.
 bool sameUnitsOfStresses(const ShownUnits& a, const ShownUnits& b) {
     return a.stress.unit == b.stress.unit && a.length.unit == b.length.unit;
 }
@@ -104,7 +104,7 @@ RodPlot::RodPlot(QCustomPlot* plot) : StudyFrame(plot) {
     showNothing({});
 }
 
-// Below that of the page, above the caption.
+// Adds it below the legend of the page, above the caption.
 void RodPlot::addRunLegend() {
     m_runLegend = new QCPLegend;
     m_runLegend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
@@ -147,7 +147,7 @@ void RodPlot::nameAxes() {
     y()->setLabel(units.stress.axisLabel(stress));
 }
 
-// Only of lines that are there.
+// Shows only entries of lines that exist.
 void RodPlot::showLegendOf(const RodCurves& curves) {
     const bool isWanted = curves.lines().size() == loads.size();
     for (const Load line : {Load::compressionAfter, Load::tensionAfter}) {
@@ -253,8 +253,8 @@ void RodPlot::placeMarks() {
     followLegend();
 }
 
-// At any zoom and size: numbers beside their marks, outside of the curves where there is room, names of
-// strengths along their lines.
+// Places names at any zoom and size: numbers next to their marks, outside of the curves if there is room,
+// names of strengths along their lines.
 void RodPlot::placeNames() {
     QVector<PlacedLabel> labels;
     QVector<QRectF> rings;

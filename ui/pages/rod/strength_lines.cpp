@@ -77,7 +77,7 @@ void StrengthLines::place(const RodCurves& curves, const std::optional<double>& 
     m_name->setText((isOfBoth() ? drillwave::tr("yield strength %1") : drillwave::tr("fatigue strength %1"))
                         .arg(stress(*value)));
     m_name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-    // On the side where the rod is not pulled most.
+    // The name is on the side where the rod has less tension.
     const bool pulledAtRight = curves.largest(Load::tension).section > 0.5;
     m_name->setPositionAlignment((pulledAtRight ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
     m_name->position->setCoords(pulledAtRight ? 0 : 1, *value);

@@ -46,7 +46,7 @@ StringDrawing::StringDrawing(const StringModel& model, const UnitChoice& units, 
     connect(&model, &QAbstractItemModel::modelReset, this, redraw);
 }
 
-// Beside the sections: what the drawing is and its words above, the ruler and the colours below.
+// Height of the parts around the sections: title and words above, the ruler and the colours below.
 double StringDrawing::wordsHeight() const {
     return 4.6 * fontMetrics().lineSpacing() + 22;
 }
@@ -212,7 +212,7 @@ void StringDrawing::drawSection(QPainter& painter, std::size_t section) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(outline);
     if (!chosen) return;
-    // Not by colour alone: a thicker frame, and a bar below that thin sections have, too.
+    // Marks it not only by colour: a thicker frame, and a bar below that thin sections have, too.
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2.4));
     painter.drawPolygon(outline);
     const double y = area().bottom() + 5;
@@ -263,7 +263,7 @@ void StringDrawing::drawRuler(QPainter& painter) const {
     }
 }
 
-// How large diameters are drawn above, and what the colours say below.
+// Draws the exaggeration of diameters above, and the meaning of the colours below.
 void StringDrawing::drawLegend(QPainter& painter) const {
     const double line = fontMetrics().lineSpacing();
     const QLocale locale;
@@ -271,7 +271,7 @@ void StringDrawing::drawLegend(QPainter& painter) const {
     const QRectF above(sideMargin, 3, width() - 2 * sideMargin, line);
     const QString scaled = tr("Lengths to scale, diameters × %1").arg(numberText(exaggeration(), 2, locale));
     const QString halves = scaled + tr("; upper half tension, lower half compression");
-    // The colours below say the same of the halves.
+    // The colours below have the same meaning as those of the halves.
     painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().horizontalAdvance(halves) <= above.width() ? halves : scaled);
     if (!m_model.results()) return;

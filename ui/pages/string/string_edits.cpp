@@ -25,7 +25,7 @@ namespace {
 
 constexpr int usualRepeat = 2;
 
-// Where such a piece stands in every string.
+// Returns the place of such a section in every string.
 std::optional<StringEnd> endOf(SectionPresetKind kind) {
     if (kind == SectionPresetKind::adapter) return StringEnd::shank;
     if (kind == SectionPresetKind::bit) return StringEnd::bit;
@@ -98,7 +98,7 @@ StringEdits::StringEdits(Document& document, StringModel& model, QTableView& tab
     offer();
 }
 
-// By their headers; the view's own order stays that of the file.
+// Rows are dragged by their headers; the view's own order stays that of the file.
 void StringEdits::letRowsBeDragged() {
     QHeaderView* header = m_table.verticalHeader();
     header->setSectionsMovable(true);
@@ -327,7 +327,7 @@ void StringEdits::duplicate() {
     if (take(changed, tr("duplicate %1").arg(name))) select(spot);
 }
 
-// From the end, so that those before stay where they are.
+// Removes from the end, so that earlier ones keep their places.
 void StringEdits::remove() {
     const std::vector<SectionSpot> spots = selected();
     if (spots.empty()) return;
@@ -367,7 +367,7 @@ void StringEdits::moveRow(int from, int to) {
         const std::vector<SectionSpot> spots = sectionSpots(changed.drillString);
         return int(std::ranges::find(spots, spot) - spots.begin());
     };
-    // Into and out of repeats as by single steps.
+    // Moves into and out of repeats as single steps do.
     while (to < from ? row() > to : row() < to) {
         const std::optional<SectionSpot> next =
             moveSection(changed.drillString, spot, to < from ? MoveTo::rear : MoveTo::bit);

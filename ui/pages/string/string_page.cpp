@@ -196,7 +196,7 @@ void StringPage::goTo(const SectionAddress& address) {
     }
 }
 
-// As it is shown, in columns.
+// Returns the table as shown, in columns.
 QByteArray StringPage::csv() const {
     std::string text;
     const auto add = [&](const QString& cell, bool first) {

@@ -13,7 +13,7 @@ namespace drillwave {
 namespace {
 
 constexpr double rockShare = 0.012;     // of the length
-constexpr double roomAround = 1.45;     // of the largest diameter: words stand above
+constexpr double roomAround = 1.45;     // of the largest diameter: room for words above
 constexpr double letterShare = 0.0085;  // width of a letter, of that of the picture
 
 }  // namespace
@@ -139,7 +139,7 @@ void StringSketch::addPiece(const Piece& piece) {
         addLine({piece.rear, side * piece.bore}, {piece.front, side * piece.bore}, dashes);
 }
 
-// Above the sections their places, from left to right as far as they keep clear of each other; in them names.
+// Writes places above the sections, from left to right if they keep clear of each other; names inside.
 void StringSketch::addWords(const std::vector<Piece>& pieces) {
     const double letter = letterShare * m_plot->xAxis->range().size();
     double clear = m_plot->xAxis->range().lower;

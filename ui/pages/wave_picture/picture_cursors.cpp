@@ -99,7 +99,7 @@ void PictureCursors::place() {
     const QLocale locale = m_plot->locale();
     m_sectionLine.label->setText(sectionText(locale));
     const bool leftward = x > rect.center().x();
-    // At the bottom where there are names of sections at the top.
+    // They are at the bottom if names of sections are at the top.
     const bool atBottom = m_picture->picture()->string.has_value();
     m_sectionLine.label->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) |
                                               (atBottom ? Qt::AlignBottom : Qt::AlignTop));

@@ -15,7 +15,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int leastRows = 4;  // of names beside the curves
+constexpr int leastRows = 4;  // of names at the curves
 constexpr int profileMargin = 3;
 constexpr int sampleLength = 26;  // of the line before a name [px]
 constexpr double room = 1.06;     // above the largest value
@@ -104,7 +104,7 @@ void RodProfile::compute() {
     update();
 }
 
-// At every point of the screen, over the length of the rod on show, or of hammer and string.
+// Samples every pixel of the screen, over the length of the rod on show, or of hammer and string.
 RodProfile::Line RodProfile::lineOf(const SolvedBlow& blow, const PictureUnits& units, double time) const {
     const WaveQuantity field = picture().raster.quantity;
     const double length = picture().units.position.factor;
@@ -185,7 +185,7 @@ void RodProfile::paintAxes(QPainter& painter, const PlotStyle& style) const {
     painter.drawText(beside, Qt::AlignRight | Qt::AlignBottom, QStringLiteral("−") + end);
 }
 
-// By letters beside the curves, as many as have room: the list of runs and the tip have the names.
+// Names the curves by letters, as many as have room: the list of runs and the tip have the names.
 void RodProfile::paintNames(QPainter& painter, const PlotStyle& style) const {
     const QFontMetrics metrics = fontMetrics();
     const int row = metrics.height();

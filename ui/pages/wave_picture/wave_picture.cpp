@@ -11,7 +11,7 @@
 namespace drillwave {
 namespace {
 
-/// The largest force in the sections while the blow lasts [F0], 0 where that was not asked for.
+/// Returns the largest force in the sections during the blow [F0], 0 if that was not computed.
 double largestForce(const Blow& blow) {
     if (blow.summary.rodForces)
         return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);

@@ -106,10 +106,10 @@ void WaveFrontsItem::draw(QCPPainter* painter) {
     }
 }
 
-// The front that the hammer sends off at `start`, to and fro.
+// Draws the front that leaves the hammer at `start`, to and fro.
 void WaveFrontsItem::drawFamily(QCPPainter& painter, double start, bool named) const {
     const RasterGrid range = view();
-    // In a string every joint throws waves back: they have no numbers.
+    // Every joint of a string reflects waves: they have no numbers.
     const bool hasNames = named && !picture().string && !m_blow->problem.force().isRigidBody();
     for (const FrontRun& run : BlowWaves(*m_blow).frontRuns(start, range.timeBegin, range.timeEnd)) {
         drawLine(painter, run);
@@ -126,7 +126,7 @@ void WaveFrontsItem::drawLine(QCPPainter& painter, const FrontRun& run) const {
     painter.drawLine(QLineF(pixel(from, run.timeAt(from)), pixel(to, run.timeAt(to))));
 }
 
-// In the middle of the rod, ahead of the front.
+// Draws the name in the middle of the rod, ahead of the front.
 void WaveFrontsItem::drawName(QCPPainter& painter, const FrontRun& run) const {
     const bool toBit = run.heading == Heading::toBit;
     const double xi = toBit ? 0.6 : 0.4;
@@ -175,7 +175,7 @@ void ContactBarsItem::draw(QCPPainter* painter) {
     drawEvents(*painter, range);
 }
 
-// Where the rock unloads, and where its force returns to the primary line.
+// Draws ticks where the rock unloads, and where its force returns to the primary line.
 void ContactBarsItem::drawEvents(QCPPainter& painter, const RasterGrid& range) const {
     const QRectF axes = parentPlot()->axisRect()->rect();
     const std::vector<ImpactEvent>& events = m_blow->impact.events;

@@ -51,7 +51,7 @@ void WavePicturePlot::addItems() {
 void WavePicturePlot::followAxes() {
     m_view->setEmpty(true);
     connect(m_view, &FittedView::chosen, this, &WavePicturePlot::takeRanges);
-    // Drawing for a file lays out for another size and back again: asked about when that is over.
+    // Drawing for a file lays out for another size and back again: need() is checked after that.
     connect(m_plot, &QCustomPlot::afterLayout, this, [this] {
         if (!std::exchange(m_checking, true)) QTimer::singleShot(0, this, &WavePicturePlot::checkNeed);
     });
