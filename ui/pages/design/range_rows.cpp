@@ -230,8 +230,8 @@ QString RangeRow::take(double StudyRange::*end, double si) {
     range.*end = si;
     if (range.start == range.stop) return tr("must differ from the other end");
     if (m_use == RangeUse::uncertain) {
-        if (range.start > range.stop) return tr("the range is reversed: give the lower end first");
-        // In the words of the command, which refuses what has no logarithm, or a bell that reaches zero.
+        if (range.start > range.stop) return tr("the range is upside down: the first end is the lower one");
+        // Checks the words of the command, which refuses values without logarithm, or a bell reaching zero.
         const StudyRange before = std::exchange(m_range, range);
         const ParsedUncertain parsed = parseUncertain(text());
         m_range = before;

@@ -37,7 +37,7 @@ RockCurve::Path pathOf(const Blow& blow, const ShownUnits& units) {
 }
 
 // Simplifies the path: a blow of a million reflections runs up and down its lines a million times, and takes
-// minutes to fill. Of unloading lines too close to be seen apart only the deepest stays.
+// minutes to fill. Unloading lines too close to be seen apart are reduced to the deepest.
 RockCurve::Path outlineOf(const QSharedPointer<QCPCurveDataContainer>& path, double peakForce) {
     constexpr int pointsDrawnAtOnce = 20000;
     constexpr double linesTold = 4000;
