@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One blow in closed form, in series, in long double and by the lattice, beside each other.
+// One blow in closed form, in series, in long double and by the lattice, compared.
 #pragma once
 
 #include <cmath>
@@ -50,7 +50,7 @@ struct BasisFinding {
 /// Solves with each basis as ExactSolver would, moved inputs included.
 class BasisComparison {
   public:
-    bool triesUnsuited = false;      ///< try the closed basis wherever it says that it does not suit
+    bool triesUnsuited = false;      ///< try the closed basis even where it is not suited
     long mostSeriesPieces = 50'000;  ///< beyond, a scene takes too long for thousands
     Detail detail = Detail::cor;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The catalogues of resources/languages as they are in their files.
+// The catalogues of resources/languages as in their files.
 #pragma once
 
 #include <QFile>

@@ -8,17 +8,17 @@
 
 namespace drillwave {
 
-/// Tells the parent that the child is where it should be.
+/// Reports to the parent that the child is ready.
 inline void sayReady() {
     std::puts("ready");
     std::fflush(stdout);
 }
 
-/// Starts this program again with these words and returns when it says that it is ready. False when it does
-/// not within a minute.
+/// Starts this program again with these words and returns once it reports that it is ready. False if that
+/// takes longer than a minute.
 inline bool startChild(QProcess& child, const QStringList& words) {
     child.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    // Not the file, which may be that of many tests: the name says which.
+    // Not the file, which may have many tests: the name selects this one.
     child.start(QCoreApplication::arguments().constFirst(), words);
     while (child.waitForReadyRead(60000))
         if (child.readAllStandardOutput().contains("ready")) return true;

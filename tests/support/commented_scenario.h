@@ -38,7 +38,7 @@ class CommentedScenario {
         reopen(parseScenario(text, "test.yaml"));
     }
 
-    /// Goes on with a file that was saved; nothing of it is touched yet.
+    /// Continues with a saved file; nothing of it is touched yet.
     void reopen(ScenarioDocument saved) {
         document = std::move(saved);
         m_touched.clear();
@@ -51,7 +51,7 @@ class CommentedScenario {
 
     ScenarioDocument document;
 
-    /// One edit, of a number, a word or an item of a list.
+    /// Makes one edit of a number, a word or an item of a list.
     void edit(std::mt19937_64& random) {
         Scenario& scenario = document.scenario;
         const double factor = 1 + 0.1 * static_cast<double>(1 + random() % 9) / 7;
@@ -184,7 +184,7 @@ class CommentedScenario {
         Scenario& scenario = document.scenario;
         const auto length = [&] { return 0.001 * static_cast<double>(200 + random() % 4000); };
         if (m_layout == Layout::points) {
-            // Between the first and the last point.
+            // Inserts between the first and the last point.
             std::vector<TablePoint> points(scenario.pulse.tablePoints.begin(),
                                            scenario.pulse.tablePoints.end());
             const std::size_t at = 1 + random() % (points.size() - 2);

@@ -71,7 +71,7 @@ inline std::vector<LawCorner> randomCorners(double largest, double gamma, Chance
     return corners;
 }
 
-/// The same about the forces of a blow on a rod.
+/// Returns corners at forces like those of a blow on a rod.
 inline std::vector<LawCorner> randomCorners(const Problem& problem, Chance& chance) {
     const double largest = 2.2 * std::max(problem.force().peak, 1 / (2 * problem.transitTime()));
     return randomCorners(largest, problem.law.gamma, chance);

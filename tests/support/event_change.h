@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the events of a blow change: two adjacent doubles of one group between which one appears, vanishes or
+// Changes of the events of a blow: two adjacent doubles of one group between which one appears, vanishes or
 // meets a front.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace drillwave::test {
 
-/// Between `before` and `after`, which no double lies between, the blow changes its events.
+/// A change of the events between `before` and `after`, which are adjacent doubles.
 struct EventChange {
     Scene scene;
     double Groups::*group;
@@ -38,9 +38,9 @@ struct EventChange {
 /// Finds changes of events by bisection.
 class EventChanges {
   public:
-    /// Takes one of δ, β and τ from where it is to somewhere else, and bisects where the events change on the
-    /// way: their kinds, or in every second scene also between which breakpoints of the wave they are. None
-    /// where they are the same at both ends, or the blow is too long for thousands.
+    /// Moves one of δ, β and τ, and bisects to a change of the events on the way: their kinds, or in every
+    /// second scene also the breakpoints of the wave around them. None if they are the same at both ends, or
+    /// the blow is too long for thousands.
     std::optional<EventChange> find(const Scene& scene, Chance& chance) {
         const bool hasGap = scene.shape != PulseShape::rigidBody;
         constexpr double Groups::*groups[] = {&Groups::delta, &Groups::beta, &Groups::tau};

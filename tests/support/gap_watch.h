@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long an event loop lets the rest of the program wait.
+// Time for which an event loop lets the rest of the program wait.
 #pragma once
 
 #include <algorithm>

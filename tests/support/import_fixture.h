@@ -87,7 +87,7 @@ inline QString ImportFixture::write(const QString& name, const QByteArray& bytes
     return file.fileName();
 }
 
-// As from the menu, or the button of the section of the blow.
+// Opens it as the menu does, or the button in the section of the blow.
 inline ImportDialog& ImportFixture::open(const QString& path, ImportUse use) {
     m_answers.import = path;
     if (use == ImportUse::blow) {

@@ -12,7 +12,7 @@
 
 namespace drillwave::test {
 
-/// A language in which every text of the program stands between marks; what stands outside is in all of them.
+/// A language in which every text of the program is between marks; texts outside are in all languages.
 class MarkedStyle : public ReadingStyle {
   public:
     std::string patternFor(const std::string& english) const override {
@@ -33,7 +33,7 @@ inline QStringList wordsOf(const QString& text) {
     return words;
 }
 
-/// The words of a text in MarkedStyle that do not stand between marks.
+/// Returns the words of a text in MarkedStyle that are not between marks.
 inline QStringList wordsOutsideMarks(QString text) {
     static const QRegularExpression marked(QStringLiteral("⟦[^⟧]*⟧"));
     return wordsOf(text.replace(marked, QStringLiteral("\n")));

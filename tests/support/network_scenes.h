@@ -40,7 +40,7 @@ inline ElasticHammer& hammerOf(Problem& problem) {
     return std::get<ElasticHammer>(problem.drive);
 }
 
-/// One of tests/cases/string_cases.json.
+/// A case of tests/cases/string_cases.json.
 struct NetworkCase {
     std::string id;
     Problem problem = struck();
@@ -130,7 +130,7 @@ inline Problem randomNetwork(Chance& chance) {
     return problem;
 }
 
-/// One of networkCases().
+/// Returns the case with this id.
 inline const NetworkCase& caseCalled(const std::string& id) {
     static const std::vector<NetworkCase> cases = networkCases();
     return *std::find_if(cases.begin(), cases.end(), [&](const NetworkCase& each) { return each.id == id; });

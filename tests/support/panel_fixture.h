@@ -43,7 +43,7 @@ struct PanelFixture : PanelFolder {
         makePanel();
     }
 
-    /// As at the next start of the program.
+    /// Makes the panel as the next start of the program does.
     void makePanel() {
         panel = std::make_unique<ScenarioPanel>(document, questions);
         panel->resize(420, 900);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A language in which every translated text is marked and longer than in English: what is not marked has not
-// been translated, and what is cut off would be in other languages.
+// A language in which every translated text is marked and longer than in English: unmarked texts are not
+// translated, and texts that are cut off would be so in other languages.
 #pragma once
 
 #include <QRegularExpression>

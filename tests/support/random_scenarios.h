@@ -14,7 +14,7 @@ inline std::string number(double value) {
     return formatNumber(value);
 }
 
-/// Whole steps of 10 mm [mm].
+/// Returns a length in whole steps of 10 mm [mm].
 inline std::string length(Chance& chance, double low, double high) {
     return number(10 * std::round((low + (high - low) * chance.fraction()) / 10)) + " mm";
 }
@@ -41,7 +41,7 @@ inline std::string pulseText(Chance& chance) {
     }
 }
 
-/// One section; a cone, losses, attenuation and a mass by chance.
+/// Returns one section; a cone, losses, attenuation and a mass by chance.
 inline std::string section(Chance& chance, const std::string& length, double diameter, bool mayLose) {
     std::string text = "{length: " + length + ", diameter: " + number(diameter) + " mm";
     if (chance.oneIn(4))

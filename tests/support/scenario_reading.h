@@ -14,7 +14,7 @@
 
 namespace drillwave::test {
 
-/// Every example, and what none of them has.
+/// Returns every example, and texts with features that none of them has.
 inline std::vector<std::string> corpusOfTexts() {
     std::vector<std::string> corpus;
     for (const Example& example : builtInExamples()) corpus.emplace_back(example.text);

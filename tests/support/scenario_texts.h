@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of scenario files, as they are written by hand.
+// Texts of scenario files, as written by hand.
 #pragma once
 
 #include <QFile>
@@ -32,7 +32,7 @@ drill:                            # optional
   thrust: 8 kN                    # installed feed force
 )";
 
-/// The same values as the program writes them, some left out.
+/// The same values as written by the program, some left out.
 inline constexpr const char* plainT38 = R"(drillwave: 1
 title: T38
 rod:

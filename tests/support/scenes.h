@@ -23,7 +23,7 @@ inline double cor(PulseShape shape, double beta, double gamma, double tau, doubl
     return solve({shape, {beta, gamma, tau, delta}}).cor;
 }
 
-/// Rows of a column "scene": each kind of blow that waves in a rod can tell apart.
+/// Adds rows of a column "scene": each kind of blow that makes different waves in a rod.
 inline void addRodScenes() {
     QTest::addColumn<Scene>("scene");
     QTest::newRow("paper Fig. 4 (a)") << Scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
@@ -118,9 +118,9 @@ class RandomScenes {
             if (const Scene scene = next(); isQuick(problemOf(scene))) return scene;
     }
 
-    /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for those that are solved, until
-    /// a check fails. The test fails, too, when a smaller share than this is solved: checks that were not
-    /// made say nothing.
+    /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for the solved ones, until a
+    /// check fails. Also fails when a smaller share than this is solved, because checks that were not made
+    /// prove nothing.
     template <typename Solver, typename Check>
     void forEachSolved(int n, const Solver& solver, const Check& check, double leastShare = 0.8) {
         int solved = 0;
@@ -140,7 +140,7 @@ class RandomScenes {
                  (std::to_string(solved) + " of " + std::to_string(n) + " solved; not " + refused).c_str());
     }
 
-    /// By the exact solver, which must solve every one of them.
+    /// Uses the exact solver, which must solve every one of them.
     template <typename Check>
     void forEachSolved(int n, Detail detail, const Check& check) {
         forEachSolved(

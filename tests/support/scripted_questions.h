@@ -28,7 +28,7 @@ struct ScriptedAnswers {
     QStringList confirmed;  ///< what was to be confirmed
     QStringList found;      ///< what could have been recovered
     QStringList told;
-    QStringList unwritten;  ///< of what it was asked whether to close all the same
+    QStringList unwritten;  ///< texts of the questions whether to close nevertheless
 };
 
 class ScriptedQuestions : public Questions {

@@ -14,7 +14,7 @@
 namespace drillwave::test {
 
 /// Drags the stiffness of a window through `steps` places, one each time the event loop has turned ten times,
-/// and says how long the loop let wait meanwhile; nothing where the drag came to no end.
+/// and returns how long the loop let wait meanwhile; nothing if the drag did not end.
 inline std::optional<GapWatch> dragStiffness(const MainWindow& window, int steps) {
     auto* slider =
         part<ScenarioPanel>(window).findChild<QSlider*>(QStringLiteral("bit_rock.stiffness.slider"));

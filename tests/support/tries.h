@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of a long test runs: a part chosen by the seed for every change, all of it at night.
+// Amount of a long test that runs: a part chosen by the seed for every change, all of it at night.
 #pragma once
 
 #include <QtGlobal>
@@ -30,7 +30,7 @@ inline int tries(const char* variable, int few, int all) {
     return set > 0 ? set : isNightly() ? all : few;
 }
 
-/// The same for a short test: `count` by day and at night.
+/// Returns how often a short test tries something random: `count` by day and at night.
 inline int tries(const char* variable, int count) {
     return tries(variable, count, count);
 }

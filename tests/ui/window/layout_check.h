@@ -8,8 +8,8 @@ class QWidget;
 
 namespace drillwave {
 
-/// Labels, buttons and fields of a visible window whose text does not fit where it stands, or that stick out
-/// of the panel they are in.
+/// Returns labels, buttons and fields of a visible window whose text does not fit, or that stick out of their
+/// panel.
 QStringList clippedTexts(const QWidget& window);
 
 /// Tabs that have no room for their words.
@@ -24,7 +24,7 @@ QStringList overlaps(const QWidget& window);
 /// Controls that take the focus and have no name for a screen reader.
 QStringList namelessControls(const QWidget& window);
 
-/// Enabled labels and buttons whose text stands out from what is behind it by less than 4.5 : 1 (WCAG 2.1).
+/// Returns enabled labels and buttons whose text has less contrast than 4.5 : 1 (WCAG 2.1).
 QStringList faintTexts(const QWidget& window);
 
 }  // namespace drillwave

@@ -14,9 +14,9 @@ class MonkeyFiles {
     QString folder() const { return m_folder.path(); }
     /// Names of files that may or may not be there and may hold anything.
     const QStringList& toOpen() const { return m_toOpen; }
-    /// Where to save: also over others, into a missing folder, over a folder.
+    /// Paths to save to: also over others, into a missing folder, over a folder.
     const QStringList& toSave() const { return m_toSave; }
-    /// Where to export, as files or folders.
+    /// Paths to export to, as files or folders.
     const QStringList& toExport() const { return m_toExport; }
     /// Writes one of them again, spoils it or removes it, as another program would; `choice` from 0.
     void change(int choice);
