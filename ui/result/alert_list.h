@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alerts about a scenario or its solution, in words.
+// What the user should know about a scenario or its solution, in words.
 #pragma once
 
 #include <QLabel>
@@ -16,8 +16,8 @@
 
 namespace drillwave {
 
-/// Shows alerts one below the other. While they appear and go the list keeps the room it once needed, so that
-/// the parts below do not move until values rest.
+/// Shows alerts one below the other. While they come and go the list keeps the room it once needed, so that
+/// what is below stands still until values rest.
 class AlertList : public QWidget {
     Q_OBJECT
 
@@ -28,9 +28,9 @@ class AlertList : public QWidget {
     void present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style);
     /// The texts shown.
     QStringList texts() const { return m_texts; }
-    /// Whether they are the reasons why there is no solution.
+    /// Whether they say why there is no solution.
     bool hasProblem() const { return m_hasProblem; }
-    /// Numbers of warnings and of mere notes.
+    /// How many of them are warnings, and how many mere notes.
     qsizetype warningCount() const { return m_warningCount; }
     qsizetype noteCount() const { return m_texts.size() - m_warningCount - (m_hasProblem ? 1 : 0); }
     /// Gives the keyboard to the first of them.
@@ -54,18 +54,15 @@ class AlertList : public QWidget {
     QTimer m_rest;
 };
 
-// Number of alerts, for places where their list may be out of sight.
+// How many alerts there are, from where their list may be out of sight.
 
 /// "⚠ 2 alerts": a click leads to the list, the tooltip has its texts.
 class AlertLink : public QToolButton {
     Q_OBJECT
 
   public:
-    /// Behaviour for an empty list: the row stays and says so, or goes.
-    enum class WithoutAny { said, hidden };
-
-    /// Follows a list that lives as long.
-    AlertLink(const AlertList& list, WithoutAny withoutAny, QWidget* parent = nullptr);
+    /// Follows a list that lives as long; hidden while the list is empty.
+    explicit AlertLink(const AlertList& list, QWidget* parent = nullptr);
 
   private:
     void present();

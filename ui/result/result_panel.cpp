@@ -130,7 +130,6 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     connect(&m_sequence, &ShortSequence::changed, this, &ResultPanel::showFeed);
 }
 
-// The shares are below the bar that draws them.
 void ResultPanel::addEnergy() {
     addNumbers(tr("Energy"), "energy",
                QList<ResultEntry>{hammerEnergyEntry()} + outputEntries(OutputGroup::work) +
@@ -179,14 +178,9 @@ void ResultPanel::addAlerts() {
     layout->setContentsMargins(4, 0, 0, 0);
     layout->addWidget(m_alerts);
     connect(m_alerts, &AlertList::parameterChosen, this, &ResultPanel::parameterChosen);
-    // The list is last, often below the visible part: its length is shown first, always in a row of its own,
-    // or all the numbers would move.
-    auto* link = new AlertLink(*m_alerts, AlertLink::WithoutAny::said, widget());
-    connect(link, &QToolButton::clicked, this, &ResultPanel::goToAlerts);
-    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, link, 0, Qt::AlignLeft);
 }
 
-// Adds the feed before all numbers, with room for its longest text, or they would move.
+// With room for the usual sentences, or the numbers below would move.
 void ResultPanel::addFeed() {
     constexpr int lines = 2, linesBelow = 4;
     auto* feed = new QWidget(widget());
@@ -304,7 +298,7 @@ void ResultPanel::addEvents() {
     connect(m_events, &EventTable::timeChosen, this, &ResultPanel::timeChosen);
 }
 
-// Aligns all sections to one set of columns, wide enough for every number: a panel whose width follows the
+// One set of columns through all sections, wide enough for every number: a panel whose width follows the
 // values would jump while they are dragged.
 void ResultPanel::alignColumns() {
     const QString widest = QStringLiteral("−88.88 kN (+8888 %)");
@@ -362,7 +356,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
         showRow(row);
         if (row.isFilled()) filled.insert(row.section());
     }
-    // Hides sections without numbers, such as that of the thrust without frequency and feed force.
+    // Without frequency and feed force there is nothing to say about the thrust.
     for (const ResultRow& row : std::as_const(m_rows))
         row.section()->setVisible(!solved || filled.contains(row.section()));
     // The names of a string's numbers are longer than those of a rod's.

@@ -13,8 +13,11 @@ class QTreeWidgetItem;
 
 namespace drillwave {
 
-/// Shows e of each run, and its difference from the reference. A tick lays a run over the plots; F2 renames
-/// it, the menu does the rest.
+class ChoiceBox;
+struct Output;
+
+/// One result of each run and its difference from the reference. A box chooses the result. A tick draws a run
+/// over the plots, F2 renames it, the menu has the rest.
 class RunPanel : public QWidget {
     Q_OBJECT
 
@@ -24,7 +27,7 @@ class RunPanel : public QWidget {
 
     /// The present result.
     void present(const SolvedBlowPtr& blow);
-    /// Shows whether the runs will be there when the file is opened again.
+    /// Whether the runs are there when the file is opened again: says so where they are not.
     void setKept(bool kept);
     QTreeWidget* list() const { return m_list; }
 

@@ -17,14 +17,14 @@ class ScenarioError;
 
 // Words for people in functions that belong to no QObject.
 
-/// Translates a text under the context `drillwave`, as QObject::tr() does for classes.
+/// In the language of the program, under the context `drillwave`: what QObject::tr() is for classes.
 QString tr(const char* text);
 
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
 
-/// Prepares a text with names or paths in it for a message or a tooltip: Qt shows all of it and takes nothing
-/// as markup; printableLines().
+/// A text with names or paths in it for a message or a tooltip: Qt shows it as it is and takes nothing of it
+/// for markup; printableLines().
 QString withoutMarkup(const QString& text);
 
 /// "f I₀ ± φ" for "f I0 +- phi", as the commands write where a terminal may lack the signs.
@@ -35,10 +35,11 @@ std::string translatedPattern(const std::string& pattern);
 
 /// A sentence of the core in the language of the window.
 QString translated(const Message& message);
-/// Joins the translated sentences.
+/// Sentences of the core in the language of the window, one by one or joined by blanks.
+QStringList translatedEach(const std::vector<Message>& sentences);
 QString translatedAll(const std::vector<Message>& sentences);
 
-/// Returns the faults of a file or of values in the window's language, a line each.
+/// What is wrong with a file or with values, a line each, likewise.
 QString translated(const ScenarioError& error);
 
 /// "t₀" for "t0".
@@ -46,8 +47,8 @@ QString shownSymbol(std::string_view symbol);
 
 // The words of the core's tables in the language of the window.
 
-/// Translates a label, meaning or title of a table of the core; a text that is not in the catalogues stays.
-/// For the texts in them see tests/support/core_texts.h.
+/// A label, meaning or title of a table of the core; what the catalogues do not have stays as it is. Which
+/// texts they have: tests/support/core_texts.h.
 QString coreText(std::string_view text);
 
 /// "half sine" for the name `half_sine` of a value of an enumeration.
@@ -56,15 +57,15 @@ QString coreName(std::string_view name);
 /// "stiffness"; of a section "length of hammer section 1", of the law of the rock "force of corner 2".
 QString parameterLabel(const Parameter& parameter);
 
-/// Names a section as the tables of its scenario do: "length of 2nd rod".
+/// The same with a section as the tables of its scenario call it: "length of 2nd rod".
 QString parameterLabel(const Parameter& parameter, const Scenario& scenario);
 
 /// Label and symbol, "stiffness k".
 QString parameterTitle(const Parameter& parameter);
-/// Names a section as above.
+/// The same with a section as above.
 QString parameterTitle(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns a sentence of the core with the titles of parameters instead of their keys, as the form has them.
+/// A sentence of the core about parameters with their titles in place of their keys, as the form has them.
 Message withTitles(Message message);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Findings of a study of designs, in sentences to act on, with links beside them.
+// What a study of designs says, in sentences to act on, with links beside them.
 #pragma once
 
 #include <QTextBrowser>
@@ -15,10 +15,12 @@ class DesignCard : public QTextBrowser {
   public:
     explicit DesignCard(QWidget* parent = nullptr);
 
-    /// Requires an answer that has a best design.
+    /// Returns what to do, for a report with a best design.
+    static QString headline(const DesignReport& report, const DesignUnits& units);
+    /// Of an answer that has a best design.
     void present(const DesignAnswer& answer, const DesignUnits& units);
 
-    /// Return the addresses of the links.
+    /// What the links lead to.
     static QUrl linkToDesign(std::uint64_t design);
     static QUrl linkToWorst(std::size_t aim);
 

@@ -32,7 +32,7 @@ class DesignPage : public StudyPage {
     int studies() const { return m_study.started(); }
     const DesignPlot& designPlot() const { return *m_plot; }
     const DesignCard& card() const { return *m_card; }
-    /// The answer so far; nullptr at first.
+    /// What there is now; nullptr at first.
     const DesignAnswer* answer() const { return m_study.value(); }
 
   protected:
@@ -43,7 +43,7 @@ class DesignPage : public StudyPage {
     QStringList commandWords() const override;
 
   private:
-    /// The study set by the controls, or why there is none.
+    /// What the controls ask, or why that is nothing.
     struct Wish {
         std::optional<DesignStudy> study;
         QString problem;
@@ -83,8 +83,8 @@ class DesignPage : public StudyPage {
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
     QString m_problem;
-    QString m_sentence;   // of what is shown
-    int m_customary = 0;  // default number of samples of the last study
+    QString m_headline, m_sentence;  // of what is shown
+    int m_customary = 0;             // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
     DesignSetup m_setup;                               // of the document, as it was shown last

@@ -34,7 +34,7 @@ constexpr int nameLength = 10, kindLength = 6;  // in their boxes
 /// A gap that is not known at all, of d0: so far the bit may hang back.
 constexpr double unknownGap = 0.4;
 
-/// Keys in the order in which they are proposed: for scenarios with units, and for groups only.
+/// Keys in the order in which they are proposed: of scenarios with units, and of groups alone.
 std::vector<std::string_view> usualKeys(RangeUse use, const Scenario& scenario) {
     const bool isUncertain = use == RangeUse::uncertain;
     if (!hasUnits(scenario))
@@ -44,14 +44,14 @@ std::vector<std::string_view> usualKeys(RangeUse use, const Scenario& scenario) 
     return {"pulse.duration", "hammer.1.length", "rod.length", "hammer.velocity"};
 }
 
-/// Whether a designer chooses a parameter: neither the rock nor constants of steel.
+/// What a designer chooses: neither the rock nor constants of steel.
 bool isOfDesign(const Parameter& parameter) {
     if (parameter.section() == "bit_rock") return false;
     return std::ranges::none_of(std::array{"youngs_modulus", "density", "yield_strength", "fatigue_strength"},
                                 [&](std::string_view end) { return parameter.key.ends_with(end); });
 }
 
-/// Returns the parameters for a row, in the order in which they are proposed.
+/// What can stand in a row, in the order in which it is proposed.
 std::vector<KeptParameter> proposable(RangeUse use, const Scenario& scenario) {
     std::vector<KeptParameter> found;
     for (const std::string_view key : usualKeys(use, scenario)) found.push_back(findParameter(key));
@@ -202,7 +202,7 @@ void RangeRow::addFields() {
     m_low = addField(&StudyRange::start, QStringLiteral("low"), tr("from"));
     m_fields->layout()->addWidget(new QLabel(QStringLiteral("…"), m_fields));
     m_high = addField(&StudyRange::stop, QStringLiteral("high"), tr("to"));
-    // One button chooses the unit of both.
+    // Both are in the unit that one button chooses.
     if (QToolButton* unit = m_low->unitButton()) unit->hide();
     if (QToolButton* unit = m_high->unitButton()) {
         unit->setAccessibleName(tr("%1, unit").arg(m_high->accessibleName()));
@@ -230,8 +230,8 @@ QString RangeRow::take(double StudyRange::*end, double si) {
     range.*end = si;
     if (range.start == range.stop) return tr("must differ from the other end");
     if (m_use == RangeUse::uncertain) {
-        if (range.start > range.stop) return tr("the range is upside down: the first end is the lower one");
-        // Checks the words of the command, which refuses values without logarithm, or a bell reaching zero.
+        if (range.start > range.stop) return tr("the range is reversed: give the lower end first");
+        // In the words of the command, which refuses what has no logarithm, or a bell that reaches zero.
         const StudyRange before = std::exchange(m_range, range);
         const ParsedUncertain parsed = parseUncertain(text());
         m_range = before;

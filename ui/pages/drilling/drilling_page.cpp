@@ -30,9 +30,10 @@
 namespace drillwave {
 namespace {
 
-constexpr int plotLinesOfMarch = 30;  // two rows of axes with upright titles
-constexpr int plotLinesOfScan = 16;   // one more
-constexpr int clickedDigits = 3;      // a value that the hand has chosen to a pixel
+constexpr int plotLinesOfRow = 16;      // one row of axes
+constexpr int plotLinesOfDetails = 30;  // two more
+constexpr double mostSecondsUnasked = 2;
+constexpr int clickedDigits = 3;  // a value that the hand has chosen to a pixel
 
 }  // namespace
 
@@ -112,7 +113,7 @@ void DrillingPage::ask() {
     m_march.ask(drillingQuestion(scenario()));
 }
 
-// Keeps the complete march of the earlier scenario, to be drawn faintly behind the new one.
+// What was complete stays faintly behind what comes.
 void DrillingPage::keepBefore() {
     if (m_complete && m_complete->question != drillingQuestion(scenario())) m_before = m_complete;
 }
@@ -144,7 +145,7 @@ DrillingShown DrillingPage::shownUnitsNow() const {
 
 void DrillingPage::present() {
     showScanState();
-    // A scan that was hidden goes on; one that the user has stopped does not.
+    // One that went out of sight goes on; one that the user has stopped does not.
     if (m_wantsScan && m_scan.job().state() == StudyState::stopped) m_scan.ask(*m_scan.question());
     if (m_march.job().state() == StudyState::failed) return refuse({m_march.job().problem().toStdString()});
     const std::shared_ptr<const DrillingAnswer> answer = m_march.job().value();
@@ -155,7 +156,18 @@ void DrillingPage::present() {
     scanIfQuick(*answer);
 }
 
-// All pages are as tall as the tallest one: a hidden scan lets the others shrink.
+// Starts the scan of the fields after the march, where it takes little time. One that was stopped stays so.
+void DrillingPage::scanIfQuick(const DrillingAnswer& answer) {
+    if (!answer.isComplete() || answer.question != drillingQuestion(scenario()) || !m_axis->isValid()) return;
+    const DrillingScanQuestion question = scanQuestion();
+    if ((m_scan.question() && *m_scan.question() == question) || scanSeconds(question) > mostSecondsUnasked)
+        return;
+    m_wantsScan = true;
+    m_scan.ask(question);
+    showScanState();
+}
+
+// All pages are as tall as the tallest one: details that are out of sight do not count.
 void DrillingPage::hideEvent(QHideEvent* event) {
     StudyPage::hideEvent(event);
     if (!event->spontaneous()) setLeastLines(plotLinesOfRow);
@@ -266,7 +278,7 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     return sentences;
 }
 
-// Shows the runs at their mean penetrations, and along the scan at their mean rates.
+// At their mean penetrations, and along the scan at their mean rates.
 void DrillingPage::showRuns(const DrillingShown& units) {
     std::vector<DrillingQuestion> questions;
     for (const Run& run : runs())
@@ -292,7 +304,7 @@ void DrillingPage::showRuns(const DrillingShown& units) {
     m_plot->showRuns(means, along);
 }
 
-// Opens a blow; with Shift pins a single blow at its gap, which begins at rest.
+// With Shift a single blow at its gap is pinned, which begins at rest.
 void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
     const DrillingAnswer& answer = *m_march.value();
     if (answer.question != drillingQuestion(scenario())) return;  // of an earlier scenario
@@ -312,7 +324,7 @@ void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
                         .arg(length(opened.gap), length(opened.penetration)));
 }
 
-// Does not change the scenario.
+// The scenario stays as it is.
 void DrillingPage::openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
     if (modifiers & ~Qt::ShiftModifier) return;
     if (const std::optional<long> blow = m_plot->march().blowAt(rect, at.x())) openBlow(*blow, modifiers);

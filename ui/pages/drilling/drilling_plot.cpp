@@ -79,11 +79,17 @@ void DrillingPlot::clear() {
     m_scan->present({}, {}, false);
 }
 
-// A part with nothing to show leaves its room to the others.
-void DrillingPlot::arrange(bool hasMarch, bool hasScan) {
-    QCPLayoutGrid* layout = m_plot->plotLayout();
-    struct Row {
-        QCPLayoutGrid* grid;
+void DrillingPlot::setDetailed(bool isDetailed) {
+    m_isDetailed = isDetailed;
+    arrange();
+}
+
+// Parts with nothing to show leave their room to the others.
+void DrillingPlot::arrange() {
+    const bool hasScan = m_picture.scan.has_value(), hasMarch = m_picture.march || !hasScan;
+    struct Part {
+        QCPLayout* parent;
+        QCPLayoutElement* element;
         bool isShown;
         double stretch = 1;
     };
