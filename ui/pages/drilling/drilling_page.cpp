@@ -272,8 +272,11 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const Message& refusal : scan->refusals) sentences << tr("No scan: %1").arg(translated(refusal));
         const std::optional<Sequence> present = sequenceOf(result);
-        if (scan->scan && isScanNew())
-            sentences.front() += QLatin1Char(' ') + translatedAll(scanSentences(*scan->scan, present, style));
+        if (scan->scan && isScanNew()) {
+            const QStringList words = translatedEach(scanSentences(*scan->scan, present, style));
+            sentences.front() += QLatin1Char(' ') + words.value(0);
+            sentences << words.mid(1);
+        }
     }
     return sentences;
 }
