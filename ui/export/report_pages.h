@@ -11,8 +11,8 @@ class QPagedPaintDevice;
 namespace drillwave {
 
 /// Draws the words of reportHtml() for paper and the plots as vectors, a line with title and program above
-/// each page and its number below, with margins of 15 mm; on A4 two to five pages. False where the device
-/// takes no pages, a printer that is gone say.
+/// each page and its number below, with margins of 15 mm; on A4 two to five pages without studies. False
+/// where the device takes no pages, a printer that is gone say.
 bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
                      const ReadingStyle& style, QPagedPaintDevice& device);
 

@@ -14,6 +14,7 @@
 #include "core/model/scales.h"
 #include "core/report/design_report.h"
 #include "core/report/design_words.h"
+#include "core/report/report_studies.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"
 #include "ui/form/choice_box.h"
@@ -438,6 +439,14 @@ QString DesignPage::obstacle() const {
     if (QString problem = inputProblem(); !problem.isEmpty()) return problem;
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
     return m_shown ? QString() : tr("There is no design to be told of.");
+}
+
+void DesignPage::addTo(ReportStudies& studies) const {
+    const std::shared_ptr<const DesignAnswer>& answer = m_study.job().value();
+    const bool isFinished = m_study.job().state() == StudyState::finished && m_study.job().isCurrent();
+    if (!answer || !isFinished || !answer->isRefined() || !answer->hasBest()) return;
+    if (answer->report.study.base == scenario() && m_setup == document().design())
+        studies.design = {answer, &answer->report};
 }
 
 QByteArray DesignPage::csv() const {
