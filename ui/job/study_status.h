@@ -96,6 +96,9 @@ class SolveStatus : public QWidget {
 /// "Solve all (3 min)": the button that resumes a stopped study, of which these points took that long.
 QString resumeText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
+/// Returns a time as "3 s" or "3 min", rounded up.
+QString waitText(double seconds, const QLocale& locale);
+
 /// "640/1500 · 2 s left" after that many seconds; "640 · 320/s" where nobody knows how many there will be.
 /// Only the count while there is too little to tell the rate, and where all that was thought of is done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);

@@ -7,7 +7,6 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
@@ -18,6 +17,7 @@
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"
 #include "ui/form/choice_box.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
 #include "ui/pages/design/design_plot.h"
@@ -259,11 +259,7 @@ void DesignPage::refine() {
 void DesignPage::showRefine(const DesignAnswer& answer) {
     m_refine->setVisible(answer.secondsLeft && m_study.job().isCurrent() &&
                          m_study.job().state() == StudyState::finished);
-    if (!answer.secondsLeft) return;
-    const double seconds = std::ceil(*answer.secondsLeft);
-    m_refine->setText(seconds < 100
-                          ? tr("Refine (%1 s)").arg(locale().toString(seconds, 'f', 0))
-                          : tr("Refine (%1 min)").arg(locale().toString(std::ceil(seconds / 60), 'f', 0)));
+    if (answer.secondsLeft) m_refine->setText(tr("Refine (%1)").arg(waitText(*answer.secondsLeft, locale())));
 }
 
 ShownUnits DesignPage::shownUnitsOf(const Scenario& base) const {
