@@ -10,7 +10,6 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/output_folder.h"
-#include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
@@ -18,7 +17,6 @@
 #include "core/archive/result_scenario.h"
 #include "core/numeric/run_time.h"
 #include "core/report/design_report.h"
-#include "core/report/design_words.h"
 
 namespace drillwave {
 

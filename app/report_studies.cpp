@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report_studies.h"
 
-#include <algorithm>
-
 #include "app/command_error.h"
 #include "app/design_options.h"
 #include "app/design_run.h"
@@ -10,8 +8,8 @@
 #include "app/input_text.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
-#include "app/scenario_argument.h"
 #include "core/report/design_report.h"
+#include "core/study/drilling/quick_march.h"
 
 namespace drillwave {
 
@@ -32,12 +30,11 @@ DrillingSettings drillingOf(const Scenario& scenario, const std::string& path, c
 
 /// Returns the study of the block `design`. Throws CommandError.
 DesignStudy designOf(const Arguments& arguments, const ScenarioDocument& document, const std::string& path) {
-    if (document.design.isEmpty())
+    if (document.design.uncertain.empty())
         throw CommandError(
             ExitCode::invalidScenario,
-            about(inputName(path),
-                  translatable("--with design needs the block `design`, which names the uncertain inputs and "
-                               "the choices; see `drillwave help files`")));
+            about(inputName(path), translatable("--with design needs a block `design` with its list "
+                                                "`uncertain`; see `drillwave help files`")));
     DesignFaults faults;
     DesignStudy study = designStudyOf(arguments, document.scenario, document.design, faults);
     faults.check();

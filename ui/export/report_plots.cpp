@@ -70,10 +70,11 @@ void addStudies(std::vector<ReportPlot>& plots, const ReportStudies& studies, co
                                   "one parameter."),
                                scanPaperPlot(*studies.scan, reader), {180, 66}));
     if (studies.design)
-        plots.push_back(placed("design",
-                               tr("The designs over the uncertain inputs: the first aim over the choice, "
-                                  "the aims against each other, and the shares of the scatter."),
-                               designPaperPlot(*studies.design, reader), {180, 120}));
+        plots.push_back(
+            placed("design",
+                   tr("The designs: the first aim over the choice, with its scatter. Several aims and "
+                      "several uncertain inputs are compared below."),
+                   designPaperPlot(*studies.design, reader), {180, 120}));
 }
 
 }  // namespace
