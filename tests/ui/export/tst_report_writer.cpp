@@ -290,10 +290,12 @@ void TestReportWriter::finishedStudiesOfThePresentScenarioAreInTheReport() {
     QVERIFY(window().openFile(test::example(QStringLiteral("t38_medium_rock"))));
     Document& document = window().document();
     document.assign(*findParameter("drill.blows"), 60, 1);
-    document.setDesign({.uncertain = {"bit_rock.gap=0mm:1mm"},
-                        .choose = {"pulse.duration=150us:250us:3"},
-                        .aims = {"max:efficiency@q05"},
-                        .samples = 64});
+    DesignSetup design;
+    design.uncertain = {"bit_rock.gap=0mm:1mm"};
+    design.choose = {"pulse.duration=150us:250us:3"};
+    design.aims = {"max:efficiency@q05"};
+    design.samples = 64;
+    document.setDesign(design);
     const auto finish = [&](StudyPage& page) {
         part<PageTabs>(window()).setCurrentWidget(&page);
         QTRY_VERIFY_WITH_TIMEOUT(
