@@ -154,8 +154,8 @@ const Command& accuracyCommand() {
         .summary = "error against run time, every method and resolution",
         .details =
             "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
-            "100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill\n"
-            "string: polynomial cells of several sizes beside a plain lattice.",
+            "100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For "
+            "drill\nstrings: polynomial cells of several sizes beside a plain lattice.",
         .options = scenarioOptions(
             {{"segments", "A,B,C", "numbers of lattice segments (default: from 100 to 20000)"},
              {"work-limit", "N",

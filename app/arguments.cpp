@@ -109,9 +109,9 @@ const std::string& valueBehind(const OptionSpec& option, std::span<const std::st
     const std::string& word = rest.front();
     if (word != "--" && !(isOption(word) && optionNamed(split(word), word, options))) return word;
     if (option.name == "o")
-        refuse({translatable("%1; `%2` behind it is an option, a file of that name is ./%2"),
+        refuse({translatable("%1; `%2` after it is an option; write ./%2 for a file of that name"),
                 {needs, shortened(word)}});
-    refuse({translatable("%1; `%2` behind it is an option"), {needs, shortened(word)}});
+    refuse({translatable("%1; `%2` after it is an option"), {needs, shortened(word)}});
 }
 
 void addWord(std::string& text, const std::string& word) {

@@ -66,10 +66,13 @@ Arguments parseArguments(const Command& command, std::span<const std::string> wo
         if (command.operands.empty())
             throw CommandError(
                 ExitCode::usage,
-                Message(translatable("`%1` is too much; takes none, see drillwave %2 --help"), {word, name}));
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("`%1` is too much; takes %2, see drillwave %3 --help"),
-                                   {word, std::string(command.operands), name}));
+                Message(
+                    translatable("unexpected argument `%1`; the command takes none, see drillwave %2 --help"),
+                    {word, name}));
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("unexpected argument `%1`; the command takes %2, see drillwave %3 --help"),
+                    {word, std::string(command.operands), name}));
     }
     return arguments;
 }

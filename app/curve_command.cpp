@@ -35,7 +35,7 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
     if (!word) return std::nullopt;
     if (columns.size() != 1)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("--goal is about one output; --outputs names %1"),
+                           Message(translatable("--goal needs one output; --outputs names %1"),
                                    {std::to_string(columns.size())}));
     const OutputColumn& column = columns.front();
     const Quantity quantity = column.output->siQuantity();
@@ -112,10 +112,8 @@ void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOp
 void checkGoalFile(const Arguments& arguments, const RowOptions& options, const ScenarioDocument& base) {
     if (!arguments.has("goal") || !arguments.has("o")) return;
     if (isStream(options.path))
-        throw CommandError(
-            ExitCode::usage,
-            translatable(
-                "--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--goal cannot be used with -o -, which prints the "
+                                                         "curve; leave out -o, or give -o FILE.csv"));
     const std::string path = goalName(options.path);
     checkOutputIsNoInput(path, arguments, base);
     checkOverwrite(path, options.overwrite);
@@ -175,14 +173,14 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
 
 std::vector<OptionSpec> curveOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
-        {{"along", "KEY=RANGE", "the parameter to go along: START:STOP or START:STOP:log"},
-         {"family", "KEY=VALUES", "a line for each value: A,B,C, or START:STOP:COUNT[:log]"},
+        {{"along", "KEY=RANGE", "parameter to vary: START:STOP or START:STOP:log"},
+         {"family", "KEY=VALUES", "one line per value: A,B,C, or START:STOP:COUNT[:log]"},
          {"outputs", "A,B|all", "outputs to follow, see below (default: cor)"},
          {"level", "X", "also where the outputs cross this value, in the unit of their columns",
           OptionSpec::Times::repeated},
          {"goal", "X",
-          "every value of KEY that gives the only output this value, in the unit of its column; exit code 6 "
-          "where none does"},
+          "find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there "
+          "is none"},
          {"json", "", "print one JSON object instead of the tables"},
          {"si", "", "outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
@@ -205,16 +203,16 @@ std::vector<OptionSpec> curveOptions() {
 const Command& curveCommand() {
     static constexpr std::string_view details =
         "Follows outputs along a parameter by smooth pieces between kinks, which are found where the order\n"
-        "of events changes; no grid to be chosen. Tells where each output is least and largest, its local\n"
-        "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not\n"
-        "smooth within the work permitted it is known by points alone, and the table says so.\n"
-        "--goal asks the other way round: where along KEY the output is X. Each place is solved for, with "
-        "its\nerror, and it is told whether there may be others; where there is none, what comes nearest.\n"
+        "of events changes; no grid to be chosen. Prints where each output is least and largest, its local\n"
+        "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is "
+        "not\nsmooth within the work permitted, only points of it are known, and the table says so.\n"
+        "--goal asks the other way round: where along KEY the output is X. Prints each place with its\nerror "
+        "and whether there may be others; where there is none, the nearest value.\n"
         "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
     static const Command command{
         .name = "curve",
         .operands = "FILE",
-        .summary = "outputs along a parameter: extremes, kinks and crossings with places and errors",
+        .summary = "follow outputs along a parameter; print extremes, kinks and crossings with errors",
         .details = details,
         .furtherHelp = outputHelp,
         .options = curveOptions(),

@@ -33,8 +33,7 @@ const std::string& fileOf(const Arguments& arguments) {
     for (const std::string& word : arguments.operands()) {
         if (isAimWord(word)) continue;
         if (file)
-            throw CommandError(ExitCode::usage,
-                               Message(translatable("takes one FILE; `%1` is a second one"), {word}));
+            throw CommandError(ExitCode::usage, Message(translatable("takes one FILE; remove `%1`"), {word}));
         file = &word;
     }
     if (!file) throw CommandError(ExitCode::usage, translatable("needs FILE"));
@@ -58,8 +57,9 @@ FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::
 void remarkOnSamples(const Arguments& arguments, std::uint64_t taken) {
     const std::optional<std::string> asked = arguments.value("samples");
     if (asked && *asked != std::to_string(taken))
-        printRemark({translatable("--samples %1: takes %2, a power of two"), {*asked, std::to_string(taken)}},
-                    arguments.style());
+        printRemark(
+            {translatable("--samples %1: rounded up to %2, a power of two"), {*asked, std::to_string(taken)}},
+            arguments.style());
 }
 
 ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
@@ -133,18 +133,18 @@ const Command& designCommand() {
     static const Command command{
         .name = "design",
         .operands = "FILE",
-        .summary = "which choice is best over what is not known, what it costs, what to measure",
+        .summary = "find the best design for uncertain inputs, its cost, and what to measure",
         .details = details,
         .furtherHelp = outputHelp,
         .options = scenarioOptions(
-            {{"uncertain", "KEY=LOW:HIGH", "what is not known; see below", Times::list},
-             {"draws", "FILE.csv", "rows of values that belong together, headed as for table",
+            {{"uncertain", "KEY=LOW:HIGH", "uncertain input; see below", Times::list},
+             {"draws", "FILE.csv", "samples of uncertain inputs, one per row; header as for table",
               Times::repeated},
              {"choose", "KEY=START:STOP:COUNT",
-              "what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME", Times::list},
+              "design variable and its values; also :log, KEY=A,B,C or hammer=NAME", Times::list},
              {"aim", "max:OUTPUT@STATISTIC", "or min:…; one to three, the first decides", Times::repeated},
-             {"at-most", "OUTPUT@STATISTIC=VALUE", "a limit to every design", Times::list},
-             {"at-least", "OUTPUT@STATISTIC=VALUE", "likewise", Times::list},
+             {"at-most", "OUTPUT@STATISTIC=VALUE", "upper limit for every design", Times::list},
+             {"at-least", "OUTPUT@STATISTIC=VALUE", "lower limit for every design", Times::list},
              {"keep-energy", "", "every design's blow has the energy of FILE's"},
              {"samples", "N",
               "samples of a design, rounded up to a power of two (default: 4096, for a string 1024)"},

@@ -21,8 +21,8 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
     for (const DesignSamples& design : findings.designs) {
         if (design.hasStatistics(study.samples) || !lines.empty()) continue;
         lines.emplace_back(
-            translatable("%1: of too many samples there is no answer, so that designs have no statistics: %2 "
-                         "of %3; the first: %4"),
+            translatable("%1: too many samples could not be solved, so designs have no statistics: %2 of %3; "
+                         "the first: %4"),
             std::vector<Message>{run.path, std::to_string(design.unsolved), std::to_string(study.samples),
                                  reasonWithHint(design.reason, study.workLimit)});
     }
@@ -32,7 +32,8 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
         for (Message& line : nearestToLimits(study, findings, run.style)) lines.push_back(std::move(line));
     }
     if (lines.empty())
-        lines.push_back(about(run.path, translatable("the scenario as it is could not be solved")));
+        lines.push_back(
+            about(run.path, translatable("the scenario could not be solved with the values entered")));
     throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
 }
 

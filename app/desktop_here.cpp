@@ -76,10 +76,10 @@ void prepareFailure(bool isPlatformChosen) {
             isPlatformChosen
                 ? Message(translatable("the window cannot be opened on the platform of -platform or "
                                        "QT_QPA_PLATFORM; use `drillwave run FILE` or `-platform offscreen`"))
-                : Message(translatable("display %1 cannot be reached; set DISPLAY to one that is there, use "
-                                       "`drillwave run FILE` (see --help), or `drillwave -platform "
-                                       "offscreen`"),
-                          {namedDisplays()})) +
+                : Message(
+                      translatable("display %1 cannot be reached; set DISPLAY to an available one, use "
+                                   "`drillwave run FILE` (see --help), or `drillwave -platform offscreen`"),
+                      {namedDisplays()})) +
         "\n";
 }
 

@@ -71,7 +71,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     arguments.checkOnePrinted();
     if (arguments.has("gaps") && !arguments.has("scan"))
         throw CommandError(ExitCode::usage,
-                           translatable("--gaps is about a scan; add --scan KEY=START:STOP:COUNT"));
+                           translatable("--gaps needs a scan; add --scan KEY=START:STOP:COUNT"));
     ScenarioDocument document = loadScenarioArgument(path, arguments);
     if (arguments.has("scan")) return runDrillScan(arguments, document, path, drawing);
 
@@ -150,12 +150,12 @@ const Command& drillCommand() {
             {shortFor("drill.blows", "blows",
                       "short for --set drill.blows=N (default: 1000, for a scan 300)"),
              shortFor("drill.settle", "settle",
-                      "short for --set drill.settle=N: the first blows, which no statistic counts"),
-             shortFor("drill.seed", "seed", "short for --set drill.seed=N, of the scatter of the intervals"),
+                      "short for --set drill.settle=N: transient blows, excluded from statistics"),
+             shortFor("drill.seed", "seed", "short for --set drill.seed=N, seed of the scattered intervals"),
              {"cells", "N", "time steps per t0, 10 to 400 (default: 40, for a scan 20)"},
-             {"scan", "KEY=START:STOP:COUNT", "over these values; :log behind it, or KEY=A,B,C"},
-             {"gaps", "FILE.csv", "with --scan, also write the gap of every blow that counts"},
-             {"histories", "A:B", "with -o DIR, also write what happens from blow A to blow B"},
+             {"scan", "KEY=START:STOP:COUNT", "scan these values; :log after the count, or KEY=A,B,C"},
+             {"gaps", "FILE.csv", "with --scan, also write the gap of every counted blow"},
+             {"histories", "A:B", "with -o DIR, also write the histories from blow A to blow B"},
              {"json", "", "print one JSON object instead of the table"},
              {"si", "", "numbers in SI (default)"},
              {"dimensionless", "", "numbers as multiples of d0, v0, I0, F0 and t0"},

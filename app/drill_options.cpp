@@ -14,15 +14,14 @@ double permittedDrillWork(const Arguments& arguments) {
     if (!text) return mostDrillingWork;
     const std::optional<double> work = parseNumber(*text);
     if (!work || !(*work >= 1))
-        throw CommandError(
-            ExitCode::usage,
-            Message(translatable("--work-limit %1 must be a number of at least 1"), {shortened(*text)}));
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("--work-limit %1: must be at least 1"), {shortened(*text)}));
     return *work;
 }
 
 OutputUnits drillUnits(const Arguments& arguments) {
     if (arguments.has("si") && arguments.has("dimensionless"))
-        throw CommandError(ExitCode::usage, translatable("--si and --dimensionless exclude each other"));
+        throw CommandError(ExitCode::usage, translatable("--si and --dimensionless cannot be combined"));
     return arguments.has("dimensionless") ? OutputUnits::dimensionless : OutputUnits::si;
 }
 
@@ -77,7 +76,7 @@ void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path, co
     const Drill& drill = scenario.drill;
     const std::string name = inputName(path);
     if (scenario.drillString.endTime)
-        printRemark(about(name, translatable("end_time counts for single blows, not here")), style);
+        printRemark(about(name, translatable("end_time applies only to single blows, not here")), style);
     if (drill.machineMass.value_or(0) > 0 && drill.damperDamping.value_or(0) == 0 &&
         drill.damperStiffness.value_or(0) == 0)
         printRemark(

@@ -66,8 +66,8 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
     if (arguments.has("histories"))
         throw CommandError(
             ExitCode::usage,
-            translatable("--histories is about the blows of one march, and --scan makes one of "
-                         "each value; take one of them"));
+            translatable(
+                "--histories and --scan cannot be combined: a scan has many sequences; take one of them"));
     const ParsedAxis parsed = parseAxis(word);
     if (!parsed.problem.isEmpty()) throw CommandError(ExitCode::usage, about("--scan", parsed.problem));
     const SweepAxis& axis = parsed.axis;
@@ -91,7 +91,7 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
         if (file && *file != "-") checkDrillRows(*file, arguments, document, overwrite);
     plots.check(arguments, document, overwrite);
     if (out && gaps && *out == *gaps)
-        throw CommandError(ExitCode::usage, translatable("-o and --gaps name one file; give two"));
+        throw CommandError(ExitCode::usage, translatable("-o and --gaps name the same file; give two"));
     const int jobs = jobsOf(arguments);
     checkStandardOutput();
     const Interruption interruption;

@@ -70,7 +70,7 @@ ExitCode runExamples(const Arguments& arguments, const Drawing*) {
         return ExitCode::done;
     }
     if (arguments.has("force"))
-        throw CommandError(ExitCode::usage, translatable("--force is about the files of -o; add -o DIR"));
+        throw CommandError(ExitCode::usage, translatable("--force applies to the files of -o; add -o DIR"));
     OutputFile out("-", Overwrite::allowed);
     if (directory || !arguments.operands().empty())
         print(examples, out);
@@ -87,7 +87,7 @@ const Command& examplesCommand() {
         .name = "examples",
         .operands = "[NAME]…",
         .summary = "list the built-in scenarios, print those of NAME, or write them into a folder",
-        .details = "`drillwave examples t38_string > my.yaml` makes a file to change.",
+        .details = "`drillwave examples t38_string > my.yaml` writes a file to start from.",
         .options = {{"o", "DIR", "write them as scenario files into DIR; - prints them"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 0,

@@ -28,9 +28,8 @@ std::string drawn(const Drawing& drawing, const Figure& figure, std::string_view
 /// Those of --plots; PNG and SVG without.
 std::vector<std::string> formatsOf(const Arguments& arguments) {
     if (arguments.has("plots") && arguments.value("o").value_or("-") == "-")
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("%1 is about files; add -o %2 to say where they go"),
-                                   {std::string("--plots"), std::string("DIR")}));
+        throw CommandError(ExitCode::usage, Message(translatable("%1 applies to files; add -o %2"),
+                                                    {std::string("--plots"), std::string("DIR")}));
     std::vector<std::string> formats = plotFormats(arguments);
     return formats.empty() ? std::vector<std::string>{"png", "svg"} : formats;
 }
@@ -100,12 +99,12 @@ const Command& figuresCommand() {
     static const Command command{
         .name = "figures",
         .operands = "-o DIR",
-        .summary = "the figures of the paper, and each number it prints beside the exact one",
+        .summary = "reproduce the figures of the paper; compare each printed number with the exact one",
         .details =
             "DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and\n"
             "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,\n"
             "and with k0 = Z/t0, as it defines it.",
-        .options = {{"o", "DIR", "where to write; - prints discrepancies.csv alone"},
+        .options = {{"o", "DIR", "where to write; - prints only discrepancies.csv"},
                     {"plots", "png,svg,pdf", "formats of the figures (default: png,svg)"},
                     {"force", "", "overwrite existing files"},
                     decimalCommaSpec()},

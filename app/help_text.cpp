@@ -31,7 +31,7 @@ constexpr const char* behindCommands =
     "  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.\n"
     "\nExit codes: %2.\n";
 constexpr std::string_view optionsTitle = "Options:";
-constexpr std::string_view thisText = "this text";
+constexpr std::string_view thisText = "this help";
 constexpr std::string_view versionHelp = "version of the program";
 
 constexpr std::size_t helpColumns = 80;

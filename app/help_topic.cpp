@@ -146,8 +146,8 @@ std::string optionText(std::string_view word, std::size_t width, const ReadingSt
         }
     if (meanings.empty()) return {};
     ManualBlock table{Kind::table, 0, {}, {}};
-    table.rows.push_back({style.said(translatable("option")), style.said(translatable("does")),
-                          style.said(translatable("of the commands"))});
+    table.rows.push_back({style.said(translatable("option")), style.said(translatable("meaning")),
+                          style.said(translatable("of commands"))});
     for (const auto& [option, owners] : meanings)
         table.rows.push_back(
             {synopsis(option), style.patternFor(std::string(option.help)),
@@ -180,7 +180,7 @@ std::vector<std::string> namesWith(std::string_view words) {
 /// The best places as a table: what prints each, and what is there.
 std::string placesText(std::span<const WordPlace> places, std::size_t width, const ReadingStyle& style) {
     ManualBlock table{Kind::table, 0, {}, {}};
-    table.rows.push_back({"drillwave help …", style.said(translatable("what is there"))});
+    table.rows.push_back({"drillwave help …", style.said(translatable("topics"))});
     for (const WordPlace& place : places)
         table.rows.push_back(
             {place.number.empty() ? place.chapter : place.chapter + " " + place.number, place.shown});
@@ -290,14 +290,16 @@ std::string topicText(std::span<const std::string> words, std::size_t width, con
     if (!text.empty()) return text;
     const std::string near = nearest(name);
     if (near.empty())
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("`%1` is neither a command nor a chapter, parameter or "
-                                                "output; `drillwave help` says what there is"),
-                                   {shortened(name)}));
-    throw CommandError(ExitCode::usage,
-                       Message(translatable("`%1` is neither a command nor a chapter, parameter or output; "
-                                            "near it %2; `drillwave help` says what there is"),
-                               {shortened(name), near}));
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("`%1` is not a command, chapter, parameter or output; see `drillwave help`"),
+                    {shortened(name)}));
+    throw CommandError(
+        ExitCode::usage,
+        Message(
+            translatable(
+                "`%1` is not a command, chapter, parameter or output; did you mean %2? See `drillwave help`"),
+            {shortened(name), near}));
 }
 
 }  // namespace drillwave

@@ -225,9 +225,9 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
         if (!reading.questions.empty()) {
             std::vector<Message> questions;
             for (const std::string& open : reading.questions)
-                questions.push_back(about(
-                    name, {translatable("the table leaves open: %1; answer by %2, see drillwave signal"),
-                           {open, std::string(answerTo(open))}}));
+                questions.push_back(
+                    about(name, {translatable("the table does not state: %1; give %2, see drillwave signal"),
+                                 {open, std::string(answerTo(open))}}));
             throw CommandError(ExitCode::invalidScenario, questions);
         }
         reading.record.file = name;

@@ -118,7 +118,7 @@ RereadableInput::Buffer::int_type RereadableInput::Buffer::underflow() {
     } catch (const std::ios_base::failure& failure) {
         throw CommandError(
             ExitCode::unreadableInput,
-            Message(translatable("%1: cannot be read: %2; copy it to another disk, or get it anew"),
+            Message(translatable("%1: cannot be read: %2; copy it to another disk, or get it again"),
                     {m_name, failure.code().message()}));
     }
 }
@@ -135,7 +135,7 @@ RereadableInput::RereadableInput(const std::string& path, std::uint64_t most, co
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) refuse(cannotBeOpened(reason(errno)));
     if (!S_ISREG(status.st_mode))
-        refuse(translatable("is not a regular file; write the rows to a file first"));
+        refuse(translatable("is not a regular file; save the rows to a file first"));
     if (!m_buffer.open(path, std::ios::in | std::ios::binary))
         refuse(translatable("cannot be opened for reading; check its permissions"));
 }
@@ -145,7 +145,7 @@ void RereadableInput::keep(const std::string& path, std::uint64_t most, const Re
     const auto refuse = [&](const std::string& problem) {
         throw CommandError(
             ExitCode::unwritableOutput,
-            Message(translatable("%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room"),
+            Message(translatable("%1: cannot be stored in %2: %3; set TMPDIR to a folder with more space"),
                     {inputName(path), temporaryFolder(), problem}));
     };
     if (kept.descriptor < 0) refuse(reason(errno));
@@ -156,8 +156,8 @@ void RereadableInput::keep(const std::string& path, std::uint64_t most, const Re
         bytes += got;
         if (bytes > most)
             throw CommandError(ExitCode::unreadableInput,
-                               Message(translatable("%1: is longer than %2 MiB, the most that is kept of "
-                                                    "what is not a file; write its rows to a file first"),
+                               Message(translatable("%1: is longer than %2 MiB, the limit for input that is "
+                                                    "not a file; save its rows to a file first"),
                                        {inputName(path), std::to_string(most >> 20)}));
         if (const WriteFailure failure = writeAll(kept.descriptor, {chunk.data(), got}))
             refuse(failure.reason);

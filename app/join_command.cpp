@@ -34,7 +34,7 @@ struct JoinedPart {
 }
 
 [[noreturn]] void refuseCommand(const RowPart& part, const Message& reason) {
-    refuse(recordName(part.file), {translatable("its command is none of this version: %1"), {reason}});
+    refuse(recordName(part.file), {translatable("its command does not exist in this version: %1"), {reason}});
 }
 
 Arguments argumentsOf(const RowPart& part, std::string& command) {
@@ -52,13 +52,12 @@ Arguments argumentsOf(const RowPart& part, std::string& command) {
 JoinedPart loadPart(const std::string& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
-        refuse(file, std::filesystem::exists(file, error) ? translatable("is no file of rows")
-                                                          : translatable("the part is not there"));
+        refuse(file, std::filesystem::exists(file, error) ? translatable("is not a file of rows")
+                                                          : translatable("the part does not exist"));
     const std::string record = recordName(file);
     const FileBytes bytes = readFile(record, maximumInputBytes);
     if (!bytes.problem.isEmpty())
-        refuse(record,
-               {translatable("%1; a part needs the record that was written with it"), {bytes.problem}});
+        refuse(record, {translatable("%1; a part needs the record written with it"), {bytes.problem}});
     try {
         JoinedPart loaded{parseRowPart(bytes.bytes, file), {}, {}};
         loaded.arguments = argumentsOf(loaded.part, loaded.command);
@@ -87,7 +86,7 @@ std::vector<JoinedPart> loadParts(const std::vector<std::string>& files) {
         if (const Message key = difference(loaded.front(), loaded.back()); !key.isEmpty())
             problems.emplace_back(
                 translatable(
-                    "%1: is a part of another run than %2: its %3 differs; leave it out or run it again"),
+                    "%1: belongs to another run than %2: its %3 differs; leave it out or run it again"),
                 std::vector<Message>{file, files.front(), key});
     }
     std::vector<RowPart> parts;
@@ -113,11 +112,11 @@ void copyRows(const RowPart& part, OutputFile& out, const Interruption& interrup
     if (sum == part.sum) return;
     throw CommandError(
         ExitCode::invalidScenario,
-        std::vector{Message(
-            translatable("%1: is not what its record says: it has %2 bytes with checksum %3, and was written "
-                         "with %4 and %5; it was changed or is another part, run it again"),
-            {part.file, std::to_string(sum.bytes), sum.checksum(), std::to_string(part.sum.bytes),
-             part.sum.checksum()})});
+        std::vector{
+            Message(translatable("%1: differs from its record: it has %2 bytes with checksum %3, written "
+                                 "were %4 and %5; it was changed or is another part, so run it again"),
+                    {part.file, std::to_string(sum.bytes), sum.checksum(), std::to_string(part.sum.bytes),
+                     part.sum.checksum()})});
 }
 
 /// The parts in a folder, by their records, without the rows there that are no part.

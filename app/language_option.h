@@ -12,7 +12,7 @@ namespace drillwave {
 
 /// What every command takes, and the window.
 inline constexpr OptionSpec languageOption{"language", "CODE",
-                                           "speak German (de), Swedish (sv) or English (en)"};
+                                           "use German (de), Swedish (sv) or English (en)"};
 
 /// The variable of the environment that says it for all commands.
 inline constexpr const char* languageVariable = "DRILLWAVE_LANGUAGE";

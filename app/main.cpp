@@ -68,7 +68,7 @@ bool asksForVersion(std::span<const std::string> words) {
 void refuseMore(std::span<const std::string> words, std::size_t taken) {
     if (words.size() > taken)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("`%1` is too much; `drillwave help` says what there is"),
+                           Message(translatable("unexpected argument `%1`; see `drillwave help`"),
                                    {shortened(words[taken])}));
 }
 

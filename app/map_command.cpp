@@ -28,8 +28,10 @@ SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
     if (!word)
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing"),
-                    {"--" + option}));
+            Message(
+                translatable(
+                    "needs --x KEY=START:STOP:COUNT[:log] and --y KEY=START:STOP:COUNT[:log]; %1 is missing"),
+                {"--" + option}));
     // A map lies between even steps: axisArgument() would take a list, and name it where it takes none.
     const auto colons = std::ranges::count(*word, ':');
     if (colons < 2 || colons > 3)
@@ -65,14 +67,16 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
     MapFiles files{options, {}};
     const bool hasFile = arguments.has("o") && !isStream(options.path);
     if (arguments.has("force") && (!arguments.has("o") || options.path == "-"))
-        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage,
+                           translatable("--force applies to the file of -o; add -o FILE.csv"));
     if (isStream(options.path) && arguments.has("o"))
         for (const char* option : {"level", "json"})
             if (arguments.has(option))
                 throw CommandError(
                     ExitCode::usage,
-                    Message(translatable("%1 has no place where -o - prints the map; give -o FILE.csv"),
-                            {std::string("--") + option}));
+                    Message(
+                        translatable("%1 cannot be used with -o -, which prints the map; give -o FILE.csv"),
+                        {std::string("--") + option}));
     if (!hasFile) return files;
     checkRows(options, arguments, document);
     if (!arguments.has("level")) return files;
@@ -142,7 +146,7 @@ void checkPart(const Arguments& arguments) {
     if (!arguments.has("shard")) return;
     if (!arguments.has("o"))
         throw CommandError(ExitCode::usage,
-                           translatable("--shard: a part of a map has rows alone; add -o FILE.csv"));
+                           translatable("--shard: a part of a map has only rows; add -o FILE.csv"));
     for (const char* option : {"level", "json", "plots"})
         if (arguments.has(option))
             throw CommandError(ExitCode::usage,
@@ -209,8 +213,9 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
 
 std::vector<OptionSpec> mapOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
-        {{"x", "KEY=START:STOP:COUNT", "the first parameter and its values; :log behind for even ratios"},
-         {"y", "KEY=START:STOP:COUNT", "the second one likewise"},
+        {{"x", "KEY=START:STOP:COUNT",
+          "parameter across and its values; :log after the count for even ratios"},
+         {"y", "KEY=START:STOP:COUNT", "parameter upwards and its values; also :log"},
          {"output", "A", "output to map, see below (default: cor)"},
          {"level", "X", "place the contour of this value; may be given again", OptionSpec::Times::repeated},
          {"si", "", "the output in SI, and levels too, which may then carry units"},

@@ -28,7 +28,7 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
     choice.method = *method;
     if (arguments.has("segments") && choice.method != Method::lattice)
         throw CommandError(ExitCode::usage,
-                           translatable("--segments is about the lattice; add --method lattice"));
+                           translatable("--segments applies to the lattice; add --method lattice"));
     choice.lattice.segments = static_cast<int>(
         arguments.number("segments", choice.lattice.segments, minimumSegments, maximumSegments));
     return choice;

@@ -52,9 +52,8 @@ void checkAboutFiles(const Arguments& arguments, std::initializer_list<const cha
     if (arguments.has("o")) return;
     for (const char* option : options)
         if (arguments.has(option))
-            throw CommandError(ExitCode::usage,
-                               Message(translatable("%1 is about files; add -o %2 to say where they go"),
-                                       {std::string("--") + option, std::string(output)}));
+            throw CommandError(ExitCode::usage, Message(translatable("%1 applies to files; add -o %2"),
+                                                        {std::string("--") + option, std::string(output)}));
 }
 
 OptionSpec decimalCommaSpec() {
@@ -86,9 +85,8 @@ void checkStandardOutput() {
 
 void checkName(const std::string& path) {
     if (!isUtf8(path))
-        throw CommandError(
-            ExitCode::unwritableOutput,
-            about(path, translatable("the name has bytes that are not UTF-8; choose another one")));
+        throw CommandError(ExitCode::unwritableOutput,
+                           about(path, translatable("the name is not UTF-8; choose another one")));
 }
 
 void checkOverwrite(const std::string& path, Overwrite overwrite) {

@@ -28,7 +28,8 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
     const auto existing = overwrite == Overwrite::allowed ? ExistingFiles::replaced : ExistingFiles::kept;
     const auto onLongWait = [&](const std::string& lock) {
         printRemark(
-            {translatable("waiting for another run of drillwave, which holds the lock %1; Ctrl-C gives up"),
+            {translatable(
+                 "waiting for another run of drillwave, which holds the lock %1; Ctrl-C stops waiting"),
              {lock}},
             interruption ? interruption->style() : plainStyle());
     };

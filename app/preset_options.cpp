@@ -45,9 +45,9 @@ std::string_view name(PresetKind kind) {
 }
 
 std::vector<OptionSpec> presetOptionSpecs() {
-    return {{"rod", "NAME", "take this rod; `drillwave presets` lists rods, hammers and rocks"},
-            {"hammer", "NAME", "take this hammer"},
-            {"rock", "NAME", "take this rock"},
+    return {{"rod", "NAME", "use this rod; `drillwave presets` lists rods, hammers and rocks"},
+            {"hammer", "NAME", "use this hammer"},
+            {"rock", "NAME", "use this rock"},
             {"presets", "FILE.yaml", "a file of presets of your own instead of the built-in ones"}};
 }
 
@@ -69,9 +69,8 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
     if (text.size() > maximumPresetBytes)
         throw CommandError(
             ExitCode::unreadableInput,
-            std::vector{
-                Message(translatable("%1: the file of presets is larger than %2 KiB, too large to be meant"),
-                        {inputName(path), std::to_string(maximumPresetBytes / 1024)})});
+            std::vector{Message(translatable("%1: the file of presets is larger than the limit of %2 KiB"),
+                                {inputName(path), std::to_string(maximumPresetBytes / 1024)})});
     try {
         return parsePresets(text, inputName(path));
     } catch (const ScenarioError& error) {
@@ -89,7 +88,7 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         const std::string option = "--" + std::string(name(kind));
         if (hasSections(scenario) && kind != PresetKind::rock)
             refuse(option, *wanted,
-                   {translatable("%1 is a drill string, whose sections are given one by one"), {path}});
+                   {translatable("%1 is a drill string: its sections are given one by one"), {path}});
         if (!hasUnits(scenario))
             refuse(option, *wanted,
                    {translatable(
@@ -104,7 +103,7 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
                       });
     if (arguments.has("presets") && !used)
         throw CommandError(ExitCode::usage,
-                           translatable("--presets is about --rod, --hammer and --rock; add one of them"));
+                           translatable("--presets applies to --rod, --hammer and --rock; add one of them"));
 }
 
 }  // namespace drillwave

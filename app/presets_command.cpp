@@ -97,9 +97,9 @@ const Command& presetsCommand() {
         .operands = "[FILE.yaml]",
         .summary = "list rods, hammers, rocks and pieces of drill strings, with their sources",
         .details =
-            "Those that are built in, or those of a file in the same format. A command takes them with "
-            "--rod\n"
-            "NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. "
+            "Lists the built-in presets, or those of a file in the same format. A command takes them with "
+            "--rod\nNAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has "
+            "it. "
             "Pistons,\n"
             "adapters, couplings and bits are pieces of drill strings, to be put in on the page String of "
             "the window.",

@@ -62,9 +62,9 @@ ReportPlace placeOf(const Arguments& arguments) {
     if (!ending.empty() && !isFolder)
         throw CommandError(
             ExitCode::usage,
-            about("-o " + *path,
-                  translatable(
-                      "a report is FILE.html or FILE.pdf; for a folder of that name put / behind it")));
+            about(
+                "-o " + *path,
+                translatable("a report is FILE.html or FILE.pdf; for a folder of that name, end it with /")));
     if (!hasPlots) return {*path, true, {"html"}};
     return {*path, true, {"html", "pdf"}};
 }
@@ -153,7 +153,7 @@ const Command& reportCommand() {
     static const Command command{
         .name = "report",
         .operands = "FILE",
-        .summary = "a page to hand over: inputs with sources, results, verdict, plots, the scenario",
+        .summary = "write a report: inputs with sources, results, verdict, plots, scenario",
         .details =
             "FILE.html holds everything in one file, its pictures and the scenario too, and can be run\n"
             "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.\n"
@@ -162,10 +162,10 @@ const Command& reportCommand() {
             "Of a\n"
             "drill string also its sections, drawn to scale, with their largest stresses.",
         .options = scenarioOptions(
-            {{"project", "TEXT", "below the title: what the report is for"},
-             {"author", "TEXT", "who wrote it"},
-             {"customer", "TEXT", "whom it is for"},
-             {"date", "TEXT", "of when it is, as it is to be read; none unless given"},
+            {{"project", "TEXT", "project, shown below the title"},
+             {"author", "TEXT", "author"},
+             {"customer", "TEXT", "customer"},
+             {"date", "TEXT", "date as text (default: none)"},
              reportStudiesSpec(),
              {withoutPlots, "", "leave the plots out, and with them the PDF: works without the window"},
              {"j", "N", "number of threads of --with (default: all)"},

@@ -62,7 +62,7 @@ long limitOf(const Arguments& arguments, const Scenario& scenario) {
 void checkResumes(const Arguments& arguments) {
     if (isStream(arguments.value("o").value_or("-")))
         throw CommandError(ExitCode::usage,
-                           translatable("--resume is about the file of -o; add -o FILE.csv"));
+                           translatable("--resume applies to the file of -o; add -o FILE.csv"));
     for (const char* option : {"plots", "level", "json"})
         if (arguments.has(option))
             throw CommandError(ExitCode::usage,
@@ -169,10 +169,8 @@ std::string outputHelp(const ReadingStyle& style) {
     for (const Output& output : outputs()) add(output.name, output.meaning);
     add("all", translatable("all of these that FILE has: some need a blow frequency, "
                             "thrust_margin a thrust too"));
-    help +=
-        "\n" + style.said(translatable(
-                   "Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency "
-                   "and drill.thrust:"));
+    help += "\n" + style.said(translatable("Results of many blows, only by name (each takes a march); FILE "
+                                           "needs drill.blow_frequency and drill.thrust:"));
     for (const Output& output : drillOutputs()) add(output.name, output.meaning);
     return help;
 }
@@ -305,9 +303,8 @@ class RowForecast {
         const double all = static_cast<double>(bytes) + bytesLeft;
         if (!isStream(m_options.path)) checkRoom(all, bytesLeft);
         if (seconds / done * left < worthTelling) return;
-        printRemark({translatable("%1 rows take about %2 and %3. A run that ends before its time leaves no "
-                                  "rows, but with --resume those that are done, and with --shard I/N the "
-                                  "parts that are done"),
+        printRemark({translatable("%1 rows take about %2 and %3. An interrupted run keeps no rows; with "
+                                  "--resume it keeps finished rows, with --shard I/N finished parts"),
                      {std::to_string(m_rows), bytesText(all, m_style), durationText(seconds / done * left)}},
                     m_style);
     }
@@ -399,8 +396,8 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
             throw CommandError(
                 ExitCode::interrupted,
                 Message(
-                    translatable("interrupted; %1 of %2 rows are kept in %3, and the same command goes on "
-                                 "behind them"),
+                    translatable(
+                        "interrupted; %1 of %2 rows are kept in %3; the same command continues after them"),
                     {std::to_string(done.rows), std::to_string(record.rows), kept->path()}));
         }
         if (counts.end == WorkEnd::stopped) interruption.check();

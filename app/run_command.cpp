@@ -39,7 +39,7 @@ RunFiles filesOf(const Arguments& arguments) {
     if (arguments.has("si")) files.units = OutputUnits::si;
     if (arguments.has("dimensionless")) {
         if (files.units)
-            throw CommandError(ExitCode::usage, translatable("--si and --dimensionless exclude each other"));
+            throw CommandError(ExitCode::usage, translatable("--si and --dimensionless cannot be combined"));
         files.units = OutputUnits::dimensionless;
     }
     files.plots = plotFormats(arguments);
@@ -137,8 +137,8 @@ std::vector<OptionSpec> runOptions() {
     for (const OptionSpec& option :
          {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
-          OptionSpec{"si", "", "with -o, CSV columns in SI, as they are where the scenario has units"},
-          OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless all the same"},
+          OptionSpec{"si", "", "with -o, CSV columns in SI (default for scenarios with units)"},
+          OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless"},
           OptionSpec{"force", "", "overwrite existing files"}, decimalCommaSpec()})
         options.push_back(option);
     return options;
@@ -150,7 +150,7 @@ const Command& runCommand() {
     static const std::string details =
         "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
         "events.csv and the plots: each of the\n"
-        "first four can be run again. Of a drill string the histories hold the waves in the middle of its "
+        "first four can be run again. For drill strings, the histories are taken at the middle of the "
         "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.";
     static const Command command{
         .name = "run",

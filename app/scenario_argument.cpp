@@ -171,7 +171,7 @@ void checkOutputIsNone(const std::string& output, const std::vector<std::string>
         if (std::filesystem::equivalent(output, input, error) && !error)
             throw CommandError(
                 ExitCode::usage,
-                Message(translatable("-o %1 is read as input (%2); choose another name for the output"),
+                Message(translatable("-o %1 is also the input (%2); choose another name for the output"),
                         {output, input}));
     }
 }

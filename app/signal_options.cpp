@@ -136,7 +136,7 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
         if (arguments.has("signals")) return;  // `identify` reads records of gauges by the same options
         for (const OptionSpec& option : recordOptionSpecs())
             if (arguments.has(option.name))
-                refuseUsage({translatable("%1 is about a record; add --signal FILE"), {option.text()}});
+                refuseUsage({translatable("%1 applies to a record; add --signal FILE"), {option.text()}});
         return;
     }
     if (!hasUnits(scenario))
@@ -154,7 +154,7 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
         std::vector<Message> questions;
         for (const std::string& question : reading.questions)
             questions.push_back(
-                about(name, {translatable("the table leaves open: %1; answer by %2, see drillwave signal"),
+                about(name, {translatable("the table does not state: %1; give %2, see drillwave signal"),
                              {question, std::string(answerTo(question))}}));
         throw CommandError(ExitCode::invalidScenario, questions);
     }

@@ -12,9 +12,8 @@ namespace {
 std::string placeOf(const Arguments& arguments, const char* what) {
     const std::string place = arguments.value("o").value_or("-");
     if (place == "-")
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("%1 is about files; add -o %2 to say where they go"),
-                                   {std::string("--plots"), std::string(what)}));
+        throw CommandError(ExitCode::usage, Message(translatable("%1 applies to files; add -o %2"),
+                                                    {std::string("--plots"), std::string(what)}));
     return place;
 }
 
@@ -46,7 +45,7 @@ StudyPlots StudyPlots::besideFile(const Arguments& arguments) {
     if (isStream(path))
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("--plots: there is no place for pictures beside %1; give -o FILE.csv"),
+            Message(translatable("--plots needs a file to store pictures beside, not %1; give -o FILE.csv"),
                     {path}));
     plots.m_folder = prefixOf(path);
     plots.m_order.stem = studyStem(path.substr(plots.m_folder.size()));

@@ -40,7 +40,7 @@ std::optional<SweepAxis> axisOf(const Arguments& arguments) {
             about(option, parsed.problem));
     if (!parsed.axis.parameter)
         throw CommandError(ExitCode::usage,
-                           about(option, translatable("pulse.shape is no number; sweep takes it")));
+                           about(option, translatable("pulse.shape is not a number; use sweep for it")));
     if (parsed.axis.count > mostThrustPoints)
         throw CommandError(ExitCode::usage, Message(translatable("%1: at most %2 values"),
                                                     {option, std::to_string(mostThrustPoints)}));
@@ -89,7 +89,7 @@ void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axi
     if (problem.isEmpty() && axis) {
         problem = whyNotApplicable(*axis->parameter, scenario);
         if (!problem.isEmpty())
-            problem = {translatable("%1 has no meaning here: %2"), {std::string(axis->key()), problem}};
+            problem = {translatable("%1 does not apply here: %2"), {std::string(axis->key()), problem}};
     }
     if (!problem.isEmpty()) throw CommandError(ExitCode::invalidScenario, about(path, problem));
 }

@@ -51,8 +51,8 @@ const Command& validateCommand() {
     static const Command command{
         .name = "validate",
         .operands = "FILE…",
-        .summary = "list the problems of scenarios, one a line",
-        .details = "Says nothing about a file without problems. Takes files of presets, too.",
+        .summary = "list the problems of scenarios, one per line",
+        .details = "Prints nothing for a file without problems. Also checks files of presets.",
         .options = {},
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,

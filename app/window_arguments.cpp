@@ -24,8 +24,7 @@ namespace {
     if (!near.empty())
         throw CommandError(
             ExitCode::usage,
-            Message(translatable(
-                        "`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?"),
+            Message(translatable("`%1` is not a command, file or example; did you mean `drillwave %2`?"),
                     {shortened(word), near}));
     throw CommandError(ExitCode::unreadableInput,
                        about(word, translatable("No such file or command; see drillwave --help")));
@@ -47,9 +46,9 @@ WindowArguments windowArguments(std::span<const std::string> words) {
         const Example* example = isFile ? nullptr : findExample(word);
         if (!isFile && !example) refuseWord(word);
         if (!arguments.file.empty() || arguments.example)
-            throw CommandError(
-                ExitCode::usage,
-                Message(translatable("`%1` is too much; the window opens one file"), {shortened(word)}));
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("unexpected argument `%1`; the window opens one file"),
+                                       {shortened(word)}));
         if (isFile) arguments.file = word;
         arguments.example = example;
     }

@@ -184,8 +184,8 @@ std::string manPage(std::string_view date) {
             "The window has\n" +
             item(bold("--reset-ui"), "open with the first layout, page, units and choices") +
             item(bold("--language") + " CODE",
-                 "speak English (en), German (de) or Swedish (sv) this once, in place of the language chosen "
-                 "under View, or of that of the system") +
+                 "use English (en), German (de) or Swedish (sv) for this start, instead of the language "
+                 "chosen under View or that of the system") +
             ".SH ENVIRONMENT\n" +
             item(bold(languageVariable),
                  "the language of the commands, as --language; they speak English "

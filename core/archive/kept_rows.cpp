@@ -98,8 +98,8 @@ void KeptRows::open(const std::string& entries, Other other) {
     }
     // One that died at its first bytes has left less than it would.
     if (other == Other::isProblem && !std::string_view(entries).starts_with(begun)) {
-        m_problem = {translatable("%1: is of another run (other options, inputs or build); use "
-                                  "--force to begin again, or choose another name"),
+        m_problem = {translatable("%1: belongs to another run (other options, inputs or build); use --force "
+                                  "to start again, or choose another name"),
                      {m_notes, m_path}};
         return;
     }

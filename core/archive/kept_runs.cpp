@@ -66,7 +66,7 @@ class RunsReader {
 
     void readRow(const std::string& place, const std::vector<std::string>& cells) {
         if (cells.size() != indexColumns && cells.size() != oldIndexColumns)
-            return refuse(place, "has " + std::to_string(cells.size()) + " cells in place of " + indexHeader +
+            return refuse(place, "has " + std::to_string(cells.size()) + " cells instead of " + indexHeader +
                                      "; this run is left out");
         const std::optional<int> number = numberOf(cells[0]);
         if (!number || has(*number))

@@ -120,11 +120,10 @@ bool isCsv(const InputText& input) {
 std::optional<ScenarioInput> parseCsv(const InputText& input) {
     const std::string yaml = scenarioFromHeader(input.plain);
     if (yaml.empty())
-        refuseResult(input.source,
-                     translatable("is taken for a result, as its name ends in .csv, and holds no "
-                                  "scenario; only the CSV files of "
-                                  "run, gap, thrust and accuracy begin with one (a sweep or table "
-                                  "has it in the .yaml beside it)"));
+        refuseResult(
+            input.source,
+            translatable("ends in .csv and holds no scenario; only CSV files of run, gap, thrust and "
+                         "accuracy do (for a sweep or table it is in the .yaml file beside it)"));
     const ResultRemarks remarks = remarksOf(yaml);
     if (!remarks.problem.isEmpty()) refuseResult(input.source, remarks.problem);
     return ScenarioInput{
@@ -145,20 +144,18 @@ bool mayBeRecord(const InputText& input) {
 
 std::optional<ScenarioInput> parseRecordOfSize(const InputText& input) {
     if (input.whole.size() >= maximumInputBytes)
-        refuseResult(input.source, translatable("is larger than 4 MiB, too large to be meant"));
+        refuseResult(input.source, translatable("is larger than 4 MiB, the limit for this kind of file"));
     return parseRecord(input.plain, input.source);
 }
 
 std::optional<ScenarioInput> refuseJson(const InputText& input) {
-    refuseResult(input.source, translatable("is taken for a result, as its name ends in .json, and holds no "
-                                            "`scenario`; give the scenario "
-                                            "file"));
+    refuseResult(input.source, translatable("ends in .json and holds no `scenario`; give the scenario file"));
 }
 
 std::optional<ScenarioInput> parseScenarioFile(const InputText& input) {
     if (input.whole.size() > maximumScenarioBytes)
         refuseResult(input.source,
-                     translatable("the scenario file is larger than 1024 KiB, too large to be meant"));
+                     translatable("the scenario file is larger than 1024 KiB, the limit for scenario files"));
     const ResultRemarks remarks = remarksOf(input.plain);
     if (!remarks.problem.isEmpty()) refuseResult(input.source, remarks.problem);
     return ScenarioInput{.document = parseScenario(input.whole, input.source),
@@ -201,9 +198,9 @@ Message changedNumbers(std::string_view version, const Scenario& scenario) {
     if (hasSections(scenario)) {
         changed.emplace_back(translatable("sequences of blows"));
         if (!hasUniformSections(scenario.drillString))
-            changed.emplace_back(translatable("all results, by its cones"));
+            changed.emplace_back(translatable("all results: cones are solved more exactly"));
         if (hasLosses(scenario))
-            changed.emplace_back(translatable("cor and the required feed, by its losses"));
+            changed.emplace_back(translatable("cor and required feed: losses are counted"));
     }
     changed.emplace_back(translatable("contact shares"));
     changed.emplace_back(translatable("statements about the feed"));
@@ -274,9 +271,9 @@ std::string completeScenarioText(ScenarioDocument document) {
 Message changesSentence(std::string_view version, const Scenario& scenario) {
     Message changed = changedNumbers(version, scenario);
     if (changed.isEmpty()) return {};
-    return {
-        translatable("Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading)."),
-        {shortened(std::string(version)), std::move(changed)}};
+    return {translatable(
+                "Written by Drillwave %1. Since then these results have changed: %2 (manual, Upgrading)."),
+            {shortened(std::string(version)), std::move(changed)}};
 }
 
 }  // namespace drillwave

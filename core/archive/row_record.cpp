@@ -60,7 +60,7 @@ std::vector<Entry> entriesOf(std::string_view record) {
 [[noreturn]] void refusePart(const std::string& file, const Message& reason) {
     throw ScenarioError(
         ScenarioError::Kind::unreadable, file + ".yaml",
-        {{"", {translatable("%1; parts are joined by the records that were written with them"), {reason}}}});
+        {{"", {translatable("%1; joining needs the records written with the parts"), {reason}}}});
 }
 
 Message placeOf(const Shard& shard) {
@@ -133,7 +133,7 @@ std::string recordEntries(const RowRecord& record) {
 }
 
 RowPart parseRowPart(std::string_view record, const std::string& file) {
-    if (!record.starts_with(rowRecordKey)) refusePart(file, translatable("is no record of rows"));
+    if (!record.starts_with(rowRecordKey)) refusePart(file, translatable("is not a record of rows"));
     const YamlTree tree = parseYaml(record);
     if (!tree.problem.text.isEmpty())
         refusePart(file, {translatable("cannot be read: %1"), {tree.problem.text}});
@@ -204,13 +204,13 @@ std::vector<Message> wholeProblems(std::span<const RowPart> parts) {
     for (std::uint64_t index = 1; index <= count; ++index)
         if (!byIndex.contains(index)) missing.push_back(index);
     if (!missing.empty())
-        add(missing.size() == 1 ? translatable("part %1 of %2 is missing; run what is missing, or name it")
-                                : translatable("parts %1 of %2 are missing; run what is missing, or name it"),
+        add(missing.size() == 1 ? translatable("part %1 of %2 is missing; run it, or name its file")
+                                : translatable("parts %1 of %2 are missing; run them, or name their files"),
             {rangesOf(missing), std::to_string(count)});
     if (!problems.empty()) return problems;
     for (const RowPart& part : parts)
         if (const std::uint64_t own = rowsOf(part.shard, rows).size(); part.rows != own)
-            add(translatable("%1: has %2 rows, but %3 of all %4 has %5; it is of another run"),
+            add(translatable("%1: has %2 rows, but %3 of all %4 has %5; it belongs to another run"),
                 {part.file, std::to_string(part.rows), placeOf(part.shard), std::to_string(rows),
                  std::to_string(own)});
     return problems;

@@ -40,8 +40,8 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
     const auto add = [&](const char* key, Message problem) {
         problems.push_back(about(std::string(key), std::move(problem)));
     };
-    if (!drill.blowFrequency) add("drill.blow_frequency", translatable("is missing: many blows need it"));
-    if (!drill.thrust) add("drill.thrust", translatable("is missing: many blows need it"));
+    if (!drill.blowFrequency) add("drill.blow_frequency", translatable("is missing: many blows require it"));
+    if (!drill.thrust) add("drill.thrust", translatable("is missing: many blows require it"));
     if (scenario.pulse.shape == PulseShape::rigidBody)
         add("pulse.shape", translatable("the reference case rigid_body is one impact and has no blows"));
     if (drill.machineMass.value_or(0) == 0) {
@@ -59,8 +59,8 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
     const double pulse =
         isForced(scenario) ? pulseForceOf(scenario).end * pulseDuration(scenario) : pulseDuration(scenario);
     if (!(pulse < least))
-        add("drill.blow_frequency", {translatable("a blow lasts %1 s, which is no less than the interval of "
-                                                  "the blows; lower the frequency or make the blow shorter"),
+        add("drill.blow_frequency", {translatable("a blow lasts %1 s, not less than the interval of the "
+                                                  "blows; lower the frequency or shorten the blow"),
                                      {formatNumber(pulse)}});
     if (const double t0 = scalesOf(scenario).time; interval / t0 > longestInterval)
         add("drill.blow_frequency",

@@ -58,16 +58,16 @@ std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double 
 }
 
 Message thrustProblem(const Scenario& scenario) {
-    return frequencyProblem(scenario, translatable("the thrust"));
+    return frequencyProblem(scenario, translatable("the feed force"));
 }
 
 Message thrustMarginProblem(const Scenario& scenario) {
     if (!gapHasPeriod(scenario))
-        return translatable("the margin of the thrust is known of uniform rods alone (`drillwave: 1`)");
+        return translatable("the feed force margin is known only for uniform rods (`drillwave: 1`)");
     if (const Message problem = thrustProblem(scenario); !problem.isEmpty()) return problem;
     if (!scenario.drill.thrust)
         return translatable(
-            "the margin of the thrust needs drill.thrust; give it in the scenario or with --set");
+            "the feed force margin needs drill.thrust; give it in the scenario or with --set");
     return {};
 }
 

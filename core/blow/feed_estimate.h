@@ -73,7 +73,8 @@ Message thrustProblem(const Scenario& scenario);
 /// Why there is no margin of the installed thrust, likewise.
 Message thrustMarginProblem(const Scenario& scenario);
 
-/// Why there is nothing per time for a scenario, `what` being "the thrust" or the like; empty when there is.
+/// Why there is nothing per time for a scenario, `what` being "the feed force" or the like; empty when there
+/// is.
 Message frequencyProblem(const Scenario& scenario, const char* what);
 
 // What a rod does between blows if nothing damps its rebound.

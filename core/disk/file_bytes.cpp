@@ -42,8 +42,7 @@ FileBytes readFile(const std::string& path, std::size_t maximumBytes) {
     FileBytes file = readStart(path, maximumBytes + 1);
     if (file.bytes.size() > maximumBytes)
         return {{},
-                {translatable("is larger than %1 KiB, too large to be meant"),
-                 {std::to_string(maximumBytes / 1024)}}};
+                {translatable("is larger than the limit of %1 KiB"), {std::to_string(maximumBytes / 1024)}}};
     return file;
 }
 

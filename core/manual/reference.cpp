@@ -55,13 +55,13 @@ Message presenceMessage(Presence presence, std::string_view rival) {
         case Presence::required:
             return translatable("required");
         case Presence::either:
-            if (rival.empty()) return translatable("required, or what stands in its place");
+            if (rival.empty()) return translatable("required, or its alternative");
             return {translatable("required, or `%1`"), {std::string(rival)}};
         case Presence::assumed:
         case Presence::unusual:
-            return translatable("may be left out: the program then assumes a value");
+            return translatable("optional; default value assumed");
         case Presence::optional:
-            return translatable("may be left out");
+            return translatable("optional");
     }
     return {};
 }
@@ -76,12 +76,11 @@ Message conditionMessage(Scope scope) {
         case Scope::withoutUnits:
             return translatable("dimensionless scenarios");
         case Scope::manyBlows:
-            return translatable(
-                "scenarios in physical units, for many blows: one alone does not depend on it");
+            return translatable("scenarios in physical units; only for many blows");
         case Scope::string:
             return translatable("drill strings");
         case Scope::hammer:
-            return translatable("drill strings that a hammer strikes");
+            return translatable("drill strings struck by a hammer");
         case Scope::uniformRod:
             return translatable("uniform rods, with units and without");
         case Scope::dimensional:
@@ -89,7 +88,7 @@ Message conditionMessage(Scope scope) {
         case Scope::withoutArea:
             return translatable("uniform rods in physical units, given by their diameter");
         case Scope::givenPulse:
-            return translatable("hammer forces in physical units, but those of a piston or a table");
+            return translatable("hammer forces in physical units, except piston and table");
         case Scope::trapezoid:
             return translatable("hammer forces of the shape `trapezoid`");
         case Scope::pistonInSi:
@@ -192,7 +191,7 @@ Message ownersOf(const Output& output) {
         case OutputOf::drillString:
             return translatable("drill strings");
         case OutputOf::hammer:
-            return translatable("drill strings that a hammer strikes");
+            return translatable("drill strings struck by a hammer");
         case OutputOf::elasticFaces:
             return translatable("drill strings whose faces have a stiffness");
     }
@@ -267,8 +266,8 @@ std::string referenceOf(const Output& output, const ReadingStyle& style) {
     if (!output.note.empty())
         text += " " + style.said({translatable("In the window: %1."), {Message::ofTable(output.note)}});
     text += "\n\n";
-    const std::string scale = output.isOnlySi() ? style.said(translatable("nothing: it is there in SI only"))
-                                                : std::string(scaleName(output));
+    const std::string scale =
+        output.isOnlySi() ? style.said(translatable("none: only in SI")) : std::string(scaleName(output));
     if (scale == noUnit && siName(output) == noUnit)
         text += "- " + style.said(translatable("a plain number")) + "\n";
     else
@@ -290,11 +289,10 @@ std::string_view siName(const Output& output) {
 std::string parameterReference(const ReadingStyle& style) {
     std::string text = chapterHead(
         translatable("Parameters"),
-        translatable(
-            "Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the "
-            "window. This chapter is written by the program from the table it works with. Outside its "
-            "range a value is refused, outside the usual one it is remarked on; what presets give is a "
-            "starting point, with its source. How files are written: files §1."),
+        translatable("All parameters of a scenario: in files, after `--set`, as axis of a study, as a field "
+                     "of the window. The program writes this chapter from its own table. A value outside its "
+                     "range is refused; outside the usual range it gives a warning. Presets are starting "
+                     "points with a source. Format of files: files §1."),
         style);
     std::string last;
     for (const Parameter& parameter : parameters()) {
@@ -304,29 +302,27 @@ std::string parameterReference(const ReadingStyle& style) {
         text += "\n" + referenceOf(parameter, style);
     }
     text += section(translatable("Corners of the loading curve"), style) + "\n" +
-            style.said(translatable("Up to 64 of them, by their place.")) + "\n" + lawEntries(style);
+            style.said(translatable("Up to 64, by number.")) + "\n" + lawEntries(style);
     text += section(translatable("Sections of a drill string"), style) + "\n" +
-            style.said(translatable("NAME is the name of sections, or the place of one from 1; of the hammer "
-                                    "`hammer.1.length` (files §1.3).")) +
+            style.said(translatable("NAME is the name of sections, or the number of one, from 1; for the "
+                                    "hammer, `hammer.1.length` (files §1.3).")) +
             "\n";
     for (const SectionField& field : sectionFields()) text += "\n" + referenceOf(field, style);
     text += section(translatable("Words"), style);
     for (const WordParameter& parameter : wordParameters()) text += "\n" + referenceOf(parameter, style);
     return text + "\n" +
            wordEntry(restrikeKey,
-                     translatable("Whether the hammer stays there to be hit again; without it the hammer is "
-                                  "withdrawn after the first separation"),
+                     translatable("Whether the hammer may strike again; otherwise it is withdrawn after the "
+                                  "first separation"),
                      "true, false", style);
 }
 
 std::string outputReference(const ReadingStyle& style) {
     std::string text = chapterHead(
         translatable("Outputs"),
-        translatable(
-            "Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the "
-            "window. This chapter is written by the program from the table it works with. Scales are "
-            "those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the "
-            "momentum p0."),
+        translatable("All results: keys of JSON, columns of CSV files, names for `--outputs`, rows of the "
+                     "window. The program writes this chapter from its own table. Scales are those of theory "
+                     "§2; for drill strings, W0 and W are the hammer energy E0 and I0 is the momentum p0."),
         style);
     text += section(translatable("One blow"), style);
     for (const Output& output : outputs()) text += "\n" + referenceOf(output, style);

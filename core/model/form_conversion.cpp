@@ -46,8 +46,8 @@ void roundLengths(DrillString& drillString, std::vector<Message>& lost) {
     Section& rod = drillString.parts.front().sections.front();
     const double ofHammer = roundedLength(hammer.length), ofRod = roundedLength(rod.length);
     if (ofHammer != hammer.length)
-        lost.push_back({translatable("The hammer is rounded to %1, so that waves can be kept; it gives the "
-                                     "same impulse, in a blow that is so much longer or shorter."),
+        lost.push_back({translatable("The hammer is rounded to %1, so that waves can be kept. Its impulse is "
+                                     "the same; its blow is longer or shorter in proportion."),
                         {wholeMillimetres(ofHammer)}});
     if (ofRod != rod.length)
         lost.push_back({translatable("The rod is rounded to %1, so that waves can be kept."),
@@ -67,8 +67,7 @@ Hammer hammerOf(const Scenario& scenario, std::vector<Message>& lost) {
         hammer.sections = {sectionOf(pulse.piston)};
         if (pistonImpedanceRatio(scenario) > 1)
             lost.emplace_back(translatable(
-                "The blow is no prescribed force any more: waves that come back to the hammer while it still "
-                "pushes part it from the rod."));
+                "The force is no longer prescribed: reflected waves can separate the hammer from the rod."));
         return hammer;
     }
     Section section;
@@ -100,8 +99,8 @@ void nameLostSections(const DrillString& drill, std::vector<Message>& lost) {
         mass += section->massAfter;
     }
     if (others > 0)
-        lost.push_back({translatable("%1 of %2 sections are of another impedance (couplings, adapter, bit): "
-                                     "they have become rod, which reflects nothing."),
+        lost.push_back({translatable("%1 of %2 sections have another impedance (couplings, adapter, bit): "
+                                     "they became rod, which reflects nothing."),
                         {std::to_string(others), std::to_string(sections.size())}});
     if (mass > 0) lost.emplace_back(translatable("The lumped masses, that of the bit among them."));
     if (losses > 0) lost.emplace_back(translatable("The losses in joints and along the rods."));
@@ -109,13 +108,13 @@ void nameLostSections(const DrillString& drill, std::vector<Message>& lost) {
 
 void nameLostHammer(const Hammer& hammer, std::vector<Message>& lost) {
     if (hammer.sections.size() > 1)
-        lost.emplace_back(translatable(
-            "The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel "
-            "time."));
+        lost.emplace_back(
+            translatable("The steps of the hammer: it became uniform, with the same mass, velocity and "
+                         "travel time of waves."));
     if (hammer.faceStiffness) lost.emplace_back(translatable("The elastic face of the hammer: it is rigid."));
     if (hammer.restrike)
         lost.emplace_back(
-            translatable("The hammer is not hit again once it has separated: it is withdrawn."));
+            translatable("After separation the hammer is withdrawn: it does not strike again."));
 }
 
 /// The uniform hammer of the mass, velocity and transit time of this one.
@@ -215,8 +214,8 @@ Conversion forcedStringOf(const Scenario& scenario) {
     Conversion converted{scenario, {}};
     converted.scenario.pulse = pistonOf(scenario.drillString, converted.lost);
     converted.scenario.drillString.hammer = Hammer();
-    converted.lost.emplace_back(
-        translatable("What comes back to the hammer: the force is that of the hammer on a rod without end."));
+    converted.lost.emplace_back(translatable(
+        "Waves reflected to the hammer are left out: the force is that of the hammer on an endless rod."));
     return converted;
 }
 

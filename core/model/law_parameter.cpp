@@ -50,7 +50,7 @@ struct LawParameters {
         constexpr auto force = &RockCorner::force, slope = &RockCorner::slope;
         const std::string_view forceKey = keep(cornerKey(place, "force"));
         const std::string_view forceLabel = keep("force of corner " + number);
-        constexpr std::string_view forceMeaning = "Force from which on the loading curve has another slope";
+        constexpr std::string_view forceMeaning = "Force at which the slope of the loading curve changes";
         corners.push_back({forceKey,
                            forceLabel,
                            "",
@@ -80,7 +80,7 @@ struct LawParameters {
         corners.push_back({keep(cornerKey(place, "slope")),
                            keep("slope behind corner " + number),
                            "",
-                           "Slope of the loading curve from that corner on, as a multiple of the stiffness",
+                           "Slope of the loading curve above that corner, as a multiple of the stiffness",
                            Quantity::ratio,
                            "",
                            anyPositive,

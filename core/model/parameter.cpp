@@ -140,10 +140,9 @@ Message readBackProblem(const Parameter& parameter, const Scenario& scenario, do
     if (parameter.address) return {};  // a section keeps what it is given; where several differ none is read
     const double kept = parameter.value(scenario).value_or(std::nan(""));
     if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};
-    return {
-        translatable("cannot be kept: the values that it follows from are at the end of double precision, "
-                     "it reads back as %1"),
-        {formatNumber(kept)}};
+    return {translatable(
+                "cannot be stored: its values are at the limit of double precision, it reads back as %1"),
+            {formatNumber(kept)}};
 }
 
 bool isGiven(const Parameter& parameter, const Scenario& scenario) {

@@ -45,18 +45,18 @@ constexpr std::array wordTable{
 };
 
 constexpr const char* notOfUniformRod =
-    translatable("only a drill string has it (`drillwave: 2`), this is a uniform rod");
+    translatable("only for drill strings (`drillwave: 2`); this is a uniform rod");
 
 Message refusal(std::string_view key, std::string_view text, const Message& reason) {
     return refusedValue(key, trimmed(text), reason);
 }
 
 constexpr const char* notOfString =
-    translatable("only a uniform rod has it (`drillwave: 1`), this is a drill string");
+    translatable("only for uniform rods (`drillwave: 1`); this is a drill string");
 constexpr const char* notOfHammer =
-    translatable("only a force in place of the hammer has it (`pulse`), this string is struck by a hammer");
+    translatable("only for a force instead of the hammer (`pulse`); this string is struck by a hammer");
 constexpr const char* notOfForce =
-    translatable("only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)");
+    translatable("only for a hammer of sections (`hammer`); this string is driven by a force (`pulse`)");
 
 Message assignWord(Scenario& scenario, const WordParameter& parameter, std::string_view text) {
     const auto words = parameter.words();
@@ -87,7 +87,8 @@ Message assignRestrike(Scenario& scenario, std::string_view text) {
 Message unknownKey(std::string_view key) {
     for (const std::string_view text : {"title", "pulse.file", "pulse.points", "hammer.sections", "string"})
         if (key == text)
-            return {translatable("`%1` is no number; write it into the scenario file"), {std::string(key)}};
+            return {translatable("`%1` is not a number; write it into the scenario file"),
+                    {std::string(key)}};
     return notAParameter(key);
 }
 
@@ -112,9 +113,9 @@ Message whyNotInString(const Parameter& parameter) {
 Message whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
     const RockLaw law = *parameter.rules.law;
     if (scenario.bitRock.law != law)
-        return {translatable("only %1 has it; set `%2=%3` too"),
+        return {translatable("only for %1; set `%2=%3` too"),
                 {Message::ofTable(phrase(law)), std::string(rockLawKey), std::string(name(law))}};
-    return hasUnits(scenario) ? translatable("needs a unit, as this scenario is in physical quantities")
+    return hasUnits(scenario) ? translatable("needs a unit, because this scenario has physical units")
                               : translatable("has no unit in a dimensionless scenario");
 }
 
@@ -162,17 +163,17 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     if (isString(scenario) && !ofPulse) return whyNotInString(parameter);
     const std::string shape(name(scenario.pulse.shape));
     if (parameter.scope == Scope::trapezoid)
-        return {translatable("only a trapezoid has it, the shape is %1"), {shape}};
+        return {translatable("only for a trapezoid; the shape is %1"), {shape}};
     if (parameter.scope == Scope::pistonByRatio && scenario.pulse.shape == PulseShape::piston)
         return translatable("follows from the diameters and materials of hammer and rod");
     if (parameter.scope == Scope::pistonByRatio)
-        return {translatable("only a piston has it, the shape is %1"), {shape}};
+        return {translatable("only for a piston; the shape is %1"), {shape}};
     if (!hasUnits(scenario)) return whyNotInDimensionless(parameter);
     if (parameter.scope == Scope::withoutArea)
         return translatable("the rod is given by its area; set `rod.area` or `rod.diameter`");
     if (parameter.scope == Scope::givenPulse)
         return {translatable("follows from the data of the %1"), {shape}};
-    return {translatable("only a piston has it, the shape is %1"), {shape}};
+    return {translatable("only for a piston; the shape is %1"), {shape}};
 }
 
 namespace {
@@ -190,7 +191,7 @@ Message scalesProblem(const Scenario& scenario) {
 
 Message assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
     if (const Message reason = whyNotApplicable(parameter, scenario); !reason.isEmpty())
-        return {translatable("has no meaning here: %1"), {reason}};
+        return {translatable("does not apply here: %1"), {reason}};
     if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem;
     if (!parameter.rules.rival.empty())
         if (const Message problem = scalesProblem(scenario); !problem.isEmpty())

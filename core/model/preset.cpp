@@ -175,7 +175,7 @@ Message partProblem(PresetPart part, const Scenario& scenario) {
             "groups; choose a group such as beta");
     const bool ofString = isString(scenario);
     if (part == PresetPart::bit) {
-        if (!ofString) return translatable("a uniform rod has no bit; a drill string has one");
+        if (!ofString) return translatable("a uniform rod has no bit; use a drill string");
         if (bitSections(scenario.drillString) == 0)
             return translatable(
                 "the string does not end with a section called bit; name its last section so");

@@ -71,7 +71,7 @@ const Parameter& repeatParameter() {
         repeatKey,
         "repeats",
         "",
-        "How often the sections of the first repeat of the string follow one another",
+        "Number of times the sections of the first repeat follow one another",
         Quantity::ratio,
         "",
         {1, static_cast<double>(maximumSections)},
@@ -185,7 +185,7 @@ Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parame
     };
     if (std::ranges::none_of(numbersOf(b, ofOther), isOfOne)) return {};
     if (a.place > 0 && b.place > 0)
-        return translatable("set one section, which a repeat brings to both places");
+        return translatable("both are the same section of a repeat; set one of them");
     const SectionAddress& place = a.place > 0 ? a : b;
     return {place.chain == Chain::hammer
                 ? translatable("set one section: section %1 of the hammer is called %2")
@@ -195,7 +195,7 @@ Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parame
 
 Message whyNoSection(const Parameter& parameter, const Scenario& scenario) {
     if (!hasSections(scenario))
-        return translatable("only a drill string has it (`drillwave: 2`), this is a uniform rod");
+        return translatable("only for drill strings (`drillwave: 2`); this is a uniform rod");
     if (!parameter.address) return translatable("the string has no repeat");
     const SectionAddress& address = *parameter.address;
     bool found = false;

@@ -16,7 +16,8 @@ inline constexpr Range modulus{1e3, 1e15};   // [Pa]
 inline constexpr Range density{1e-3, 1e6};   // [kg/m³]
 inline constexpr Range mass{0, 1e9};         // [kg]
 /// Share of the energy of a wave.
-inline constexpr Range share{0, 1, false, translatable("what loses all of it carries no wave"), true};
+inline constexpr Range share{0, 1, false, translatable("a section that loses everything carries no wave"),
+                             true};
 inline constexpr Range attenuation{0, 1e6};    // [1/m]
 inline constexpr Range strength{1, 1e15};      // [Pa]
 inline constexpr Range velocity{1e-6, 1e5};    // [m/s]

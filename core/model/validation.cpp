@@ -85,8 +85,8 @@ class CornerCheck {
                  {textOf(i - 1, "force", m_rock.corners[i - 1].force)}});
         if (isRight(i, "slope", corner.slope) && corner.slope * m_gamma > 1 + rounding)
             add(pathOf(i, "slope"), formatNumber(corner.slope),
-                {translatable("must be at most 1/gamma = %1: loading steeper than unloading would create "
-                              "energy"),
+                {translatable("must be at most 1/gamma = %1, because loading steeper than unloading would "
+                              "create energy"),
                  {formatNumber(1 / m_gamma)}});
     }
 
@@ -133,7 +133,7 @@ void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
 void checkSectionsOfRod(const DrillString& unused, std::vector<InputProblem>& problems) {
     if (!unused.parts.empty() || !unused.hammer.sections.empty())
         report(problems, "string", "",
-               translatable("must have no sections in a uniform rod: they belong to `drillwave: 2`"));
+               translatable("a uniform rod has no sections; they belong to `drillwave: 2`"));
 }
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -204,8 +204,8 @@ void checkFirstContact(const Groups& groups, const Message& follows, std::vector
     const double firstContact = groups.tau * (1 + 2 * groups.delta);
     if (firstContact <= latest) return;
     report(problems, "delta", formatNumber(groups.delta),
-           {translatable("with tau = %1 the bit meets the rock after %2 t0, too late for double precision "
-                         "to tell what happens within one t0 (at most %3)%4"),
+           {translatable("with tau = %1 the bit meets the rock after %2 t0, too late for double precision to "
+                         "resolve one t0 (at most %3)%4"),
             {formatNumber(groups.tau), formatNumber(firstContact), formatNumber(latest), follows}});
 }
 
@@ -216,7 +216,7 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
                                scales.stiffness, scales.energy}) {
         if (isPositiveAndFinite(scale)) continue;
         const Message reason =
-            translatable("the values are so large or small that the force or energy of the blow overflows");
+            translatable("the values are too large or too small: the force or energy of the blow overflows");
         problems.push_back({.key = "", .text = reason, .reason = reason});
         return;
     }
@@ -280,7 +280,7 @@ class SectionCheck {
                 rangeProblem(*findParameter("string.repeat"), static_cast<double>(part.repeat));
             if (!reason.isEmpty()) report("string.repeat", std::to_string(part.repeat), reason);
             if (!part.group && part.repeat > 1)
-                report("string.repeat", std::to_string(part.repeat), translatable("only a repeat has it"));
+                report("string.repeat", std::to_string(part.repeat), translatable("only for a repeat"));
         }
         if (const std::uint64_t count = sectionCount(m_string); count > maximumSections)
             report("string", "", tooManySections(count));
@@ -308,11 +308,10 @@ class SectionCheck {
         const std::vector<Section>& sections = m_string.hammer.sections;
         const auto refuse = [this](std::size_t i, const char* field, double value) {
             const SectionField& losing = *findSectionField(field);
-            report(
-                sectionKey(Chain::hammer, i + 1) + "." + field,
-                formatQuantity(value, losing.quantity, losing.displayUnit()),
-                translatable("losses inside the hammer are not part of the model: give them to sections of "
-                             "the string"));
+            report(sectionKey(Chain::hammer, i + 1) + "." + field,
+                   formatQuantity(value, losing.quantity, losing.displayUnit()),
+                   translatable(
+                       "losses inside the hammer are not modelled: give them to sections of the string"));
         };
         for (std::size_t i = 0; i < sections.size() && goesOn(); ++i) {
             if (sections[i].attenuation > 0) refuse(i, "attenuation", sections[i].attenuation);
@@ -330,11 +329,11 @@ class SectionCheck {
         if (isUniform(last) || outerDiameterAt(last, 1) > hole) return;
         const SectionField& end = *findSectionField(endKey(last));
         const SectionField& bore = *findSectionField("bore");
-        report(sectionKey(Chain::hammer, m_string.hammer.sections.size()) + "." + std::string(end.key),
-               formatQuantity(*end.value(last), end.quantity, end.displayUnit()),
-               {translatable("is so narrow that the face meets no more than the bore of %1 of the section it "
-                             "strikes"),
-                {formatQuantity(hole, bore.quantity, bore.displayUnit())}});
+        report(
+            sectionKey(Chain::hammer, m_string.hammer.sections.size()) + "." + std::string(end.key),
+            formatQuantity(*end.value(last), end.quantity, end.displayUnit()),
+            {translatable("is so narrow that its face only covers the bore of %1 of the section it strikes"),
+             {formatQuantity(hole, bore.quantity, bore.displayUnit())}});
     }
 
     void checkDerived(const std::string& key, const Section& section) {
@@ -344,8 +343,8 @@ class SectionCheck {
             if (!std::isfinite(value) || value <= 0)
                 return report(
                     key, "",
-                    translatable("the values are so large or small that its impedance, transit time "
-                                 "or mass overflows"));
+                    translatable(
+                        "the values are too large or too small: impedance, transit time or mass overflows"));
     }
 
     const DrillString& m_string;

@@ -41,7 +41,7 @@ Message agreement(const Accuracy& accuracy) {
             return {translatable("THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at %1 segments: "
                                  "please report this."),
                     {std::to_string(row.choice.lattice.segments)}};
-    return translatable("The ring buffer gives every number of the moved waves, to the last bit.");
+    return translatable("The ring buffer gives the same numbers as the moved waves, to the last bit.");
 }
 
 /// What the columns of the table are.
@@ -51,16 +51,14 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
     };
     std::string text =
         "\n" + style.said(translatable("The table")) + "\n" +
-        linesOf(translatable("Errors are absolute, forces in F0; those of lattice and closed form against "
-                             "the exact solution.\n"
-                             "estimate: what the method itself says about its error of e. order: observed, "
-                             "from the row above.\n"
-                             "force: largest difference of the force history, at ends and middles of all "
-                             "steps; mid-step: at the\n"
-                             "middles. A force that is constant in each step cannot come closer than half "
-                             "its change in a step."),
-                style);
-    const Message times{translatable("Times: processor time of a solve for e alone. speed: how many times "
+        linesOf(
+            translatable("Errors are absolute, forces in F0; lattice and closed form are compared with the "
+                         "exact solution.\nestimate: error of e estimated by the method itself. order: "
+                         "observed, from the row above.\nforce: largest difference of the force history, at "
+                         "ends and middles of all steps; mid-step: at the\nmiddles. A force that is constant "
+                         "in each step cannot be closer than half its change in a step."),
+            style);
+    const Message times{translatable("Times: processor time of a solve for e only. speed: how many times "
                                      "faster than the paper's choice,\n"
                                      "the lattice of %1 segments with moved waves."),
                         {std::to_string(paperSegments)}};
@@ -73,12 +71,12 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
 std::string extendedText(const Accuracy& accuracy, const ReadingStyle& style) {
     const Impact& extended = accuracy.extended;
     if (extended.outcome != Outcome::rebounded)
-        return linesOf({translatable("In long double it was not solved: %1."), {extended.reason}}, style);
+        return linesOf({translatable("It could not be solved in long double: %1."), {extended.reason}},
+                       style);
     return linesOf(
-        {translatable("Its errors are differences to a solution in long double (%1 bits, %2),\n"
-                      "whose own error is below %3 and counted in: they show\n"
-                      "rounding and truncation, but not a mistaken event: both march with the same code for "
-                      "events."),
+        {translatable("Its errors are differences from a solution in long double (%1 bits, %2),\nwhose own "
+                      "error is below %3 and included: they show\nrounding and truncation, but not a wrong "
+                      "event, as both solutions share the code for events."),
          {std::to_string(accuracy.extendedDigits),
           shownNumber(accuracy.extendedTime, NumberStyle::time, style),
           shownNumber(extended.corError, NumberStyle::error, style)}},
@@ -93,9 +91,8 @@ std::string checks(const Accuracy& accuracy, const ReadingStyle& style) {
                shownNumber(residual, NumberStyle::error, style) + "\n";
     };
     return "\n" + style.said(translatable("The exact solution")) + "\n" + extendedText(accuracy, style) +
-           linesOf({translatable("So its histories were put back into the equations at %1 points, without "
-                                 "that code.\n"
-                                 "Largest residuals, in F0 (1 + beta/gamma):"),
+           linesOf({translatable("Therefore the histories were inserted into the equations at %1 points, "
+                                 "without that code.\nLargest residuals, in F0 (1 + beta/gamma):"),
                     {std::to_string(residuals.points)}},
                    style) +
            line(std::string("g(s) = Fa(s) + g(s - 2 tau) - F(s - 2 tau)"), residuals.wave) +
@@ -196,13 +193,11 @@ std::string accuracyText(const Scenario& scenario, const StringAccuracy& accurac
         grid.add(withCells(std::string(name(row.method)), stringAccuracyColumns, row, style));
     return headingOf(scenario, style) + "\n" + grid.text() + "\n" +
            linesOf(
-               {translatable("error: of the efficiency, against %1 (cut cells half as large again, "
-                             "stated error %2)\n"
-                             "stated: what the method says of it; impulse: error of the impulse on the "
-                             "rock, of the hammer's\n"
-                             "cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every "
-                             "corner of a wave (run);\n"
-                             "plain: a lattice of constant cells, as others have it"),
+               {translatable(
+                    "error: error of the efficiency, against %1 (cut cells of half the length, error bound "
+                    "%2)\nstated: error bound of the method; impulse: error of the impulse on the rock, over "
+                    "the hammer's\ncells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at "
+                    "every corner of a wave (run);\nplain: a lattice of constant cells, the usual method"),
                 {style.number(accuracy.efficiency, 13), style.bound(accuracy.reference)}},
                style);
 }

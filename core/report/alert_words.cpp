@@ -46,16 +46,17 @@ Message implausible(const Alert& alert, const ReadingStyle& style) {
 Message longPulse(const Alert& alert, const ReadingStyle& style) {
     const double percent =
         static_cast<double>(static_cast<int>(alert.argument("late_impulse").value * 1000)) / 10;
-    return {translatable("The first reflection is back while %1 % of the blow is still to come; a real "
-                         "hammer would feel it, here its force is prescribed."),
+    return {translatable(
+                "The first reflection returns before the last %1 % of the blow. A real hammer would feel it, "
+                "but here the force is prescribed. To include it, use a drill string with a hammer."),
             {style.number(percent, 4)}};
 }
 
 Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
     if (alert.arguments.empty())
         return translatable(
-            "The hammer's impedance is that of the rod, the value assumed where none is "
-            "given: its blow is one step.");
+            "The hammer has the impedance of the rod, which is the default: its blow is one step. Give the "
+            "data of the piston.");
     Message values;
     for (const AlertArgument& argument : alert.arguments) {
         const KeptParameter parameter = findParameter(argument.name);
@@ -65,19 +66,19 @@ Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
                 : style.quantity(argument.value, argument.quantity, 4);
         values = joined(std::move(values), "%1, %2", {"%1 %2", {labelMessage(*parameter), value}});
     }
-    return {translatable("The hammer is the one assumed where none is given (%1, the material of the rod): "
-                         "give the data of the rock drill's piston."),
+    return {translatable("The hammer is the default one (%1, the material of the rod). Give the data of the "
+                         "rock drill's piston."),
             {values}};
 }
 
 Message pistonImpedance(const Alert& alert) {
     return alert.argument("ratio").value < 1
                ? translatable(
-                     "The hammer's impedance is below the rod's: it bounces back after one step, so "
-                     "that the rod takes over more than its momentum.")
+                     "The impedance of the hammer is below that of the rod: the hammer bounces back after "
+                     "one step, and the rod receives more than its momentum.")
                : translatable(
-                     "The hammer's impedance is above the rod's: it pushes in a staircase of ever "
-                     "smaller steps, assumed to run on as if the rod were long.");
+                     "The impedance of the hammer is above that of the rod: the force falls in ever smaller "
+                     "steps, computed for a long rod.");
 }
 
 /// The numbers of the estimate that the words take.
@@ -110,35 +111,36 @@ Message dampingOfWaves(const Alert& alert, const ReadingStyle& style) {
 Message residualWaves(const Alert& alert, const ReadingStyle& style) {
     const std::string roundTrips = fourDigits(alert, "round_trips", style);
     if (!alert.has("whole"))
-        return {translatable("The waves of a blow make only %1 round trips until the next blow, and "
-                             "meet it %3: penetration may swing by 10 % up or down with frequency "
-                             "times length; %2 follows it."),
-                {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
-    return {translatable("The waves of a blow make only %1 round trips until the next blow, and meet "
-                         "it %4 and nearly in step (close to %2): penetration may swing by 10 % up "
-                         "or down; %3 follows it."),
-            {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
+        return {
+            translatable("The waves of a blow make only %1 round trips before the next blow, and meet it %3. "
+                         "Penetration may change by up to 10 % with blow frequency and string length; %2 "
+                         "computes it."),
+            {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
+    return {
+        translatable("The waves of a blow make only %1 round trips before the next blow, and meet it %4 and "
+                     "nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it."),
+        {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
 }
 
 Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
     const bool isShared = alert.has("shared_cell");
     const Message cell =
         isShared
-            ? Message(translatable(
-                          "share but a cell of time of %1, which would take more work than is permitted"),
+            ? Message(translatable("only share a time step of %1, which takes more work than is permitted"),
                       {inUnit(alert, "shared_cell", style)})
-            : Message(translatable("share no cell of time"));
+            : Message(translatable("share no time step"));
     // what elastic rock keeps is 0 by law; its force and the rebound are what rounding moves
     const Message off =
         alert.has("cor_error")
-            ? Message(translatable("the force on the rock and the rebound are off: e by up to %1"),
+            ? Message(translatable("force on the rock and rebound have errors: e by up to %1"),
                       {bound(alert, "cor_error", style)})
-            : Message(translatable("the efficiency may be off by %1"),
+            : Message(translatable("the efficiency may have an error of %1"),
                       {bound(alert, "efficiency_error", style)});
     return {translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
             {cell, inUnit(alert, "time", style), off,
-             isShared ? translatable("Lengths with a larger common divisor share a longer one.")
-                      : translatable("Lengths in whole millimetres of one steel share one and are exact.")}};
+             isShared ? translatable("Lengths with a larger common divisor share a longer time step.")
+                      : translatable(
+                            "Lengths in whole millimetres of one steel share a time step and are exact.")}};
 }
 
 /// Why the closed form is not for the blow: the group to blame says it.
@@ -151,21 +153,22 @@ Message closedFormObstacle(const Alert& alert, const ReadingStyle& style) {
             translatable("the bit meets the rock in the middle of a wave (delta = %1 is not a whole number)"),
             {fourDigits(alert, "delta", style)}};
     if (alert.parameter == "bit_rock.law")
-        return translatable("the loading curve of the rock is no straight line");
+        return translatable("the loading curve of the rock is not a straight line");
     return translatable("the bit is still on the rock when the next reflection arrives");
 }
 
 Message closedFormInvalid(const Alert& alert, const ReadingStyle& style) {
     return {
-        translatable("The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3."),
+        translatable(
+            "The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3."),
         {closedFormObstacle(alert, style), fourDigits(alert, "closed_form_cor", style),
          fourDigits(alert, "difference", style)}};
 }
 
 Message inputDecides(const Alert& alert, const ReadingStyle& style) {
-    return {translatable("The bit chatters on the rock (%1 contacts), so that e depends on the last digits "
-                         "of the input: it is known to %2 only, and no calculation knows it better. A longer "
-                         "rod, a shorter blow or a softer rock chatters less."),
+    return {translatable("The bit chatters on the rock (%1 contacts), so e depends on the last digits of the "
+                         "input: no calculation can know it better than to %2. A longer rod, a shorter blow "
+                         "or a softer rock chatters less."),
             {whole(alert, "contacts"), bound(alert, "cor_error", style)}};
 }
 
@@ -179,14 +182,13 @@ Message overload(const Alert& alert, const Message& consequence, const ReadingSt
     const std::string place = inUnit(alert, "place", style), time = inUnit(alert, "time", style),
                       strength = inUnit(alert, "strength", style);
     if (alert.has("section"))
-        return {translatable("%1 %2: %3, %4 from its rear end at %5, against a strength of %6."),
+        return {translatable("%1 %2: %3, %4 from its rear end at %5; its strength is %6."),
                 {alert.subject, consequence, stress, place, time, strength}};
     if (isAfter)
-        return {translatable("The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left "
-                             "(which nothing damps here), against a strength of %5."),
+        return {translatable("The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual "
+                             "waves (undamped here); its strength is %5."),
                 {consequence, stress, place, time, strength}};
-    return {translatable("The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength "
-                         "of %5."),
+    return {translatable("The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5."),
             {consequence, stress, place, time, strength}};
 }
 
@@ -208,13 +210,14 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::thrustBelowNeeded:
             return thrustBelowNeeded(alert, style);
         case AlertCode::superRebound:
-            return {translatable("The rod leaves with more momentum than it came with (e = %1): rigid rock, "
-                                 "e = 1, would underestimate the thrust."),
+            return {translatable("The rod rebounds with more momentum than it had before impact (e = %1). An "
+                                 "estimate for rigid rock (e = 1) gives too small a feed force."),
                     {fourDigits(alert, "cor", style)}};
         case AlertCode::severalContacts:
-            return {translatable(
-                        "The bit hits the rock %1 times in this blow: the waves on their way bring it back."),
-                    {whole(alert, "contacts")}};
+            return {
+                translatable(
+                    "The bit hits the rock %1 times in this blow: reflected waves push it back to the rock."),
+                {whole(alert, "contacts")}};
         case AlertCode::closedFormInvalid:
             return closedFormInvalid(alert, style);
         case AlertCode::inputDecides:
@@ -225,70 +228,70 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::stressAboveYield:
             return overload(alert, translatable("would yield"), style);
         case AlertCode::stressAboveFatigue:
-            return overload(alert, translatable("is fatigued by every blow"), style);
+            return overload(alert, translatable("suffers fatigue at every blow"), style);
         case AlertCode::residualWaves:
             return residualWaves(alert, style);
         case AlertCode::lengthsRounded:
             return lengthsRounded(alert, style);
         case AlertCode::wavesThinned:
-            return {translatable("The waves of this blow are too many to be kept: plots of waves and forces "
-                                 "are of a coarser string, whose COR and efficiency differ by at most %1."),
+            return {translatable("This blow has too many waves to keep. Plots of waves and forces show a "
+                                 "coarser string, whose COR and efficiency differ by at most %1."),
                     {bound(alert, "difference", style)}};
         case AlertCode::blowNotOver:
             return {alert.has("forced")
-                        ? translatable("After %1 the bit may still meet the rock again: these are the "
-                                       "numbers at the next blow, not final ones.")
-                        : translatable("After %1 bit or hammer may still meet again: these are the numbers "
-                                       "at the next blow, not final ones."),
+                        ? translatable("After %1 the bit may still hit the rock again: these are the values "
+                                       "at the next blow, not the final ones.")
+                        : translatable("After %1 bit and rock, or hammer and string, may still meet again: "
+                                       "these are the values at the next blow, not the final ones."),
                     {inUnit(alert, "time", style)}};
         case AlertCode::stressesLeftOut:
             return translatable(
-                "The largest stresses of the sections take more work than is permitted: they were left out "
-                "and no strength was checked. A shorter end_time may leave room for them.");
+                "The largest stresses of the sections take more work than is permitted. They were not "
+                "computed, and no strength was checked. Try a shorter end_time.");
         case AlertCode::cornersWithoutEffect:
             return {translatable("The force stays below the first corner of the loading curve (%1 of %2): "
-                                 "the law acts as the bilinear one."),
+                                 "the law acts like a bilinear one."),
                     {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
         case AlertCode::pushedBack:
-            return {translatable("The feed, %1, is less than the mean reaction of the blows, %2, or so near "
-                                 "to it that gaps grow without bound."),
+            return {translatable("The feed force of %1 is below the mean force of the blows, %2, or too "
+                                 "close to it: gaps grow without bound. Increase the feed force."),
                     {inUnit(alert, "force", style), inUnit(alert, "needed", style)}};
         case AlertCode::noWaveLoss:
             return translatable(
-                "Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in "
-                "a round trip is usual.");
+                "Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is "
+                "usual.");
         case AlertCode::restrikeInTheWay:
-            return {translatable("After it has separated, the piston still passes up to %1 % of its "
-                                 "momentum: it is in the way of the rebounding string, where a machine would "
-                                 "have drawn it back; “may strike again” switched off "
-                                 "(restrike: false in the file) says so."),
+            return {translatable("After separation the piston still transfers up to %1 % of its momentum: it "
+                                 "is in the way of the rebounding string. If the machine has drawn it back "
+                                 "by then, switch off “may strike again” (restrike: false in the file)."),
                     {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
-            return {translatable("At a blow the shank is up to %1 off its mean place in the machine: the "
-                                 "stroke, and so the blow, would be another one. A dashpot lets it creep; "
-                                 "the spring of the damper brings it back."),
+            return {translatable(
+                        "At a blow the shank is up to %1 away from its mean position in the machine: stroke "
+                        "and blow would differ. With only a dashpot it creeps; give the damper a spring."),
                     {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {
-                translatable("The blow frequency is marched as %1, so that blows come at the end of a cell."),
+                translatable("The blow frequency is computed as %1, so that each blow falls on a time step."),
                 {inUnit(alert, "used", style)}};
         case AlertCode::notSettled:
             return translatable(
-                "The means of the first and the second half of the blows differ by more than "
-                "three of their errors: more blows, or more that settle, are needed.");
+                "The means of the first and second half of the blows differ by more than three times their "
+                "error. Increase the number of blows, or of transient blows.");
         case AlertCode::coexistingMotions:
             return translatable(
-                "Two motions coexist. The start or the time step decides which one is "
-                "computed; which one a machine takes is not known.");
+                "Two steady motions are possible. The start or the time step decides which one is computed; "
+                "a real drill may settle into either.");
         case AlertCode::irregularMotion:
-            return translatable("The motion does not repeat: means are results, single blows are none.");
+            return translatable("The motion does not repeat: use the means, not the values of single blows.");
         case AlertCode::energyUnbalanced:
-            return {translatable("The energy of all blows closes to %1 % only: the cells are long for these "
-                                 "contacts; shorter ones take it down with their length."),
+            return {translatable("The energy balance of all blows has an error of %1 %: the time step is "
+                                 "long for these contacts. A shorter one reduces the error in proportion."),
                     {style.number(100 * alert.argument("share").value, 2)}};
         case AlertCode::damperAssumed:
             return translatable(
-                "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.");
+                "The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 "
+                "times the impedance of the rod.");
     }
     return {};
 }

@@ -16,8 +16,8 @@ constexpr double shareOfThrust = 0.5;
 /// A reason of a study, in a sentence; where the study was given up, how to have it all the same.
 Message sentenceOf(const Message& reason, const Blow& blow, std::string_view command) {
     if (reason != tooManyPieces) return reason;
-    return {translatable("This blow has %1 pieces, too many to be followed over all gaps in a report: "
-                         "`drillwave %2` does that, and takes its time."),
+    return {translatable("This blow has %1 wave pieces, too many to study all gaps in a report: run "
+                         "`drillwave %2` instead, which takes longer."),
             {std::to_string(blow.impact.pieces), std::string(command)}};
 }
 

@@ -41,8 +41,7 @@ struct SummaryLine {
 /// Of uniform rods as multiples and in SI, of drill strings in SI alone; what comes before and behind them is
 /// added by hand.
 constexpr auto summaryLines = std::to_array<SummaryLine>({
-    {"efficiency_recovered", translatable("and what the hammer takes back"), OutputOf::hammer,
-     LineKind::part},
+    {"efficiency_recovered", translatable("and returned with the hammer"), OutputOf::hammer, LineKind::part},
     {"rock_work", translatable("work on the rock"), OutputOf::drillString},
     {"impulse", translatable("impulse 1 + e"), OutputOf::uniformRod},
     {"impulse", translatable("impulse on the rock"), OutputOf::drillString, LineKind::plain,
@@ -52,7 +51,7 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
     {"peak_force", translatable("peak force on the rock"), OutputOf::drillString},
     {"max_penetration", translatable("largest penetration")},
     {"residual_penetration", translatable("residual penetration"), OutputOf::uniformRod},
-    {"residual_penetration", translatable("penetration that stays"), OutputOf::drillString},
+    {"residual_penetration", translatable("residual penetration"), OutputOf::drillString},
     {"peak_compression", translatable("largest compression"), OutputOf::uniformRod},
     {"peak_tension", translatable("largest tension"), OutputOf::uniformRod},
     {"peak_compression_after", translatable("compression after"), OutputOf::uniformRod, LineKind::part},
@@ -63,7 +62,7 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
     {"first_contact_time", translatable("first contact"), OutputOf::anyBlow, LineKind::afterContact},
     {"separation_time", translatable("last separation"), OutputOf::anyBlow, LineKind::afterContact},
     {"contact_duration", translatable("time in contact"), OutputOf::anyBlow, LineKind::afterContact},
-    {"piston_separation_time", translatable("hammer leaves"), OutputOf::hammer},
+    {"piston_separation_time", translatable("hammer separates"), OutputOf::hammer},
     {"hammer_rebound_velocity", translatable("hammer rebound"), OutputOf::hammer, LineKind::plain,
      translatable("away from the rock")},
     {"work_ratio", translatable("hammer work W"), OutputOf::uniformRod},

@@ -125,14 +125,14 @@ std::string curveText(const CurveReport& report, const ReadingStyle& style) {
             const CurveOutput& output = line.outputs[i];
             text +=
                 "\n" + featureTable(question, question.columns[i], output.features, style) +
-                stretchesText(question, output.grid, translatable("known by points alone from %1 to %2: %3"),
+                stretchesText(question, output.grid, translatable("only points known from %1 to %2: %3"),
                               style) +
                 stretchesText(question, output.unsolved, translatable("no answer from %1 to %2: %3"), style);
         }
     }
     return text + "\n  " +
            style.said(
-               {translatable("From %1 blows in %2."),
+               {translatable("%1 blows solved in %2."),
                 {std::to_string(report.study.solves), style.quantity(report.runTime, Quantity::time, 3)}}) +
            "\n";
 }

@@ -45,11 +45,11 @@ Message chosenMessage(const DesignStudy& study, const ReadingStyle& style) {
     }
     if (list.isEmpty())
         list = style.isPrinted() ? translatable("nothing, only the present design")
-                                 : translatable("nothing, the design of FILE alone");
+                                 : translatable("nothing, only the design of FILE");
     if (study.keepsEnergy && style.isPrinted())
-        return {translatable("Chosen: %1. All blows have the energy of the present one."), {list}};
-    return {study.keepsEnergy ? translatable("Chosen: %1; every blow has the energy of FILE's.")
-                              : translatable("Chosen: %1."),
+        return {translatable("Design variables: %1. All blows have the energy of the present one."), {list}};
+    return {study.keepsEnergy ? translatable("Design variables: %1; every blow has the energy of FILE.")
+                              : translatable("Design variables: %1."),
             {list}};
 }
 
@@ -103,8 +103,8 @@ class DesignTable {
 std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     const BestDesigns& best = report.findings.best;
     DesignTable table(report, "", style);
-    table.add(style.said(translatable("robust best")), *best.robust);
-    if (best.nominal) table.add(style.said(translatable("nominal best")), *best.nominal);
+    table.add(style.said(translatable("best for uncertain rock")), *best.robust);
+    if (best.nominal) table.add(style.said(translatable("best for the values entered")), *best.nominal);
     if (const auto file = presentDesign(report.study); file && report.study.designCount() > 1)
         table.add("FILE", *file);
     return table.text();
@@ -125,14 +125,14 @@ Message costMessage(const DesignReport& report, const ReadingStyle& style) {
         return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, style, 3);
     };
     return {style.isPrinted() ? translatable("%1 instead of %2: %3 %4, with the values entered %5.")
-                              : translatable("%1 in place of %2: %3 %4, where all is as in FILE %5."),
+                              : translatable("%1 instead of %2: %3 %4, with the values of FILE %5."),
             {designName(report.study, *best.robust, style), designName(report.study, *best.nominal, style),
              aimedName(aim), change(brings), change(costs)}};
 }
 
 std::string paretoText(const DesignReport& report, const ReadingStyle& style) {
     if (report.study.aims.size() < 2 || report.study.designCount() < 2) return {};
-    DesignTable table(report, style.said(translatable("none is better in all aims")), style);
+    DesignTable table(report, style.said(translatable("no design is better in all aims")), style);
     constexpr std::size_t enough = 12;
     std::size_t told = 0, all = 0;
     for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
@@ -175,7 +175,7 @@ void addOutput(const DesignReport& report, std::size_t o, const ReadingStyle& st
                   style.number(index.total.value, 3) + " +- " + style.number(index.total.error, 1)});
     }
     constexpr double nearlyAll = 0.9;
-    if (alone < nearlyAll) grid.add({"", style.said(translatable("acts in combination"))});
+    if (alone < nearlyAll) grid.add({"", style.said(translatable("acts with others"))});
 }
 
 std::string sensitivityText(const DesignReport& report, const ReadingStyle& style) {
@@ -184,7 +184,7 @@ std::string sensitivityText(const DesignReport& report, const ReadingStyle& styl
     for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o)
         addOutput(report, o, style, grid);
     return "\n" +
-           style.said(translatable("What is worth measuring: share of the scatter, # alone, - with others")) +
+           style.said(translatable("Worth measuring: share of the scatter, # by itself, - with others")) +
            "\n" + grid.text();
 }
 
@@ -207,10 +207,10 @@ Message worstMessage(const DesignReport& report, std::size_t a, const ReadingSty
     const WorstCase& worst = *report.findings.worst[a];
     const DesignAim& aim = report.study.aims[a];
     return {aim.sense == Sense::largest
-                ? translatable("Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
+                ? translatable("Smallest %1 of the best design within the ranges: %2 at %3 (samples only: "
                                "%4; %5 searches, %6 of them ended here).")
-                : translatable("Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
-                               "%4; %5 searches, %6 of them ended here)."),
+                : translatable("Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; "
+                               "%5 searches, %6 of them ended here)."),
             {std::string(aim.output->name), outputText(report.study, *aim.output, worst.value, style),
              placeText(report.study, worst.at, style),
              outputText(report.study, *aim.output, worst.sampled, style), std::to_string(worst.searches),
@@ -228,8 +228,8 @@ std::vector<Message> closingSentences(const DesignReport& report, const ReadingS
 
 /// Returns a mark of marksOf() in words.
 const char* markWords(std::string_view mark) {
-    if (mark == "best_uncertain") return translatable("robust best");
-    if (mark == "best_nominal") return translatable("nominal best");
+    if (mark == "best_uncertain") return translatable("best for uncertain rock");
+    if (mark == "best_nominal") return translatable("best for the values entered");
     return mark == "equal" ? translatable("equally good") : translatable("present design");
 }
 

@@ -44,8 +44,8 @@ void addUncertain(const DesignReport& report, const ReadingStyle& style, std::ve
         remarks.push_back(
             {false,
              "points_uncertain",
-             {translatable("Up to %1 % of the samples of a design have an error of their own that is larger "
-                           "than that of the statistics: blows that chatter."),
+             {translatable("For up to %1 % of the samples of a design, the numerical error is larger than "
+                           "that of the statistics: the bit chatters in these blows."),
               {style.number(share * 100, 2)}}});
 }
 
@@ -69,18 +69,17 @@ void addTies(const DesignReport& report, const DesignNames& names, std::vector<D
         remarks.push_back(
             {false,
              "flat_optimum",
-             {translatable("The samples do not tell the best designs apart: take any of %1."), {list}}});
+             {translatable("The samples cannot distinguish the best designs: take any of %1."), {list}}});
         return;
     }
     const DesignAim& next = report.study.aims[1];
     remarks.push_back(
         {false,
          "flat_optimum",
-         {next.sense == Sense::largest
-              ? translatable("The samples do not tell the best designs apart: take any of %1; of them %2 "
-                             "has the largest %3, %4.")
-              : translatable("The samples do not tell the best designs apart: take any of %1; of them %2 "
-                             "has the least %3, %4."),
+         {next.sense == Sense::largest ? translatable("The samples cannot distinguish the best designs: take "
+                                                      "any of %1. Among them, %2 has the largest %3, %4.")
+                                       : translatable("The samples cannot distinguish the best designs: take "
+                                                      "any of %1. Among them, %2 has the smallest %3, %4."),
           {list, names.design(*best.nextBest), names.aim(next),
            names.value(*next.output, aimedValue(report, next, *best.nextBest).value, 5)}}});
 }
@@ -119,8 +118,11 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
         remarks.push_back(
             {false,
              "optimum_at_edge",
-             {value == most ? translatable("The robust best is at the upper end of %1: widen the choice.")
-                            : translatable("The robust best is at the lower end of %1: widen the choice."),
+             {value == most
+                  ? translatable(
+                        "The best design for uncertain rock is at the upper end of %1: widen the choice.")
+                  : translatable(
+                        "The best design for uncertain rock is at the lower end of %1: widen the choice."),
               {std::string(axis.key())}}});
     }
 }
@@ -163,8 +165,8 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
                 continue;
             remarks.push_back(
                 {false, "gamma_dominates",
-                 translatable("The scatter of the efficiency is nearly all that of gamma; loading_work "
-                              "shows what wave and machine can do: --aim max:loading_work@q05.")});
+                 translatable("Nearly all scatter of the efficiency comes from gamma. To compare hammers, "
+                              "aim at the loading work: --aim max:loading_work@q05.")});
         }
     }
 }
@@ -410,7 +412,7 @@ std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindi
         const std::string option = std::string(limit.atMost ? "--at-most " : "--at-least ") + limit.name() +
                                    "=" + outputText(study, *limit.output, limit.bound);  // as it is typed
         if (std::isnan(best))
-            lines.push_back(about(option, translatable("no design has it")));
+            lines.push_back(about(option, translatable("no design reaches it")));
         else
             lines.push_back(about(option, {translatable("the nearest is %1 of %2"),
                                            {outputText(study, *limit.output, best, style),

@@ -134,8 +134,7 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
     const DrillingStatistics& statistics = *result.statistics;
     const auto motion = [&]() -> Message {
         if (statistics.regime == DrillingRegime::rest) return translatable("at rest before every blow");
-        if (statistics.regime != DrillingRegime::period)
-            return translatable("irregular: single blows are no result");
+        if (statistics.regime != DrillingRegime::period) return translatable("irregular: use means only");
         if (statistics.period == 1) return translatable("repeats every blow");
         return {translatable("repeats every %1 blows"), {std::to_string(statistics.period)}};
     };

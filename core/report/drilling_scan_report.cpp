@@ -149,10 +149,10 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
     const std::optional<Sequence> present = sequenceAtBase(scan);
     for (const Message& sentence : scanSentences(scan, present, style))
         text += paragraph(style.said(sentence));
-    return text + paragraph(style.said(translatable(
-                      "+- contains the scatter of the blows and three times what half or twice the cells "
-                      "change. Penetrations are upper limits: all rock under the bit gives way and cuttings "
-                      "vanish.")));
+    return text + paragraph(style.said(
+                      translatable("+- is the 95 % error: the scatter of the blows plus three times the "
+                                   "change with half or twice the time step. Penetrations are upper limits: "
+                                   "all rock under the bit breaks and cuttings are removed.")));
 }
 
 std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units) {

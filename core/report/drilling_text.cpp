@@ -47,13 +47,13 @@ std::string motionLines(const DrillingResult& result, OutputUnits units, const R
     const double rate = result.spread(quantityPlace(&DrillingBlow::penetration)).mean *
                         result.units.length() * result.frequencyUsed;
     return labelled(rateLabel,
-                    {translatable("up to %1: an upper limit, all rock under the bit gives way and "
-                                  "cuttings vanish"),
+                    {translatable(
+                         "up to %1: an upper limit (all rock under the bit breaks, cuttings are removed)"),
                      {style.rate(rate, 4)}},
                     style) +
            labelled(
                shareLabel,
-               {translatable("%1 of the blows begin within %2 of the rock"),
+               {translatable("%1 of the blows start within %2 of the rock"),
                 {percent(result.statistics->contactShare, 4, style), contactLimitText(result, units, style)}},
                style) +
            labelled(motionLabel, regimeWords(result, style), style);
@@ -64,10 +64,11 @@ std::string balanceLines(const DrillingResult& result, const ReadingStyle& style
     const auto share = [&](double part) {
         return percent(std::round(1000 * part / (ledger.hammer + ledger.feed)) / 1000, 3, style);
     };
-    return labelled(energyLabel,
-                    {translatable("rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring"),
-                     {share(ledger.rock), share(ledger.damper), share(ledger.waves), share(ledger.faces)}},
-                    style) +
+    return labelled(
+               energyLabel,
+               {translatable("rock %1, damper %2, waves %3, new faces %4 of the energy from hammer and feed"),
+                {share(ledger.rock), share(ledger.damper), share(ledger.waves), share(ledger.faces)}},
+               style) +
            labelled(balancesLabel,
                     {translatable("momentum to %1, energy to %2"),
                      {style.bound(std::abs(result.momentumResidual)),
@@ -114,10 +115,12 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
     std::string text = headingOf(result.scenario, style);
     text += "\n";
     for (const Message& sentence : drillingSentences(report, style)) text += paragraph(style.said(sentence));
-    text += "\n  " +
-            style.said({translatable("phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow"),
-                        {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
-            "\n";
+    text +=
+        "\n  " +
+        style.said({translatable(
+                        "phi = %1 (feed force over mean force of the blows), n_b = %2 round trips per blow"),
+                    {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
+        "\n";
     if (result.statistics)
         text += "\n" + sequenceGrid(result, units, style).text() + "\n" + motionLines(result, units, style);
     if (!result.blows.empty()) text += balanceLines(result, style);

@@ -36,8 +36,8 @@ class EstimateMessage {
         switch (*state) {
             case FeedState::notApplicable:
                 return translatable(
-                    "The single-blow estimate does not apply: the waves of a blow are still "
-                    "in the string when the next one comes.");
+                    "The single-blow estimate does not apply: the waves of a blow are still in the string at "
+                    "the next blow.");
             case FeedState::pushedBack:
                 return {translatable("The feed of %1 is less than the mean force of the blows, %2: the "
                                      "machine is pushed back."),
@@ -122,8 +122,8 @@ class EstimateMessage {
         const double largest = m_estimate.largest().thrust;
         const std::string present = frequency(m_estimate.frequency, usualDigits);
         if (m_estimate.thrustFor(largest) == 0)
-            return {translatable("No feed force is given: at %1 the weight along the hole alone covers this "
-                                 "blow and rigid rock."),
+            return {translatable("No feed force is given: at %1 the weight along the hole already covers "
+                                 "this blow and rigid rock."),
                     {present}};
         if (largest <= needed)
             return {translatable("No feed force is given: this blow requires at least %1 at %2."),
@@ -157,18 +157,17 @@ Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEs
     if (estimate) return EstimateMessage(*estimate, style).message();
     if (!hasUnits(scenario))
         return translatable(
-            "The feed is not judged: the scenario is given by its dimensionless groups, not "
-            "in physical units.");
+            "The feed cannot be judged: the scenario has dimensionless groups, not physical units.");
     return scenario.drill.thrust
-               ? translatable("The feed is not judged: no blow frequency is given.")
-               : translatable("The feed is not judged: neither blow frequency nor feed force is given.");
+               ? translatable("The feed cannot be judged: no blow frequency is given.")
+               : translatable("The feed cannot be judged: neither blow frequency nor feed force is given.");
 }
 
 std::vector<Message> estimateSentences(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                                        const ReadingStyle& style) {
     std::vector<Message> sentences{requiredFeedMessage(scenario, estimate, style)};
     if (estimate)
-        sentences.push_back({translatable("Estimate from single blows; %1 follows consecutive blows."),
+        sentences.push_back({translatable("Estimate from single blows; %1 solves consecutive blows."),
                              {drillingWords(style)}});
     return sentences;
 }

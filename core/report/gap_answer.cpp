@@ -136,8 +136,8 @@ constexpr StudyGroup scatter{
     .key = "scatter",
     .label = translatable("gap"),
     .name = translatable("How the gap scatters"),
-    .tip = translatable("Nobody controls the gap at the rig: all gaps of a period alike, or a "
-                        "normal distribution cut off at no gap"),
+    .tip = translatable("The gap at the rig is a matter of chance: all gaps of a period equally likely, or a "
+                        "normal distribution cut off at zero"),
     .without = translatable("all equally likely"),
     .with = translatable("mean ± deviation")};
 
@@ -188,7 +188,7 @@ const Study& gapStudy() {
                      .group = &scatter}},
         .views = {translatable("COR e"), translatable("peak force Fm"), translatable("efficiency")},
         .firstLook = translatable("A first look; the curve follows."),
-        .clickHelp = translatable("A click on the curve takes over the gap there, with Shift it pins it."),
+        .clickHelp = translatable("Click on the curve to use that gap; Shift+click pins it."),
         .hasSi = true,
         .whyNot = [](const Scenario& scenario) -> Message {
             if (gapHasPeriod(scenario)) return {};
@@ -197,9 +197,8 @@ const Study& gapStudy() {
                 "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
         },
         .elsewhere =
-            translatable("COR–gap is of uniform rods, whose results repeat over the gap; those of a "
-                         "drill string do not, and Efficiency–stiffness shows them over the gap point "
-                         "by point."),
+            translatable("COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings "
+                         "they do not repeat: Efficiency–stiffness shows them over the gap, point by point."),
         .isElsewhereOverGap = true,
         .reduce = [](Scenario& scenario) { findParameter("delta")->assign(scenario, 0); },
         .problem = [](const StudyQuestion& question) { return askedGap(question).problem; },

@@ -167,8 +167,8 @@ StudyFigure gapFigure(const GapStudy& study, GapOutput output) {
             {translatable("e > 1 at %1 of gaps"), {{100 * share.value, PlainNumber::percent}}});
     }
     if (const auto thrust = thrustNeeded(study.scenario, spreadOf(GapOutput::cor).quantiles.back().value))
-        figure.caption.push_back(
-            {translatable("thrust for 95 % of gaps %1"), {{*thrust, SiValues{Quantity::force, *thrust}}}});
+        figure.caption.push_back({translatable("feed force for 95 % of gaps %1"),
+                                  {{*thrust, SiValues{Quantity::force, *thrust}}}});
     return figure;
 }
 

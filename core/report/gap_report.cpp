@@ -13,11 +13,10 @@ Message periodRemark(const GapStudy& study, const ReadingStyle& style) {
     const GapCurve& curve = study.curve;
     if (!curve.dependsOnGap)
         return translatable(
-            "The reference case does not depend on the gap: it only shifts the time of contact.");
+            "The reference case does not depend on the gap, which only shifts the time of contact.");
     if (curve.periodStart == 0) return {};
-    return {translatable("The hammer still pushes when its first reflection is back: results have a period "
-                         "in the gap only from a gap of %1 d0 on, and the statistics are over the period "
-                         "that begins there."),
+    return {translatable("The hammer still pushes when its first reflection returns: results are periodic "
+                         "only for gaps above %1 d0, and the statistics cover the first period above it."),
             {style.number(curve.periodStart)}};
 }
 

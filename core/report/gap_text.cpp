@@ -87,7 +87,7 @@ void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& styl
 
 void fill(GapTable& table, const GapStudy& study, const ReadingStyle& style) {
     const GapStatistics& statistics = study.statistics;
-    table.addHeading(translatable("all gaps alike"));
+    table.addHeading(translatable("all gaps equally likely"));
     table.add(translatable("smallest"),
               [&](GapOutput output) { return statistics.of(output).least.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).least; });
@@ -164,9 +164,9 @@ std::vector<std::string> gapRemarks(const GapStudy& study, const ReadingStyle& s
     if (std::string places = kinks(study, table, style); !places.empty())
         remarks.push_back(std::move(places));
     if (study.normal)
-        remarks.push_back(style.said(
-            translatable("The scattered gap is a normal distribution cut off at no gap: mean and deviation "
-                         "are those before the cut.")));
+        remarks.push_back(
+            style.said(translatable("The scattered gap is a normal distribution cut off at zero; mean and "
+                                    "deviation are those before the cut.")));
     remarks.push_back(
         style.said({study.curve.solves == 1 ? translatable("Errors below %1, from %2 blow")
                                             : translatable("Errors below %1, from %2 blows"),

@@ -73,9 +73,9 @@ std::string placesText(const CurveQuestion& question, const GoalAnswer& answer, 
 /// Where others may be.
 const char* whereUnknown(const CurveLine& line) {
     const CurveOutput& output = line.outputs.front();
-    if (output.unsolved.empty()) return translatable("where it is known by points alone");
+    if (output.unsolved.empty()) return translatable("where only points of it are known");
     return output.grid.empty() ? translatable("where it has no answer")
-                               : translatable("where it is known by points alone or has no answer");
+                               : translatable("where only points of it are known or it has no answer");
 }
 
 Message rangeMessage(const CurveQuestion& question, const ReadingStyle& style) {

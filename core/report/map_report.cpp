@@ -53,7 +53,7 @@ Message linesMessage(const MapReport& report, const Contour& contour, const Read
         {points(contour.pointCount()),
          counted(contour.lines.size(), translatable("%1 line"), translatable("%1 lines")), within}};
     if (const std::uint64_t jumps = contour.jumpCount(); jumps > 0)
-        message = {translatable("%1, but for %2 where it jumps across"), {message, std::to_string(jumps)}};
+        message = {translatable("%1, except %2 where it jumps across"), {message, std::to_string(jumps)}};
     if (const std::uint64_t irregular = contour.irregularCount(); irregular > 0)
         message = {translatable("%1; %2 where the blows do not repeat: a mean scatters there, and the "
                                 "contour with it"),

@@ -273,30 +273,29 @@ class Page {
     }
 
     std::string results() const {
-        std::vector<Message> titles{translatable("result"), translatable("as a multiple")};
+        std::vector<Message> titles{translatable("result"), translatable("scaled")};
         if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
-        titles.emplace_back(translatable("where and when"));
+        titles.emplace_back(translatable("place and time"));
         return heading(translatable("Results")) +
                table("results", titles, numbers(resultRows(blow(), m_style), false)) +
                paragraph(hasSections(blow().scenario)
-                             ? translatable("E₀ and p₀ are energy and momentum of the hammer.")
+                             ? translatable("E₀ and p₀ are the energy and momentum of the hammer.")
                              : translatable("W is the work of the hammer."));
     }
 
     std::string others() const {
         if (m_report.others.rows.empty()) return {};
-        return heading(translatable("Beside other runs")) +
+        return heading(translatable("Comparison with other runs")) +
                comparison("runs", translatable("quantity"), m_report.others);
     }
 
     std::string misfits() const {
         if (m_report.misfits.rows.empty()) return {};
-        return heading(translatable("Beside what was measured")) +
+        return heading(translatable("Comparison with measurements")) +
                comparison("measured", translatable("signal"), m_report.misfits) +
-               paragraph(translatable(
-                   "Over the time that both have: the root of the mean square of their difference, the "
-                   "size of the largest force, measured less computed, and how much later the measured "
-                   "signal comes than where it fits best."));
+               paragraph(
+                   translatable("Over the common time: root mean square of the difference, measured minus "
+                                "computed peak force, and delay of the measured signal from the best fit."));
     }
 
     std::string comparison(const char* key, const char* first, const ReportComparison& compared) const {
@@ -314,19 +313,18 @@ class Page {
     /// What the numbers are worth, which is no result.
     std::string solver() const {
         const bool ofString = hasSections(blow().scenario);
-        return heading(translatable("How well it is solved")) + paragraph(about()) +
+        return heading(translatable("Numerical error")) + paragraph(about()) +
                table("solver", {translatable("error"), translatable("size")},
                      numbers(solverRows(blow(), m_style), false)) +
-               paragraph(ofString
-                             ? translatable("The error of the efficiency and the errors of the balances are "
-                                            "numerical; what is known of rock and string is far coarser.")
-                             : translatable("The bound on e and the errors of the balances are numerical; "
-                                            "what is known of rock and rod is far coarser."));
+               paragraph(ofString ? translatable("The errors of the efficiency and of the balances are "
+                                                 "numerical; rock and string are known far less well.")
+                                  : translatable("The error bound of e and the errors of the balances are "
+                                                 "numerical; rock and rod are known far less well."));
     }
 
     std::string energies() const {
         if (!hasSections(blow().scenario)) return {};
-        return heading(translatable("Where the energy went")) +
+        return heading(translatable("Energy balance")) +
                tableOf("energies",
                        htmlRows(titled({"", said(translatable("share of E₀")), said(translatable("energy"))},
                                        energyGrid(blow(), m_style).rows())));
@@ -347,15 +345,14 @@ class Page {
                paragraph(strengthSentence(blow().scenario, sectionStresses(blow().scenario, blow().impact),
                                           m_style)) +
                tableOf("stresses", htmlRows(rows)) + rest(sections) +
-               paragraph(translatable(
-                   "Places are from the rear end of a section. What a joint reflects is the energy of the "
-                   "waves from the hammer that the far end of the section throws back, of that of the "
-                   "hammer."));
+               paragraph(translatable("Places are from the rear end of a section. Reflected at a joint: the "
+                                      "energy that the far end of the section reflects of the waves from the "
+                                      "hammer, as a share of the hammer energy."));
     }
 
     std::string thrust() const {
         if (!m_report.thrust) return {};
-        return heading(translatable("Needs of the thrust")) +
+        return heading(translatable("Required feed force")) +
                tableOf("thrust", htmlRows(needsGrid(*m_report.thrust, m_style).rows()));
     }
 
@@ -387,8 +384,8 @@ class Page {
         std::string html;
         if (pictures.empty() && isScreen())
             html =
-                paragraph(translatable("The plots are left out because this report was written with "
-                                       "--no-plots. Write it again without that option to get them."));
+                paragraph(translatable("This report was written with --no-plots, so it has no plots. Write "
+                                       "it again without that option to get them."));
         for (const ReportPicture& picture : pictures)
             if (picture.name != leadName(pictures)) html += isScreen() ? figure(picture) : printed(picture);
         return html.empty() ? html : heading(translatable("Plots")) + html;

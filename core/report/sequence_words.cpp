@@ -46,7 +46,7 @@ const char* reasonWords(UnresolvedReason reason) {
         case UnresolvedReason::fewBlows:
             return translatable("only few blows were followed");
         case UnresolvedReason::lengthsRounded:
-            return translatable("the lengths are no whole number of cells");
+            return translatable("the lengths are not whole numbers of time steps");
     }
     return "";
 }
@@ -65,7 +65,7 @@ Message remedyWords(UnresolvedReason reason, const ReadingStyle& style) {
                                       : translatable("More blows (%1) lower the error."),
                     {field("drill.blows")}};
         case UnresolvedReason::lengthsRounded:
-            return translatable("Smaller cells, or lengths with a common step, lower it.");
+            return translatable("Shorter time steps, or lengths with a common step, lower it.");
     }
     return {};
 }
@@ -83,7 +83,7 @@ Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style)
 Message pushedBackSentence(const DrillingResult& result, const ReadingStyle& style) {
     const double mean = result.meanImpulse * result.units.impulse() * result.frequencyUsed;
     const double installed = feedForceOf(result.scenario)->effective();
-    if (!(installed < mean)) return translatable("The machine is pushed back: its motion has no bound.");
+    if (!(installed < mean)) return translatable("The machine is pushed back without limit.");
     return {translatable("The feed of %1 is less than the mean force of the blows, %2: the machine is "
                          "pushed back."),
             {style.quantity(installed, Quantity::force, 4), style.quantity(mean, Quantity::force, 4)}};
@@ -188,7 +188,7 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
         sentences.push_back({translatable("All values give the same rate within the errors, %1."),
                              {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
     } else {
-        sentences.push_back({translatable("%1 gives the most, %2%3."),
+        sentences.push_back({translatable("%1 gives the highest rate, %2%3."),
                              {settingOf(scan, comparison->best().at, style),
                               penetrationRateText(comparison->best().sequence.penetrationRate, style),
                               gainWords(*comparison, present, style)}});

@@ -62,12 +62,12 @@ double stepOf(const Samples& samples) {
 
 const char* questionPattern(const std::string& question) {
     constexpr std::pair<std::string_view, const char*> patterns[] = {
-        {"unit", translatable("In what unit is the signal? Volts also need --scale 50kN/V, or "
-                              "--excitation, --gain, --bridge and --gauge-factor")},
+        {"unit", translatable("Which unit has the signal? Volts also need --scale 50kN/V, or --excitation, "
+                              "--gain, --bridge and --gauge-factor")},
         {"rate", translatable("What is the sampling rate?")},
-        {"time_unit", translatable("In what unit are the times?")},
-        {"column", translatable("Which column is the signal? Several could be")},
-        {"decimal", translatable("Is the sign in 1,234 a decimal sign or a group of thousands?")},
+        {"time_unit", translatable("Which unit have the times?")},
+        {"column", translatable("Which column is the signal? Several are possible")},
+        {"decimal", translatable("Is the comma in 1,234 a decimal sign or a thousands separator?")},
         {"area", translatable("What is the area of the bar at the gauge?")},
         {"modulus", translatable("What is Young's modulus of the bar?")},
         {"bridge", translatable("How many gauges of the bridge are active?")},

@@ -150,12 +150,12 @@ constexpr auto stabilityMeasures = std::to_array<Measured>({
     {translatable("energy residual"),
      [](const StabilityRow& r) { return std::optional<double>(std::abs(r.energyResidual)); }, shortText,
      stabilityMarks.energy},
-    {translatable("pull of the rock"),
+    {translatable("tension on the rock"),
      [](const StabilityRow& r) {
          return r.leastForce ? std::optional<double>(-*r.leastForce) : std::optional<double>();
      },
      shortText, stabilityMarks.pull},
-    {translatable("return after the end"), [](const StabilityRow& r) { return r.reach; }, shortText,
+    {translatable("return after the computed end"), [](const StabilityRow& r) { return r.reach; }, shortText,
      stabilityMarks.reach},
     // of blows whose e has its digits; the others are let off by their stated error
     {translatable("change over 1e-10"),
@@ -196,7 +196,7 @@ std::string worstText(const StabilityReport& report, const ReadingStyle& style) 
                "  " + where + "\n";
     };
     std::string text = "\n" + line(style.said(translatable("column")), style.said(translatable("worst")),
-                                   style.said(translatable("mark")), style.said(translatable("where")));
+                                   style.said(translatable("mark")), style.said(translatable("place")));
     for (const Measured& measure : stabilityMeasures)
         if (const StabilityRow* most = worstBy(measure, report))
             text += line("  " + style.said(measure.title), measure.shown(*measure.value(*most), style),

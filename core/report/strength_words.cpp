@@ -27,7 +27,8 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
     const std::vector<std::optional<StrengthUse>> uses = strengthUses(scenario, stresses);
     const std::optional<std::size_t> most = mostUsedSection(uses);
     if (!most)
-        return translatable("No section has a strength: give `fatigue_strength` to see which breaks first.");
+        return translatable(
+            "No section has a strength: give `fatigue_strength` to find the one that breaks first.");
     const StrengthUse& use = *uses[*most];
     const auto stress = [&](double si) { return style.quantity(si, Quantity::stress, 4); };
     const Message first{

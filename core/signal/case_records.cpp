@@ -135,7 +135,7 @@ bool CaseRecords::nextRecord(CsvRecord& record) {
         return true;
     }
     if (!findBehindEmptyRows()) return false;
-    record.problem = translatable("a row without values stands between the cases; delete it");
+    record.problem = translatable("there is a row without values between the cases; delete it");
     return true;
 }
 

@@ -173,7 +173,7 @@ constexpr SignalOption readingOptions[] = {
      [](SignalOptions& options, std::string_view text) { return setTime(options.from, text); }},
     {"to", "T", "leave out samples after this time of the table, 400us",
      [](SignalOptions& options, std::string_view text) { return setTime(options.to, text); }},
-    {"invert", "", "turn the sign: the largest value pulls",
+    {"invert", "", "reverse the sign",
      [](SignalOptions& options, std::string_view) {
          options.invert = true;
          return Message();

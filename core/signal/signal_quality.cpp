@@ -266,26 +266,23 @@ std::vector<SignalRemark> qualityRemarks(const SignalQuality& quality, const Sam
             {"drift",
              {translatable("the zero line drifts by %1 of the peak per ms"), {percent(*quality.drift)}}});
     if (quality.isQuantised)
-        remarks.push_back(
-            {"quantised",
-             {translatable(
-                  "the recorder has steps of %1 of the peak, and the noise is smaller: use a smaller range"),
-              {percent(quality.step)}}});
+        remarks.push_back({"quantised",
+                           {translatable("the resolution of the recorder is %1 of the peak, coarser than the "
+                                         "noise: use a smaller range"),
+                            {percent(quality.step)}}});
     if (quality.hasJitter)
-        remarks.push_back({"jitter",
-                           {translatable("steps of time differ from the usual step by up to %1"),
-                            {percent(quality.jitter)}}});
+        remarks.push_back(
+            {"jitter",
+             {translatable("time steps differ from the usual step by up to %1"), {percent(quality.jitter)}}});
     if (quality.blows > 1)
         remarks.push_back({"several_blows",
                            {translatable("the record holds %1 blows: choose one by its range of time"),
                             {std::to_string(quality.blows)}}});
     if (quality.gaugeDifference && *quality.gaugeDifference > muchBending)
-        remarks.push_back(
-            {"opposite_gauges",
-             {translatable(
-                  "opposite gauges differ: half their difference is %1 of the peak (rms); is the bar bent or "
-                  "a gauge loose?"),
-              {percent(*quality.gaugeDifference)}}});
+        remarks.push_back({"opposite_gauges",
+                           {translatable("opposite gauges differ: half their difference is %1 of the peak "
+                                         "(rms); check for bending or a loose gauge"),
+                            {percent(*quality.gaugeDifference)}}});
     if (quality.gap > 0 && samples.skipped == 0)
         remarks.push_back({"gap", {translatable("the times have a gap of %1"), {timeText(quality.gap)}}});
     return remarks;

@@ -59,7 +59,7 @@ class SignalReader {
     bool detect() {
         TextLines text(m_in, m_options.encoding);
         if (const std::string_view what = knownFormat(text.beginning()); !what.empty())
-            return fail({translatable("this is no table: it is %1"), {Message::ofTable(what)}});
+            return fail({translatable("this is not a table: it is %1"), {Message::ofTable(what)}});
         rewind(m_in);
         std::vector<std::string> lines = firstLines(m_in, headLines, m_options.encoding);
         rewind(m_in);
@@ -73,7 +73,7 @@ class SignalReader {
             m_reading.table = detectTable(lines, RowFormat{',', DecimalSign::point});
             m_reading.table.hasRows = true;
             remark("rows",
-                   translatable("each channel is a row: the table is turned, lines count its columns"));
+                   translatable("each channel is a row: the table was transposed, lines count its columns"));
         }
         m_reading.encoding = m_options.encoding;
         if (lines.empty()) return fail(unreadable());
@@ -267,7 +267,7 @@ class SignalReader {
         remark("skipped_rows", {translatable("%1 rows without a number are skipped, the first is line %2"),
                                 {std::to_string(samples.skipped), std::to_string(samples.firstSkipped)}});
         if (samples.overloads > 0)
-            remark("overload", {translatable("%1 of them say that the recorder was overloaded"),
+            remark("overload", {translatable("%1 of them are marked as overload of the recorder"),
                                 {std::to_string(samples.overloads)}});
     }
 
@@ -367,11 +367,12 @@ class SignalReader {
         const double skippedEnd = samples.skippedAt + samples.skippedTime;
         if (samples.skipped > 0 && samples.skippedAt < m_reading.range.to &&
             skippedEnd > m_reading.range.from && samples.skippedTime > 0)
-            remark("gap_at_peak",
-                   {translatable(
-                        "skipped rows leave a gap of %1 in the blow, from %2 on: straight lines cross it"),
-                    {inHandyUnit(samples.skippedTime, Quantity::time, 4),
-                     inHandyUnit(samples.skippedAt, Quantity::time, 6)}});
+            remark(
+                "gap_at_peak",
+                {translatable(
+                     "skipped rows leave a gap of %1 in the blow, from %2: it is filled by a straight line"),
+                 {inHandyUnit(samples.skippedTime, Quantity::time, 4),
+                  inHandyUnit(samples.skippedAt, Quantity::time, 6)}});
     }
 
     double meanBetween(double from, double to) {

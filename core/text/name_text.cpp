@@ -101,7 +101,7 @@ Message lineProblem(std::string_view text) {
         if (code == '\n' || code == '\r') return translatable("must be one line");
         if (isOf(controls, code)) return translatable("must have no control characters");
         if (isOf(turning, code))
-            return translatable("must have no characters that turn the direction of reading");
+            return translatable("must have no characters that change the reading direction");
         at += length;
     }
     return {};

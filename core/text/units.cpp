@@ -152,16 +152,15 @@ bool isNotFinite(std::string_view text) {
 
 Message missingUnit(std::string_view number, Quantity quantity, const Unit* example) {
     const std::string_view unit = (example ? *example : unitsOf(quantity).front()).name;
-    return {translatable("has no unit: write for example `%1 %2`; units that would do: %3"),
+    return {translatable("has no unit: write for example `%1 %2`; allowed units: %3"),
             {shortened(number), std::string(unit), unitList(quantity)}};
 }
 
 Message unknownUnit(std::string_view unit, Quantity quantity) {
     if (unit.front() == ',') return translatable("a decimal comma is not read here: write a decimal point");
     if (quantity == Quantity::ratio)
-        return {translatable("must be a plain number, %1 is too much"), {quoted(unit)}};
-    return {translatable("unit %1 is not known here; units that would do: %2"),
-            {quoted(unit), unitList(quantity)}};
+        return {translatable("must be a plain number: remove %1"), {quoted(unit)}};
+    return {translatable("unit %1 is not known here; allowed units: %2"), {quoted(unit), unitList(quantity)}};
 }
 
 /// The shortest decimal text near si/factor that parseQuantity() turns into exactly `si`.

@@ -38,7 +38,7 @@ void readTexts(SectionReader& reader, const YamlEntry& entry, std::string_view k
             texts.push_back(item.text);
         else
             reader.problems().reportKey(item.offset, pathOf(key),
-                                        translatable("has an item that is no text"));
+                                        translatable("has an item that is not text"));
     }
 }
 

@@ -70,7 +70,7 @@ void readCorners(SectionReader& reader, const YamlEntries& entries) {
     reader.setPlace(path, entry.place());
     if (!has) {
         reader.problems().reportKey(entry.key->offset, path,
-                                    translatable("only a law with corners has it; write `law: corners`"));
+                                    translatable("only for a law with corners; write `law: corners`"));
         return;
     }
     if (entry.value->kind != YamlKind::sequence || entry.value->children.empty()) {

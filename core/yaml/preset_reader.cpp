@@ -261,7 +261,7 @@ YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& se
         if (!isPair)
             m_reader.problems().reportKey(
                 entry.place(), joinedKey(section.section, key),
-                translatable("must be [value, source], the source being `assumed` where there is none"));
+                translatable("must be [value, source]; write `assumed` if there is no source"));
     }
     return values;
 }

@@ -43,7 +43,7 @@ void refuseTableKeys(SectionReader& reader, const YamlEntries& entries, PulseSha
         if (const auto found = entries.find(key); found != entries.end())
             reader.problems().reportKey(
                 found->second.key->offset, joinedKey("pulse", key),
-                {translatable("only a table has it, the shape is %1"), {std::string(name(shape))}});
+                {translatable("only for a table; the shape is %1"), {std::string(name(shape))}});
 }
 
 bool readCoordinate(SectionReader& reader, const YamlNode& node, Quantity quantity, std::string_view unit,
@@ -165,7 +165,7 @@ class TableReader {
         if (bytes.find('\0') != std::string::npos)
             report(1, translatable("is not text"));
         else if (firstLine == expectedHeader())
-            report(2, translatable("two rows of numbers are needed below the header"));
+            report(2, translatable("needs at least two rows of numbers below the header"));
         else
             report(m_headerLine, {translatable("the header must be %1"), {"`" + expectedHeader() + "`"}});
     }
@@ -175,13 +175,12 @@ class TableReader {
         m_guess = guessedSource(table);
         if (table.hasRows) {
             report(1, translatable(
-                          "each channel is a row; write `drillwave signal FILE -o blow.csv` and take that"));
+                          "each channel is a row; run `drillwave signal FILE -o blow.csv` and use blow.csv"));
             return false;
         }
         if (table.isDecimalOpen) {
-            report(m_headerLine,
-                   translatable("1,234 can be a number with decimals or a thousand: write one number with "
-                                "another count of decimals, such as 0,5 or 0.5"));
+            report(m_headerLine, translatable("1,234 can be a decimal number or a thousand: write one number "
+                                              "with another count of decimals, such as 0,5 or 0.5"));
             return false;
         }
         if (!m_guess.source.timeColumn && !(m_guess.hasRate && dimensional())) return false;
@@ -212,7 +211,7 @@ class TableReader {
         else if (m_guess.unit->kind != SignalKind::force)
             report(
                 m_headerLine,
-                {translatable("%1 is no force; `--signal FILE` and the import make one of strains and volts"),
+                {translatable("%1 is not a force; `--signal FILE` and the import convert strains and volts"),
                  {heading(force)}});
         if (!m_table.problems.empty()) return false;
         m_forceUnit = m_guess.unit->unit.factor;
@@ -285,7 +284,7 @@ PulseTable readPulseTable(const std::string& path, const std::string& source, Sc
     }
     if (const std::string_view what = knownFormat(file.bytes); !what.empty()) {
         table.problems.push_back({"pulse.file",
-                                  {translatable("this is no table: it is %1"), {Message::ofTable(what)}},
+                                  {translatable("this is not a table: it is %1"), {Message::ofTable(what)}},
                                   1,
                                   1,
                                   source});

@@ -57,7 +57,7 @@ class RecorderReader {
         const std::string* format = root.textOf(recorderKey);
         if (root.kind != YamlKind::map || !format || wholeNumberIn<int>(*format) != recorderFormat)
             return report(
-                0, translatable("is no file of recorders; it must begin with `drillwave_recorders: 1`"));
+                0, translatable("is not a file of recorders; it must begin with `drillwave_recorders: 1`"));
         for (std::size_t i = 0; i + 1 < root.children.size(); i += 2) {
             const YamlNode& key = root.children[i];
             if (key.text == recorderKey) continue;
@@ -72,7 +72,7 @@ class RecorderReader {
     void readRecorders(const YamlNode& map) {
         if (map.kind == YamlKind::null) return;
         if (map.kind != YamlKind::map)
-            return report(map.offset, translatable("must be names of recorders with settings"));
+            return report(map.offset, translatable("must be a list of recorders with settings"));
         for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
             readRecorder(map.children[i], map.children[i + 1]);
     }
@@ -88,7 +88,7 @@ class RecorderReader {
             const SignalOption* option = findSignalOption(name.text);
             if (!option) {
                 report(name.offset,
-                       {translatable("`%1` is no option of drillwave signal"), {shortened(name.text)}});
+                       {translatable("`%1` is not an option of drillwave signal"), {shortened(name.text)}});
                 continue;
             }
             // A switch is there or not.
@@ -100,7 +100,7 @@ class RecorderReader {
         }
         if (findRecorder(m_file.recorders, recorder.name))
             report(key.offset,
-                   {translatable("the recorder `%1` is there twice"), {shortened(recorder.name)}});
+                   {translatable("the recorder `%1` is given twice"), {shortened(recorder.name)}});
         m_file.recorders.push_back(std::move(recorder));
     }
 

@@ -111,9 +111,8 @@ std::string writeScenario(const ScenarioDocument& document) {
     if (text.size() > maximumScenarioBytes)
         throw ScenarioError(
             ScenarioError::Kind::invalid, document.source,
-            {{"pulse.points",
-              translatable("the scenario is larger than 1 MiB, which no file may be; keep the "
-                           "points of a table in a CSV file")}});
+            {{"pulse.points", translatable("the scenario is larger than 1 MiB, the limit for files; keep the "
+                                           "points of a table in a CSV file")}});
     return text;
 }
 

@@ -105,17 +105,16 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
         refuse(stringKeys,
                translatable("belongs to a drill string: a file that has it begins with `drillwave: 2`"));
     else
-        refuse(
-            rodKeys,
-            translatable("belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill "
-                         "string has `string` in place of `rod`, and `hammer` or `pulse`"));
+        refuse(rodKeys,
+               translatable("belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a "
+                            "drill string has `string` instead of `rod`, and `hammer` or `pulse`"));
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
     return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
            std::ranges::any_of(keysOf(format), isThere) || isThere("pulse");
 }
 
 constexpr const char* notBesideGroups =
-    translatable("cannot stand beside `dimensionless`: give one or the other");
+    translatable("cannot be combined with `dimensionless`: give one or the other");
 
 /// All that `bit_rock` may say there is the loading curve.
 void readLawBesideGroups(SectionReader& reader, const YamlEntries& file) {

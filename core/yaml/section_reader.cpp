@@ -197,7 +197,7 @@ void SectionReader::requireOneOf(const YamlEntries& entries, std::string_view se
     if (both)
         m_problems.reportKey(
             second->second.key->offset, joinedKey(section, other),
-            {translatable("cannot stand beside %1: give one or the other"), {joinedKey(section, one)}});
+            {translatable("cannot be combined with %1: give one or the other"), {joinedKey(section, one)}});
 }
 
 bool SectionReader::isThere(const YamlEntries& entries, std::string_view section,

@@ -48,7 +48,7 @@ class SectionOfFile {
         m_reader.setPlace(key("name"), entry.place());
         const Message reason = entry.value->kind != YamlKind::scalar ? translatable("must be text")
                                : entry.value->text.empty()
-                                   ? translatable("is empty; a section without a name is written without it")
+                                   ? translatable("is empty; leave it out for a section without a name")
                                    : sectionNameProblem(entry.value->text);
         if (reason.isEmpty())
             m_section.name = entry.value->text;
@@ -61,11 +61,10 @@ class SectionOfFile {
         if (found == entries.end()) return;
         const YamlEntry& entry = found->second;
         m_reader.setPlace(key("preset"), entry.place());
-        const Message reason =
-            entry.value->kind != YamlKind::scalar ? translatable("must be text")
-            : entry.value->text.empty()
-                ? translatable("is empty; a section that is from no preset is written without it")
-                : drillwave::nameProblem(entry.value->text);
+        const Message reason = entry.value->kind != YamlKind::scalar ? translatable("must be text")
+                               : entry.value->text.empty()
+                                   ? translatable("is empty; leave it out for a section without a preset")
+                                   : drillwave::nameProblem(entry.value->text);
         if (reason.isEmpty())
             m_section.preset = entry.value->text;
         else
@@ -130,7 +129,7 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
             reader.problems().reportKey(item.offset, path,
                                         chain == Chain::hammer
                                             ? translatable("a hammer has no repeats; write its sections out")
-                                            : translatable("a repeat cannot stand inside another one"));
+                                            : translatable("a repeat cannot contain another one"));
             sections.emplace_back();
         } else {
             sections.push_back(SectionOfFile(reader, path).read(item));
@@ -247,7 +246,7 @@ class StringReader {
         if (const auto found = entries.find("of"); found == entries.end()) {
             if (!m_reader.isThere(entries, path, "of"))
                 m_reader.reportMissing(path, "of",
-                                       translatable("is missing: the list of the sections that come again"));
+                                       translatable("is missing: give the list of the sections to repeat"));
         } else if (found->second.value->kind != YamlKind::sequence || found->second.value->children.empty()) {
             m_reader.problems().reportKey(found->second.place(), joinedKey(path, "of"),
                                           translatable("must be a list of at least one section"));
@@ -307,7 +306,8 @@ void readDrillString(SectionReader& reader, const YamlEntries& file) {
     if (const auto pulse = file.find("pulse"); pulse != file.end() && file.contains("hammer"))
         reader.problems().reportKey(
             pulse->second.key->offset, "pulse",
-            translatable("stands beside `hammer`: keep one, a hammer of sections or a force in its place"));
+            translatable(
+                "cannot be combined with `hammer`: keep one, a hammer of sections or a force instead of it"));
     string.readString(file);
     // At the top level, beside the sections.
     reader.readParameters(file, "", SectionReader::Applicability::checked);

@@ -128,7 +128,7 @@ class TreeBuilder final : public YAML::EventHandler {
         // A plain scalar has the tag "?", a quoted one "!", as has one with an explicit "!".
         const bool quoted = tag == "!" && offset < m_text.size() && m_text[offset] != '!';
         if (!tag.empty() && tag != "?" && !quoted)
-            refuse(mark, translatable("a tag (!) is not accepted here: write the value alone"));
+            refuse(mark, translatable("a tag (!) is not accepted here: write only the value"));
         if (quoted && (m_text[offset] == '"' || m_text[offset] == '\'') && !isClosed(offset))
             throw Refusal{
                 {offset, translatable("not YAML: the quote that begins here is not closed"), false}};

@@ -8,7 +8,7 @@
         <translation>Messstelle</translation>
     </message>
     <message>
-        <source>Whose E and area make a force of a strain</source>
+        <source>Bar used to convert strain to force</source>
         <translation>Deren E-Modul und Querschnitt machen aus einer Dehnung eine Kraft</translation>
     </message>
     <message>
@@ -32,7 +32,7 @@
         <translation>Durchmesser</translation>
     </message>
     <message>
-        <source>Of the solid bar where the gauge is</source>
+        <source>Diameter of the solid bar at the gauge</source>
         <translation>Des vollen Stabs an der Messstelle</translation>
     </message>
     <message>
@@ -774,43 +774,43 @@ Trotzdem löschen?</translation>
         <translation>Rückkehr</translation>
     </message>
     <message>
-        <source>Angle of the hole below the horizontal; where it is given, the weight of machine and rod along the hole adds to the thrust</source>
-        <translation>Winkel des Bohrlochs unter der Waagrechten; wo er gegeben ist, kommt das Gewicht von Maschine und Stange entlang des Lochs zum Andruck hinzu</translation>
+        <source>Angle of the hole below the horizontal. With it, the weight of machine and rod along the hole adds to the feed force.</source>
+        <translation>Neigung des Bohrlochs unter die Waagerechte. Damit kommt das Gewicht von Maschine und Stange längs des Lochs zum Andruck hinzu.</translation>
     </message>
     <message>
         <source>Blows per second of the rock drill</source>
         <translation>Schläge des Bohrhammers in einer Sekunde</translation>
     </message>
     <message>
-        <source>Blows that are followed, one after the other; 1000 where nothing is given</source>
-        <translation>Schläge, die nacheinander verfolgt werden; 1000, wo nichts gegeben ist</translation>
+        <source>Number of consecutive blows (default: 1000)</source>
+        <translation>Zahl der aufeinander folgenden Schläge (Standard: 1000)</translation>
     </message>
     <message>
-        <source>Cross-section at the end towards the rock of a cone, whose `area` is that of its rear end</source>
+        <source>Cross-section of a cone at the end towards the rock; `area` is that of the rear end</source>
         <translation>Querschnitt am gesteinsseitigen Ende eines Kegels, dessen `area` die des hinteren Endes ist</translation>
     </message>
     <message>
-        <source>Cross-section of the rod, in place of its diameter and bore</source>
+        <source>Cross-section of the rod, instead of diameter and bore</source>
         <translation>Querschnitt der Stange, anstelle von Durchmesser und Bohrung</translation>
     </message>
     <message>
-        <source>Cross-section, in place of diameter and bore</source>
+        <source>Cross-section, instead of diameter and bore</source>
         <translation>Querschnitt, anstelle von Durchmesser und Bohrung</translation>
     </message>
     <message>
-        <source>Dashpot between machine and rear end, over many blows; needs a machine mass</source>
-        <translation>Dämpfer zwischen Maschine und hinterem Ende, über viele Schläge; braucht eine Maschinenmasse</translation>
+        <source>Damping between machine and rear end of the string, for many blows; needs a machine mass</source>
+        <translation>Dämpfung zwischen Maschine und hinterem Ende des Strangs, für viele Schläge; braucht eine Maschinenmasse</translation>
     </message>
     <message>
         <source>Decay of the amplitude of a wave per length</source>
         <translation>Abnahme der Amplitude einer Welle je Länge</translation>
     </message>
     <message>
-        <source>Density of every section that has none of its own</source>
+        <source>Density of all sections without one of their own</source>
         <translation>Dichte jedes Abschnitts, der keine eigene hat</translation>
     </message>
     <message>
-        <source>Density of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Density of the elastic hammer (default: that of the rod)</source>
         <translation>Dichte des elastischen Hammers, die der Stange, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -818,7 +818,7 @@ Trotzdem löschen?</translation>
         <translation>Dichte der Stange</translation>
     </message>
     <message>
-        <source>Density, that of the material if not given</source>
+        <source>Density (default: that of the material)</source>
         <translation>Dichte, die des Werkstoffs, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -846,7 +846,7 @@ Trotzdem löschen?</translation>
         <translation>Andruck, den das Bohrgerät aufbringt</translation>
     </message>
     <message>
-        <source>Force from which on the loading curve has another slope</source>
+        <source>Force at which the slope of the loading curve changes</source>
         <translation>Kraft, ab der die Belastungskurve eine andere Steigung hat</translation>
     </message>
     <message>
@@ -854,11 +854,11 @@ Trotzdem löschen?</translation>
         <translation>Spalt zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
     </message>
     <message>
-        <source>Gap over 2 I0/Z; in a dimensional scenario it moves the gap</source>
+        <source>Gap over 2 I0/Z; in a scenario with units it changes the gap</source>
         <translation>Kennzahl des Spalts d/(2 I0/Z); in einem Szenario mit Einheiten verstellt sie den Spalt</translation>
     </message>
     <message>
-        <source>How often the sections of the first repeat of the string follow one another</source>
+        <source>Number of times the sections of the first repeat follow one another</source>
         <translation>Wie oft die Abschnitte der ersten Wiederholung des Strangs aufeinander folgen</translation>
     </message>
     <message>
@@ -874,11 +874,11 @@ Trotzdem löschen?</translation>
         <translation>Kraftstoß der Stoßkraft auf das Gestein, das (1 + e)-Fache dessen des Hammers</translation>
     </message>
     <message>
-        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
-        <translation>Größte Druckspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang über einen Hin- und Rücklauf; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
+        <source>Largest compressive stress of the residual waves after the blow; for drill strings, over one round trip. The model does not damp them, a real rod does.</source>
+        <translation>Größte Druckspannung der Restwellen nach dem Schlag; bei Bohrsträngen über einen Hin- und Rücklauf. Das Modell dämpft sie nicht, eine wirkliche Stange schon.</translation>
     </message>
     <message>
-        <source>Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <source>Largest compressive stress of uniform sections during the blow, until one transit time after the last separation of bit and rock; threads and shoulders raise it locally</source>
         <translation>Größte Druckspannung gleichförmiger Abschnitte, solange der Schlag dauert, bis zur letzten Trennung von Bohrkrone und Gestein und eine Laufzeit länger; Gewinde und Absätze erhöhen sie örtlich</translation>
     </message>
     <message>
@@ -890,15 +890,15 @@ Trotzdem löschen?</translation>
         <translation>Größte Eindringung der Bohrkrone während des Schlags</translation>
     </message>
     <message>
-        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
-        <translation>Größte Zugspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang über einen Hin- und Rücklauf; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
+        <source>Largest tensile stress of the residual waves after the blow; for drill strings, over one round trip. The model does not damp them, a real rod does.</source>
+        <translation>Größte Zugspannung der Restwellen nach dem Schlag; bei Bohrsträngen über einen Hin- und Rücklauf. Das Modell dämpft sie nicht, eine wirkliche Stange schon.</translation>
     </message>
     <message>
-        <source>Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <source>Largest tensile stress of uniform sections during the blow, until one transit time after the last separation of bit and rock; threads and shoulders raise it locally</source>
         <translation>Größte Zugspannung gleichförmiger Abschnitte, solange der Schlag dauert, bis zur letzten Trennung von Bohrkrone und Gestein und eine Laufzeit länger; Gewinde und Absätze erhöhen sie örtlich</translation>
     </message>
     <message>
-        <source>Length of the elastic hammer; its round trip is one step of the blow</source>
+        <source>Length of the elastic hammer; one step of the blow lasts one round trip in it</source>
         <translation>Länge des elastischen Hammers; ein Hin- und Rücklauf darin ist eine Stufe des Schlags</translation>
     </message>
     <message>
@@ -910,11 +910,11 @@ Trotzdem löschen?</translation>
         <translation>Länge des Abschnitts</translation>
     </message>
     <message>
-        <source>Mass lumped at the end towards the rock; of the last section of a string a mass of the bit</source>
+        <source>Lumped mass at the end towards the rock; for the last section of a string, the mass of the bit</source>
         <translation>Masse am gesteinsseitigen Ende; beim letzten Abschnitt eines Strangs eine Masse der Bohrkrone</translation>
     </message>
     <message>
-        <source>Mass that the feed carries besides the rod; counts where an inclination is given</source>
+        <source>Mass that the feed moves besides the rod; used only with an inclination</source>
         <translation>Masse, die der Vorschub außer der Stange trägt; zählt, wo eine Neigung gegeben ist</translation>
     </message>
     <message>
@@ -922,7 +922,7 @@ Trotzdem löschen?</translation>
         <translation>Mittlere Hammerkraft, Kraftstoß durch Dauer</translation>
     </message>
     <message>
-        <source>Normal deviation of the time between two blows, of its mean, cut at three deviations</source>
+        <source>Standard deviation of the time between two blows, as a share of its mean; cut off at three deviations</source>
         <translation>Standardabweichung der (normalverteilten) Zeit zwischen zwei Schlägen, als Anteil ihres Mittels; Werte außerhalb von drei Standardabweichungen kommen nicht vor</translation>
     </message>
     <message>
@@ -930,11 +930,11 @@ Trotzdem löschen?</translation>
         <translation>Anzahl der Spitzen der Stoßkraft über 1 % der größten</translation>
     </message>
     <message>
-        <source>Of the scatter of the intervals</source>
-        <translation>Für die Streuung der Abstände zwischen den Schlägen</translation>
+        <source>Start of the random numbers for the scatter of the intervals</source>
+        <translation>Startwert der Zufallszahlen für die Streuung der Abstände</translation>
     </message>
     <message>
-        <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
+        <source>Outer diameter of a cone at the end towards the rock; `diameter` is that of the rear end, and the bore is constant</source>
         <translation>Außendurchmesser am gesteinsseitigen Ende eines Kegels, dessen `diameter` der des hinteren Endes ist; die Bohrung ist gleichbleibend</translation>
     </message>
     <message>
@@ -946,31 +946,31 @@ Trotzdem löschen?</translation>
         <translation>Außendurchmesser des Abschnitts</translation>
     </message>
     <message>
-        <source>Penetration that stays after the blow</source>
+        <source>Residual penetration after the blow</source>
         <translation>Eindringung, die nach dem Schlag bleibt</translation>
     </message>
     <message>
-        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it (Drilling)</source>
-        <translation>Bleibende Eindringung mal Schlagfrequenz: eine obere Grenze für Schläge, die mit einer ruhenden Stange beginnen; wegen Umsetzen, Spülung und abgehobener Bohrkrone wird sie nicht erreicht, verbliebene Wellen können dazu beitragen (Bohren)</translation>
+        <source>Residual penetration times blow frequency. It is an upper limit for blows from rest: indexing, flushing and lost contact reduce it. Residual waves may add to it (page Drilling).</source>
+        <translation>Bleibende Eindringung mal Schlagfrequenz. Sie ist eine Obergrenze für Schläge aus der Ruhe: Umsetzen, Spülung und verlorener Kontakt verringern sie. Restwellen können sie vergrößern (Seite Bohren).</translation>
     </message>
     <message>
-        <source>Share of its energy that runs to and fro in the hammer</source>
+        <source>Share of the hammer energy that remains in the hammer as waves</source>
         <translation>Anteil seiner Energie, der im Hammer hin und her läuft</translation>
     </message>
     <message>
-        <source>Share of its energy with which the hammer moves after the blow</source>
+        <source>Share of the hammer energy that remains as motion of the hammer after the blow</source>
         <translation>Anteil seiner Energie, mit dem sich der Hammer nach dem Schlag bewegt</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
+        <source>Share of the hammer energy stored in the stiffness of the faces while they touch</source>
         <translation>Anteil der Energie des Hammers in der Steifigkeit der Schlagflächen, wo sie sich noch berühren</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that joints take</source>
+        <source>Share of the hammer energy lost in joints</source>
         <translation>Anteil der Energie des Hammers, den die Verbindungen aufnehmen</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that waves lose on their way</source>
+        <source>Share of the hammer energy that waves lose along the sections</source>
         <translation>Anteil der Energie des Hammers, den Wellen unterwegs verlieren</translation>
     </message>
     <message>
@@ -978,27 +978,27 @@ Trotzdem löschen?</translation>
         <translation>Anteil der Energie, der die Stange oder den Strang als Ganzes zurückbewegt</translation>
     </message>
     <message>
-        <source>Share of the energy that runs to and fro in the rod or the string</source>
+        <source>Share of the energy that remains in the rod or string as waves</source>
         <translation>Anteil der Energie, der in der Stange oder im Strang hin und her läuft</translation>
     </message>
     <message>
-        <source>Share of the energy that stays in the rock: the efficiency</source>
+        <source>Share of the energy that remains in the rock: the efficiency</source>
         <translation>Anteil der Energie, der im Gestein bleibt: der Wirkungsgrad</translation>
     </message>
     <message>
-        <source>Share that the waves lose of their deviation from what is steady in a round trip, over many blows</source>
-        <translation>Anteil, den die Wellen in einem Hin- und Rücklauf von ihrer Abweichung vom Stationären verlieren, über viele Schläge</translation>
+        <source>Share of the residual waves lost per round trip, for many blows</source>
+        <translation>Anteil der Restwellen, der je Hin- und Rücklauf verloren geht, für viele Schläge</translation>
     </message>
     <message>
-        <source>Slope of the loading curve from that corner on, as a multiple of the stiffness</source>
+        <source>Slope of the loading curve above that corner, as a multiple of the stiffness</source>
         <translation>Steigung der Belastungskurve ab dieser Ecke, als Vielfaches der Steifigkeit</translation>
     </message>
     <message>
-        <source>Spring between machine and rear end, over many blows; needs a machine mass</source>
-        <translation>Feder zwischen Maschine und hinterem Ende, über viele Schläge; braucht eine Maschinenmasse</translation>
+        <source>Stiffness of the damper&apos;s spring between machine and rear end of the string, for many blows; needs a machine mass</source>
+        <translation>Steifigkeit der Dämpferfeder zwischen Maschine und hinterem Ende des Strangs, für viele Schläge; braucht eine Maschinenmasse</translation>
     </message>
     <message>
-        <source>Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness</source>
+        <source>Stiffness group k t0/Z; in a scenario with units it changes the stiffness</source>
         <translation>Kennzahl der Steifigkeit k t0/Z; in einem Szenario mit Einheiten verstellt sie die Steifigkeit</translation>
     </message>
     <message>
@@ -1006,15 +1006,15 @@ Trotzdem löschen?</translation>
         <translation>Steifigkeit von Bohrkrone und Gestein bei Erstbelastung</translation>
     </message>
     <message>
-        <source>Stiffness of the contact of hammer and string; rigid if not given</source>
+        <source>Stiffness of the contact of hammer and string (default: rigid)</source>
         <translation>Steifigkeit des Kontakts von Hammer und Strang; starr, wenn nicht gegeben</translation>
     </message>
     <message>
-        <source>Stress up to which the rod is elastic; a blow that exceeds it raises a warning</source>
+        <source>Stress up to which the rod stays elastic; a larger one gives a warning</source>
         <translation>Spannung, bis zu der die Stange elastisch ist; ein Schlag darüber löst eine Warnung aus</translation>
     </message>
     <message>
-        <source>Stress up to which the section is elastic; a blow that exceeds it raises a warning</source>
+        <source>Stress up to which the section stays elastic; a larger one gives a warning</source>
         <translation>Spannung, bis zu der der Abschnitt elastisch ist; ein Schlag darüber löst eine Warnung aus</translation>
     </message>
     <message>
@@ -1022,19 +1022,19 @@ Trotzdem löschen?</translation>
         <translation>Über alle Kontakte summiert</translation>
     </message>
     <message>
-        <source>Tensile stress that the rod bears in blow after blow; more raises a warning</source>
+        <source>Tensile stress that the rod endures blow after blow; a larger one gives a warning</source>
         <translation>Zugspannung, die die Stange Schlag für Schlag erträgt; mehr löst eine Warnung aus</translation>
     </message>
     <message>
-        <source>Tensile stress that the section bears in blow after blow; more raises a warning</source>
+        <source>Tensile stress that the section endures blow after blow; a larger one gives a warning</source>
         <translation>Zugspannung, die der Abschnitt Schlag für Schlag erträgt; mehr löst eine Warnung aus</translation>
     </message>
     <message>
-        <source>The first of the blows, which no statistic counts; a fifth of them where nothing is given</source>
-        <translation>Die ersten der Schläge, die in keiner Statistik zählen; ein Fünftel davon, wo nichts gegeben ist</translation>
+        <source>Transient blows at the start, excluded from statistics (default: a fifth of all)</source>
+        <translation>Schläge zum Einschwingen am Anfang, die nicht in die Statistik eingehen (Standard: ein Fünftel aller)</translation>
     </message>
     <message>
-        <source>Time at which hammer and string first part</source>
+        <source>Time of the first separation of hammer and string</source>
         <translation>Zeit, zu der sich Hammer und Strang zuerst trennen</translation>
     </message>
     <message>
@@ -1054,11 +1054,11 @@ Trotzdem löschen?</translation>
         <translation>Zeit der letzten Trennung</translation>
     </message>
     <message>
-        <source>Time until when the blow of a drill string is followed; to its end if not given</source>
+        <source>Time until when the blow on a drill string is followed (default: to its end)</source>
         <translation>Zeit, bis zu der der Schlag eines Bohrstrangs verfolgt wird; bis zu seinem Ende, wenn nicht gegeben</translation>
     </message>
     <message>
-        <source>Transit time of the rod over t0; in a dimensional scenario it moves the rod length</source>
+        <source>Transit time of the rod over t0; in a scenario with units it changes the rod length</source>
         <translation>Laufzeit der Stange durch t0; in einem Szenario mit Einheiten verstellt sie die Länge der Stange</translation>
     </message>
     <message>
@@ -1074,8 +1074,8 @@ Trotzdem löschen?</translation>
         <translation>Geschwindigkeit des Hammers, wenn er den Strang trifft</translation>
     </message>
     <message>
-        <source>What all the shares together miss</source>
-        <translation>Was alle Anteile zusammen verfehlen</translation>
+        <source>Difference of all shares together from 1</source>
+        <translation>Abweichung der Summe aller Anteile von 1</translation>
     </message>
     <message>
         <source>Work of the hammer on the rod</source>
@@ -1090,11 +1090,11 @@ Trotzdem löschen?</translation>
         <translation>E-Modul</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of every section that has none of its own</source>
+        <source>Young&apos;s modulus of all sections without one of their own</source>
         <translation>E-Modul jedes Abschnitts, der keinen eigenen hat</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Young&apos;s modulus of the elastic hammer (default: that of the rod)</source>
         <translation>E-Modul des elastischen Hammers, der der Stange, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -1102,7 +1102,7 @@ Trotzdem löschen?</translation>
         <translation>E-Modul der Stange; bestimmt mit der Dichte ihre Wellengeschwindigkeit</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus, that of the material if not given</source>
+        <source>Young&apos;s modulus (default: that of the material)</source>
         <translation>E-Modul, der des Werkstoffs, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -1126,7 +1126,7 @@ Trotzdem löschen?</translation>
         <translation>Schlagfrequenz</translation>
     </message>
     <message>
-        <source>blow frequency times impulse, N, when the scenario has a frequency</source>
+        <source>blow frequency times impulse, N, if the scenario gives a frequency</source>
         <translation>Schlagfrequenz mal Kraftstoß, N, wenn das Szenario eine Frequenz hat</translation>
     </message>
     <message>
@@ -1186,7 +1186,7 @@ Trotzdem löschen?</translation>
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has them; takes a study of all gaps</source>
+        <source>effective over the largest of the four required feed forces, less 1, if the scenario gives them; takes a study of all gaps</source>
         <translation>wirksamer Andruck durch den größten der vier Bedarfe, weniger 1, wenn das Szenario sie hat; braucht eine Studie aller Spalte</translation>
     </message>
     <message>
@@ -1202,7 +1202,7 @@ Trotzdem löschen?</translation>
         <translation>mit Rückgewinn</translation>
     </message>
     <message>
-        <source>efficiency, and what the hammer takes back with it, of a drill string</source>
+        <source>efficiency plus the energy that returns with the hammer, for drill strings</source>
         <translation>Wirkungsgrad und was der Hammer an Energie mit zurücknimmt, bei einem Bohrstrang</translation>
     </message>
     <message>
@@ -1222,31 +1222,31 @@ Trotzdem löschen?</translation>
         <translation>Endzeit</translation>
     </message>
     <message>
-        <source>energy in the stiffness of the faces, fraction of that of the hammer</source>
+        <source>energy stored in the stiffness of the faces, fraction of the hammer energy</source>
         <translation>Energie in der Steifigkeit der Schlagflächen, Anteil an der des Hammers</translation>
     </message>
     <message>
-        <source>energy left in the rock, fraction of the hammer work</source>
+        <source>energy remaining in the rock, fraction of the hammer work</source>
         <translation>Energie, die im Gestein bleibt, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>energy left in waves of the hammer, fraction of its own</source>
+        <source>energy remaining in waves of the hammer, fraction of the hammer energy</source>
         <translation>Energie, die in Wellen des Hammers bleibt, Anteil an seiner eigenen</translation>
     </message>
     <message>
-        <source>energy left in waves, fraction of the hammer work</source>
+        <source>energy remaining in waves, fraction of the hammer work</source>
         <translation>Energie, die in Wellen bleibt, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>energy lost in joints, fraction of that of the hammer</source>
+        <source>energy lost in joints, fraction of the hammer energy</source>
         <translation>Energie, die in Verbindungen verloren geht, Anteil an der des Hammers</translation>
     </message>
     <message>
-        <source>energy lost on the way through sections, fraction of that of the hammer</source>
+        <source>energy lost along the sections, fraction of the hammer energy</source>
         <translation>Energie, die auf dem Weg durch Abschnitte verloren geht, Anteil an der des Hammers</translation>
     </message>
     <message>
-        <source>energy of the hammer moving back as a whole, fraction of that of impact</source>
+        <source>energy of the hammer&apos;s motion after the blow, fraction of that before it</source>
         <translation>Energie des als Ganzes zurücklaufenden Hammers, Anteil an der beim Aufschlag</translation>
     </message>
     <message>
@@ -1254,7 +1254,7 @@ Trotzdem löschen?</translation>
         <translation>Energie des Rückpralls, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>energy of the string after the blow, fraction of that of the hammer</source>
+        <source>energy of the string after the blow, fraction of the hammer energy</source>
         <translation>Energie des Strangs nach dem Schlag, Anteil an der des Hammers</translation>
     </message>
     <message>
@@ -1334,7 +1334,7 @@ Trotzdem löschen?</translation>
         <translation>Hammer-⌀</translation>
     </message>
     <message>
-        <source>hammer leaves</source>
+        <source>hammer separates</source>
         <translation>Hammer löst sich</translation>
     </message>
     <message>
@@ -1354,7 +1354,7 @@ Trotzdem löschen?</translation>
         <translation>Hammerarbeit W</translation>
     </message>
     <message>
-        <source>hammer work times blow frequency, W, when the scenario has a frequency</source>
+        <source>hammer work times blow frequency, W, if the scenario gives a frequency</source>
         <translation>Hammerarbeit mal Schlagfrequenz, W, wenn das Szenario eine Frequenz hat</translation>
     </message>
     <message>
@@ -1378,7 +1378,7 @@ Trotzdem löschen?</translation>
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>installed thrust</source>
+        <source>installed feed force</source>
         <translation>install. Andruck</translation>
     </message>
     <message>
@@ -1394,11 +1394,11 @@ Trotzdem löschen?</translation>
         <translation>ins Gestein</translation>
     </message>
     <message>
-        <source>largest compression in the rod while the blow lasts</source>
+        <source>largest compression in the rod during the blow</source>
         <translation>größter Druck in der Stange, solange der Schlag dauert</translation>
     </message>
     <message>
-        <source>largest compression of the waves left, undamped</source>
+        <source>largest compression of the residual waves, undamped</source>
         <translation>größter Druck der verbleibenden Wellen, ungedämpft</translation>
     </message>
     <message>
@@ -1414,11 +1414,11 @@ Trotzdem löschen?</translation>
         <translation>größte Eindringung der Bohrkrone</translation>
     </message>
     <message>
-        <source>largest tension in the rod while the blow lasts</source>
+        <source>largest tension in the rod during the blow</source>
         <translation>größter Zug in der Stange, solange der Schlag dauert</translation>
     </message>
     <message>
-        <source>largest tension of the waves left, undamped</source>
+        <source>largest tension of the residual waves, undamped</source>
         <translation>größter Zug der verbleibenden Wellen, ungedämpft</translation>
     </message>
     <message>
@@ -1426,7 +1426,7 @@ Trotzdem löschen?</translation>
         <translation>letzte Trennung</translation>
     </message>
     <message>
-        <source>left in waves</source>
+        <source>remaining in waves</source>
         <translation>in Wellen</translation>
     </message>
     <message>
@@ -1510,11 +1510,11 @@ Trotzdem löschen?</translation>
         <translation>Bohrfortschritt</translation>
     </message>
     <message>
-        <source>penetration that stays after the blow</source>
+        <source>residual penetration after the blow</source>
         <translation>Eindringung, die nach dem Schlag bleibt</translation>
     </message>
     <message>
-        <source>penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit</source>
+        <source>residual penetration times blow frequency, m/s, if the scenario gives a frequency: an upper limit</source>
         <translation>bleibende Eindringung mal Schlagfrequenz, m/s, wenn das Szenario eine Frequenz hat: eine obere Grenze</translation>
     </message>
     <message>
@@ -1562,11 +1562,11 @@ Trotzdem löschen?</translation>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>settling</source>
+        <source>transient blows</source>
         <translation>Einschwingen</translation>
     </message>
     <message>
-        <source>share of the hammer work that stays in the rock</source>
+        <source>share of the hammer work that remains in the rock</source>
         <translation>Anteil der Hammerarbeit, der im Gestein bleibt</translation>
     </message>
     <message>
@@ -1586,7 +1586,7 @@ Trotzdem löschen?</translation>
         <translation>angegeben</translation>
     </message>
     <message>
-        <source>stated error of the efficiency of a drill string</source>
+        <source>error bound of the efficiency, for drill strings</source>
         <translation>angegebener Fehler des Wirkungsgrads eines Bohrstrangs</translation>
     </message>
     <message>
@@ -1622,7 +1622,7 @@ Trotzdem löschen?</translation>
         <translation>Reserve des Andrucks</translation>
     </message>
     <message>
-        <source>time at which hammer and string first part</source>
+        <source>time of the first separation of hammer and string</source>
         <translation>Zeit, zu der sich Hammer und Strang zuerst trennen</translation>
     </message>
     <message>
@@ -1642,7 +1642,7 @@ Trotzdem löschen?</translation>
         <translation>Zeit der letzten Trennung</translation>
     </message>
     <message>
-        <source>time to which the blow was followed</source>
+        <source>end of the computed time of the blow</source>
         <translation>Zeit, bis zu der der Schlag verfolgt wurde</translation>
     </message>
     <message>
@@ -1694,8 +1694,8 @@ Trotzdem löschen?</translation>
         <translation>Eindringung, bei der ein Potenzgesetz F = k U1 ergibt, in d0</translation>
     </message>
     <message>
-        <source>all that the string keeps</source>
-        <translation>alles, was der Strang behält</translation>
+        <source>remaining in the string</source>
+        <translation>im Strang verblieben</translation>
     </message>
     <message>
         <source>bound on the error of e</source>
@@ -1714,11 +1714,11 @@ Trotzdem löschen?</translation>
         <translation>Fehler der Impulsbilanz</translation>
     </message>
     <message>
-        <source>followed to</source>
-        <translation>verfolgt bis</translation>
+        <source>computed until</source>
+        <translation>berechnet bis</translation>
     </message>
     <message>
-        <source>margin of the thrust at every gap</source>
+        <source>feed force margin at every gap</source>
         <translation>Reserve des Andrucks bei jedem Spalt</translation>
     </message>
     <message>
@@ -1730,11 +1730,11 @@ Trotzdem löschen?</translation>
         <translation>Stoßzahl e</translation>
     </message>
     <message>
-        <source>rock and what the hammer takes back</source>
+        <source>rock, and energy returned with the hammer</source>
         <translation>Gestein und was der Hammer zurücknimmt</translation>
     </message>
     <message>
-        <source>thrust needed by this blow</source>
+        <source>feed force required by this blow</source>
         <translation>für diesen Schlag nötiger Andruck</translation>
     </message>
     <message>
@@ -1878,7 +1878,7 @@ Trotzdem löschen?</translation>
         <translation>840 mm, 15,8 kg, Bohrung 6,2 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
     </message>
     <message>
-        <source>A bench-drilling string in medium rock: the case to start from. Look at the energy and the thrust: three quarters of the blow stay in the rock, most of the rest runs to and fro in the rod as waves, and the rebound sets the feed force that the blows need. Drag the stiffness or the gap to see both change.</source>
+        <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
         <translation>Ein Strang zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel des Schlags bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den Andruck, den die Schläge brauchen. Die Steifigkeit oder den Spalt ziehen, um zu sehen, wie sich beide ändern.</translation>
     </message>
     <message>
@@ -2538,7 +2538,7 @@ Trotzdem löschen?</translation>
         <translation>Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wo sie das nicht tut</translation>
     </message>
     <message>
-        <source>blows that begin on the rock</source>
+        <source>contact share: blows that start with the bit on the rock</source>
         <translation>Schläge, die auf dem Gestein beginnen</translation>
     </message>
     <message>
@@ -2554,11 +2554,11 @@ Trotzdem löschen?</translation>
         <translation>Streuung des Spalts</translation>
     </message>
     <message>
-        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <source>error of the energy balance of all blows, over the hammer work</source>
         <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
         <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
     </message>
     <message>
@@ -2574,19 +2574,19 @@ Trotzdem löschen?</translation>
         <translation>Fehler des Impulses vieler Schläge</translation>
     </message>
     <message>
-        <source>gap that 5 % of the blows are below</source>
+        <source>gap exceeded by 95 % of the blows</source>
         <translation>Spalt, unter dem 5&#xa0;% der Schläge liegen</translation>
     </message>
     <message>
-        <source>gap that 95 % of the blows are below</source>
+        <source>gap exceeded by 5 % of the blows</source>
         <translation>Spalt, unter dem 95&#xa0;% der Schläge liegen</translation>
     </message>
     <message>
-        <source>gap that half of the blows are below</source>
+        <source>median gap</source>
         <translation>Spalt, unter dem die Hälfte der Schläge liegt</translation>
     </message>
     <message>
-        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
         <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 zählt nur die Statistik; braucht eine zweite Rechnung</translation>
     </message>
     <message>
@@ -2650,7 +2650,7 @@ Trotzdem löschen?</translation>
         <translation>Periode der Bewegung</translation>
     </message>
     <message>
-        <source>feed force over mean reaction of the blows, phi</source>
+        <source>feed force over mean force of the blows, phi</source>
         <translation>Andruck durch mittlere Reaktion der Schläge, phi</translation>
     </message>
     <message>
@@ -2658,7 +2658,7 @@ Trotzdem löschen?</translation>
         <translation>Hin- und Rückläufe von Schlag zu Schlag</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <source>contact share: blows that start within 0.05 d0 of the rock</source>
         <translation>Anteil der Schläge, die höchstens 0,05 d0 vom Gestein entfernt beginnen</translation>
     </message>
     <message>
@@ -2674,7 +2674,7 @@ Trotzdem löschen?</translation>
         <translation>Schranke für den Fehler der Spannungen</translation>
     </message>
     <message>
-        <source>stated error of the largest stresses of a drill string, fraction of each</source>
+        <source>error bound of the largest stresses of a drill string, fraction of each</source>
         <translation>angegebener Fehler der größten Spannungen eines Bohrstrangs, als Anteil einer jeden</translation>
     </message>
     <message>
@@ -2849,7 +2849,7 @@ Trotzdem löschen?</translation>
         <translation>um weniger als %1</translation>
     </message>
     <message>
-        <source>With the rod and the rock on show that changes e = %1 %2.</source>
+        <source>With the present rod and rock this changes e = %1 %2.</source>
         <translation>Mit der gezeigten Stange und dem gezeigten Gestein ändert das e = %1 %2.</translation>
     </message>
     <message>
@@ -2861,7 +2861,7 @@ Trotzdem löschen?</translation>
         <translation>Alle %1 Abtastwerte bleiben, von %2 der Aufzeichnung.</translation>
     </message>
     <message>
-        <source>%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of the peak) from the lines between them, the impulse changes by %6.</source>
+        <source>%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the lines between the points; the impulse changes by %6.</source>
         <translation>Aus %1 von %2 Abtastwerten werden %3 Punkte: Kein übernommener Abtastwert ist weiter als %4 (%5 der Spitze) von den Linien dazwischen entfernt, der Kraftstoß ändert sich um %6.</translation>
     </message>
     <message>
@@ -2869,7 +2869,7 @@ Trotzdem löschen?</translation>
         <translation>%1 negative Abtastwerte werden abgeschnitten, was %2 zum Kraftstoß hinzufügt.</translation>
     </message>
     <message>
-        <source>That is much: take less of the record.</source>
+        <source>This is a large change: use a shorter part of the record.</source>
         <translation>Das ist viel: weniger von der Aufzeichnung nehmen.</translation>
     </message>
     <message>
@@ -2913,7 +2913,7 @@ Trotzdem löschen?</translation>
         <translation>Gitter, Ringpuffer</translation>
     </message>
     <message>
-        <source>The exact solution has no other to be compared with: %1</source>
+        <source>The exact solution has nothing to compare with: %1</source>
         <translation>Die exakte Lösung hat keine andere, mit der sie zu vergleichen wäre: %1</translation>
     </message>
     <message>
@@ -2965,7 +2965,7 @@ Trotzdem löschen?</translation>
         <translation>Steifigkeit durch Elastizität β/γ, die steifste Rate [1/t₀]</translation>
     </message>
     <message>
-        <source>worst measure over its mark</source>
+        <source>worst check over its limit</source>
         <translation>schlechtestes Maß durch seine Marke</translation>
     </message>
     <message>
@@ -2985,7 +2985,7 @@ Trotzdem löschen?</translation>
         <translation>; nicht gelöst: %1</translation>
     </message>
     <message>
-        <source>; the worst: %1, %2 at %3 of its mark</source>
+        <source>; the worst: %1, %2 at %3 of its limit</source>
         <translation>; der schlechteste: %1, %2 bei %3 seiner Marke</translation>
     </message>
     <message>
@@ -2997,7 +2997,7 @@ Trotzdem löschen?</translation>
         <translation>elastischer Hammer</translation>
     </message>
     <message>
-        <source>what differs</source>
+        <source>differences</source>
         <translation>Unterschiede</translation>
     </message>
     <message>
@@ -3073,7 +3073,7 @@ Trotzdem löschen?</translation>
         <translation> · %1 Punkte</translation>
     </message>
     <message>
-        <source> · known by points alone in a part of the range</source>
+        <source> · only points known in a part of the range</source>
         <translation> · in einem Teil des Bereichs nur von einzelnen Punkten bekannt</translation>
     </message>
     <message>
@@ -3085,8 +3085,8 @@ Trotzdem löschen?</translation>
         <translation>Ziehungen</translation>
     </message>
     <message>
-        <source>%1 of %2 designs, robust best %3</source>
-        <translation>%1, %2 Auslegungen, robusteste %3</translation>
+        <source>%1 of %2 designs, best for uncertain rock %3</source>
+        <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
     </message>
     <message>
         <source>rock</source>
@@ -3097,19 +3097,19 @@ Trotzdem löschen?</translation>
         <translation>Dämpfer</translation>
     </message>
     <message>
-        <source>waves, lost</source>
+        <source>lost waves</source>
         <translation>Wellen, verloren</translation>
     </message>
     <message>
-        <source>left behind</source>
+        <source>remaining behind</source>
         <translation>zurückgeblieben</translation>
     </message>
     <message>
-        <source>still there</source>
-        <translation>noch da</translation>
+        <source>remaining energy</source>
+        <translation>verbliebene Energie</translation>
     </message>
     <message>
-        <source>Gap and penetration of %1 of %2 blows; the first %3 settle and do not count.</source>
+        <source>Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.</source>
         <translation>Spalt und Eindringung von %1 von %2 Schlägen; die ersten %3 schwingen sich ein und zählen nicht.</translation>
     </message>
     <message>
@@ -3349,7 +3349,7 @@ Trotzdem löschen?</translation>
         <translation>%1 vom Hammer, %2</translation>
     </message>
     <message>
-        <source>Where in the rod it is first that large, and when: a click leads there</source>
+        <source>Place and time where this value is first reached: a click leads there</source>
         <translation>Wo in der Stange das zuerst so groß ist, und wann: ein Klick führt dorthin</translation>
     </message>
     <message>
@@ -3369,7 +3369,7 @@ Trotzdem löschen?</translation>
         <translation>Stoßzahl: Impuls nach dem Schlag durch Impuls davor, umgekehrt, e = −pf/p0</translation>
     </message>
     <message>
-        <source>Off %1 by so much</source>
+        <source>Difference from %1</source>
         <translation>So viel anders als %1</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@ Trotzdem löschen?</translation>
         <translation>hat zu viele Klammern ineinander</translation>
     </message>
     <message>
-        <source>lacks a closing bracket; a unit stands behind it</source>
+        <source>lacks a closing bracket; a unit follows it</source>
         <translation>fehlt eine schließende Klammer; eine Einheit steht dahinter</translation>
     </message>
     <message>
@@ -3417,11 +3417,11 @@ Trotzdem löschen?</translation>
         <translation>ist nicht eine Zahl: die Trennzeichen ihrer Ziffern entfernen</translation>
     </message>
     <message>
-        <source>is more than one line: one value is needed</source>
+        <source>has more than one line: give one value</source>
         <translation>ist mehr als eine Zeile: ein Wert ist nötig</translation>
     </message>
     <message>
-        <source>The program ended unexpectedly; the last change is of %1.</source>
+        <source>The program ended unexpectedly; the last change was at %1.</source>
         <translation>Das Programm endete unerwartet; die letzte Änderung ist von %1.</translation>
     </message>
     <message>
@@ -3430,7 +3430,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>%1
-The file is kept as %2 and will not be offered again.</source>
+The file is kept as %2 and not offered again.</source>
         <translation>%1
 Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translation>
     </message>
@@ -3447,7 +3447,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>nichts ergibt %1</translation>
     </message>
     <message>
-        <source>nothing that is known gives %1: the nearest is %2 at %3</source>
+        <source>no known value gives %1: the nearest is %2 at %3</source>
         <translation>nichts Bekanntes ergibt %1: am nächsten kommt %2 bei %3</translation>
     </message>
     <message>
@@ -3515,7 +3515,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
     </message>
     <message>
-        <source>What was measured is dashed.</source>
+        <source>Measured signals are dashed.</source>
         <translation>Gemessenes ist gestrichelt.</translation>
     </message>
     <message>
@@ -3523,27 +3523,27 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Kraft über der Eindringung: die Fläche darin bleibt als Energie im Gestein.</translation>
     </message>
     <message>
-        <source>The force in the rod over place and time, tension positive; bars at the right show the contact of bit and rock. On the scale of colours a line is the least or largest force, a triangle one beyond the colours.</source>
+        <source>The force in the rod over place and time, tension positive; bars at the right show contact of bit and rock. On the colour scale, lines mark the smallest and largest force, triangles forces beyond the colours.</source>
         <translation>Die Kraft in der Stange über Ort und Zeit, Zug positiv; Balken rechts zeigen den Kontakt von Krone und Gestein. Auf der Farbskala ist ein Strich die kleinste oder größte Kraft, ein Dreieck eine jenseits der Farben.</translation>
     </message>
     <message>
-        <source>The largest tension and compression along hammer (below 0) and string while the blow lasts, with the strengths of the sections.</source>
+        <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
         <translation>Der größte Zug und Druck entlang Hammer (unter 0) und Strang, während der Schlag dauert, mit den Festigkeiten der Abschnitte.</translation>
     </message>
     <message>
-        <source>The largest tension and compression along the rod, while the blow lasts and of the waves left.</source>
+        <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
         <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den verbleibenden Wellen.</translation>
     </message>
     <message>
-        <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
+        <source>Hammer (dark) and string, lengths and diameters each to scale, with the numbers of the sections; the bore is dashed, the rock is at the right.</source>
         <translation>Hammer (dunkel) und Strang maßstäblich, Längen und Durchmesser je für sich, mit den Nummern der Abschnitte; die Bohrung ist gestrichelt, das Gestein rechts.</translation>
     </message>
     <message>
-        <source>Restitution over one period of the gap between bit and rock, and how it is distributed when all gaps are alike.</source>
+        <source>Restitution over one period of the gap between bit and rock, and its distribution when all gaps are equally likely.</source>
         <translation>Stoßzahl über einer Periode des Spalts zwischen Krone und Gestein, und wie sie verteilt ist, wenn alle Spalte gleich wahrscheinlich sind.</translation>
     </message>
     <message>
-        <source>Needs of the thrust and the installed one over the blow frequency.</source>
+        <source>Required and installed feed force over the blow frequency.</source>
         <translation>Bedarfe an Andruck und der installierte Andruck über der Schlagfrequenz.</translation>
     </message>
     <message>
@@ -3551,15 +3551,15 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Seite %1 von %2</translation>
     </message>
     <message>
-        <source>thrust margin, this blow</source>
+        <source>feed force margin, this blow</source>
         <translation>Reserve des Andrucks, dieser Schlag</translation>
     </message>
     <message>
-        <source>thrust needed at every gap</source>
+        <source>feed force required at every gap</source>
         <translation>Andruck, der bei jedem Spalt genügt</translation>
     </message>
     <message>
-        <source>thrust margin at every gap</source>
+        <source>feed force margin at every gap</source>
         <translation>Reserve des Andrucks bei jedem Spalt</translation>
     </message>
     <message>
@@ -3567,7 +3567,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Hammerenergie E₀</translation>
     </message>
     <message>
-        <source>Energy of the hammer before the blow; all shares are of it, its work on the string is less</source>
+        <source>Energy of the hammer before the blow; all shares refer to it. Its work on the string is smaller.</source>
         <translation>Energie des Hammers vor dem Schlag; alle Anteile beziehen sich auf sie, seine Arbeit am Strang ist kleiner</translation>
     </message>
     <message>
@@ -3587,7 +3587,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>%1 liegt überall darunter</translation>
     </message>
     <message>
-        <source>Effective feed force less what this blow requires, and as a share of that</source>
+        <source>Effective feed force minus the feed force required by this blow, also as a share of it</source>
         <translation>Wirksamer Andruck abzüglich dessen, was dieser Schlag erfordert, und als Anteil davon</translation>
     </message>
     <message>
@@ -3615,11 +3615,11 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Die größte erforderliche Kraft: für diesen Schlag, für 95 % aller Spalte, auf starrem Gestein und beim schlechtesten Spalt auf elastischem Gestein</translation>
     </message>
     <message>
-        <source>Effective feed force less the largest of the four, and as a share of that: thrust_margin of commands and files</source>
+        <source>Effective feed force minus the largest of the four, also as a share of it: thrust_margin in commands and files</source>
         <translation>Wirksamer Andruck abzüglich der größten der vier Kräfte, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
     </message>
     <message>
-        <source>They leave a gap of %1, which a straight line crosses.</source>
+        <source>They leave a gap of %1, which is filled by a straight line.</source>
         <translation>Sie hinterlassen eine Lücke von %1, die eine Gerade überbrückt.</translation>
     </message>
     <message>
@@ -3631,7 +3631,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Jetzt &amp;neu starten</translation>
     </message>
     <message>
-        <source>They were made to %1, which does not change until you save.</source>
+        <source>The changes were made to %1, which stays as it is until you save.</source>
         <translation>Sie wurden an %1 vorgenommen, das bis zum Speichern unverändert bleibt.</translation>
     </message>
     <message>
@@ -3658,7 +3658,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
 <context>
     <name>drillwave::AccuracyPage</name>
     <message>
-        <source>Error against run time, or the hardest cases against their marks</source>
+        <source>Error against run time, or the hardest cases against their limits</source>
         <translation>Fehler über der Rechenzeit, oder die schwersten Fälle an ihren Marken</translation>
     </message>
     <message>
@@ -3722,15 +3722,15 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Fälle, an denen Verfahren scheitern, jeder mit allen Prüfungen, die schlechtesten zuerst. Ein Klick lädt einen Fall.</translation>
     </message>
     <message>
-        <source>The efficiency of %1 is right to %2, the error that the method states.</source>
+        <source>The efficiency of %1 is right to within %2, the error bound of the method.</source>
         <translation>Der Wirkungsgrad von %1 stimmt auf %2, den Fehler, den das Verfahren angibt.</translation>
     </message>
     <message>
-        <source>How right the numbers are, and what other methods give.</source>
+        <source>Accuracy of the results, and the results of other methods.</source>
         <translation>Wie richtig die Zahlen sind, und was andere Verfahren ergeben.</translation>
     </message>
     <message>
-        <source>e = %1 is right to %2, the bound that the exact solver states.</source>
+        <source>e = %1 is right to within %2, the error bound of the exact solver.</source>
         <translation>e = %1 stimmt auf %2, die Schranke, die das exakte Verfahren angibt.</translation>
     </message>
     <message>
@@ -3761,16 +3761,16 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>im Mittel</translation>
     </message>
     <message>
-        <source>at the least sample</source>
+        <source>in the smallest sample</source>
         <translation>bei der kleinsten Stichprobe</translation>
     </message>
     <message>
-        <source>at the largest sample</source>
+        <source>in the largest sample</source>
         <translation>bei der größten Stichprobe</translation>
     </message>
     <message>
-        <source>as the scenario is</source>
-        <translation>für das Szenario, wie es ist</translation>
+        <source>for the values entered</source>
+        <translation>für die eingegebenen Werte</translation>
     </message>
     <message>
         <source>in the middle (median)</source>
@@ -3785,7 +3785,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>in den besten %1 %</translation>
     </message>
     <message>
-        <source>Largest or least</source>
+        <source>Maximise or minimise</source>
         <translation>Maximum oder Minimum</translation>
     </message>
     <message>
@@ -3797,7 +3797,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>min.</translation>
     </message>
     <message>
-        <source>By which statistic</source>
+        <source>Statistic</source>
         <translation>Nach welcher Statistik</translation>
     </message>
     <message>
@@ -3820,8 +3820,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>+ Ziel</translation>
     </message>
     <message>
-        <source>One more aim, for what is best in all of them: the first decides</source>
-        <translation>Ein weiteres Ziel, für das, was in allen am besten ist: das erste entscheidet</translation>
+        <source>Adds an objective. The first one decides; the others show the trade-off.</source>
+        <translation>Fügt ein Ziel hinzu. Das erste entscheidet; die anderen zeigen den Zielkonflikt.</translation>
     </message>
     <message>
         <source>for the</source>
@@ -3912,7 +3912,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>%1: logarithmisch</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Gleiche Verhältnisse statt gleicher Schritte</translation>
     </message>
     <message>
@@ -3947,7 +3947,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation> · Verzug %1</translation>
     </message>
     <message>
-        <source>Where in the rod or string the waves are observed: 0 is the struck end, 1 the bit.</source>
+        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.</source>
         <translation>Wo in Stange oder Strang die Wellen beobachtet werden: 0 ist das Schlagende, 1 die Bohrkrone.</translation>
     </message>
     <message>
@@ -3971,7 +3971,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
     </message>
     <message>
-        <source>%1 behind the face of the hammer</source>
+        <source>%1 from the face of the hammer</source>
         <translation>%1 hinter der Schlagfläche des Hammers</translation>
     </message>
     <message>
@@ -3991,7 +3991,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</translation>
     </message>
     <message>
-        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <source>Nothing to show: this blow has too many waves to keep.</source>
         <translation>Nichts zu zeigen: dieser Schlag hat mehr Wellen, als behalten werden können.</translation>
     </message>
     <message>
@@ -4082,9 +4082,9 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>No runs are pinned yet.
 
-F7 (or Pin, at the right of the tabs) keeps the present result with its scenario. Then change something and pin again: the runs stand here side by side, and lie over the plots of the other pages.
+F7 (or Pin, at the right of the tabs) keeps the present result with its scenario. Then change something and pin again: the runs are shown here side by side, and in the plots of the other pages.
 
-On the pages of studies, Shift and a click pin the point below the pointer.</source>
+On the pages of studies, Shift+click pins the point under the pointer.</source>
         <translation>Noch sind keine Läufe angeheftet.
 
 F7 (oder Anheften, rechts neben den Reitern) behält das gegenwärtige Ergebnis mit seinem Szenario. Danach etwas ändern und wieder anheften: Die Läufe stehen hier nebeneinander und liegen über den Diagrammen der anderen Seiten.
@@ -4092,7 +4092,7 @@ F7 (oder Anheften, rechts neben den Reitern) behält das gegenwärtige Ergebnis 
 Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zeiger an.</translation>
     </message>
     <message>
-        <source>What the differences are taken from: here, in the list of runs and in the result</source>
+        <source>Reference of all differences: here, in the list of runs and in the result</source>
         <translation>Wovon die Unterschiede genommen werden: hier, in der Liste der Läufe und im Ergebnis</translation>
     </message>
     <message>
@@ -4104,7 +4104,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Zurück zu diesem Lauf</translation>
     </message>
     <message>
-        <source>Brings back the scenario of the run whose column is chosen, as one step that can be undone</source>
+        <source>Loads the scenario of the selected run; Undo takes it back</source>
         <translation>Bringt das Szenario des Laufs zurück, dessen Spalte gewählt ist, als ein Schritt, der rückgängig gemacht werden kann</translation>
     </message>
     <message>
@@ -4170,11 +4170,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
 <context>
     <name>drillwave::CursorBar</name>
     <message>
-        <source>Curve that is read</source>
+        <source>Curve to read</source>
         <translation>Kurve, die abgelesen wird</translation>
     </message>
     <message>
-        <source>The curve that is read; a click on a curve chooses it</source>
+        <source>Curve whose values are read; a click on a curve selects it</source>
         <translation>Die Kurve, die abgelesen wird; ein Klick auf eine Kurve wählt sie</translation>
     </message>
     <message>
@@ -4182,7 +4182,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy what is read</source>
+        <source>Copy the readings</source>
         <translation>Ablesungen kopieren</translation>
     </message>
     <message>
@@ -4240,7 +4240,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>geschlossene Form</translation>
     </message>
     <message>
-        <source>The paper&apos;s analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)</source>
+        <source>The paper&apos;s analytical solution, drawn where it is valid: rectangular blow, elastic rock (γ = 1)</source>
         <translation>Die analytische Lösung der Veröffentlichung, gestrichelt, wo sie gilt: Rechteckschlag, elastisches Gestein (γ = 1)</translation>
     </message>
     <message>
@@ -4248,7 +4248,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Stange ohne Wellen</translation>
     </message>
     <message>
-        <source>The rod that arrives without waves, dotted, over its stiffness in one of two units</source>
+        <source>A rod that arrives without waves, dotted, over its stiffness in one of two units</source>
         <translation>Die Stange, die ohne Wellen ankommt, gepunktet, über ihrer Steifigkeit in einer von zwei Einheiten</translation>
     </message>
     <message>
@@ -4268,7 +4268,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Punkte einer Kurve</translation>
     </message>
     <message>
-        <source>How many blows are solved along a curve of a drill string</source>
+        <source>Number of blows solved along a curve of a drill string</source>
         <translation>Wie viele Schläge entlang einer Kurve eines Bohrstrangs gelöst werden</translation>
     </message>
     <message>
@@ -4295,7 +4295,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>How often values come, from the least to the largest</source>
+        <source>Frequency of the values, from the smallest to the largest</source>
         <translation>Wie oft Werte vorkommen, vom kleinsten bis zum größten</translation>
     </message>
 </context>
@@ -4306,19 +4306,19 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not tell it apart from %1: any of them will do.</source>
+        <source>The samples do not distinguish it from %1: any of them will do.</source>
         <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
     </message>
     <message>
-        <source>Of them %1 has the %2: %3.</source>
+        <source>Among them, %1 has the %2: %3.</source>
         <translation>Unter ihnen hat %1 %2: %3.</translation>
     </message>
     <message>
-        <source>The nominal best, %1, would lose %2&#xa0;% of it %3.</source>
+        <source>The best design for the values entered, %1, would lose %2&#xa0;% of it %3.</source>
         <translation>Die nominal beste, %1, verlöre davon %2 % %3.</translation>
     </message>
     <message>
-        <source>The nominal best, %1, would have %2&#xa0;% more of it %3.</source>
+        <source>The best design for the values entered, %1, would have %2&#xa0;% more of it %3.</source>
         <translation>Die nominal beste, %1, hätte davon %2 % mehr %3.</translation>
     </message>
     <message>
@@ -4330,32 +4330,32 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Für %1 zuerst &lt;b&gt;%2&lt;/b&gt; messen: %3&#xa0;% der Streuung.</translation>
     </message>
     <message>
-        <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Kleinster gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
-        <source>Largest %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Größter gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
-        <source>The choices change the energy of the blow: machines of different power are compared. “keep the energy” keeps it.</source>
+        <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
         <translation>Die Wahl ändert die Energie des Schlags: verglichen werden Maschinen verschiedener Leistung. „Energie halten“ hält sie.</translation>
     </message>
     <message>
-        <source>The scatter of the efficiency is nearly all that of γ; work of loading shows what wave and machine can do.</source>
+        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of loading.</source>
         <translation>Der Wirkungsgrad streut fast nur mit γ; die Belastungsarbeit zeigt, was Welle und Maschine können.</translation>
     </message>
     <message>
-        <source>What the designs say</source>
+        <source>Answer of the study</source>
         <translation>Was die Auslegungen sagen</translation>
     </message>
     <message>
-        <source>Load the robust best</source>
-        <translation>Robusteste Auslegung laden</translation>
+        <source>Load the best design for uncertain rock</source>
+        <translation>Beste Auslegung für unsicheres Gestein laden</translation>
     </message>
     <message>
-        <source>Load the nominal best</source>
-        <translation>Die nominal beste laden</translation>
+        <source>Load the best design for the values entered</source>
+        <translation>Beste Auslegung für die eingegebenen Werte laden</translation>
     </message>
     <message>
         <source>Load</source>
@@ -4370,11 +4370,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Bisher %1 Stichproben, %2 folgen.</translation>
     </message>
     <message>
-        <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
+        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
         <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% weniger.</translation>
     </message>
     <message>
-        <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
+        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
         <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% mehr.</translation>
     </message>
     <message>
@@ -4414,7 +4414,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>%1 laden</translation>
     </message>
     <message>
-        <source>Least %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <source>Smallest %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Kleinster gefundener Wert (%1) mit %4: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
@@ -4429,23 +4429,23 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Stichproben</translation>
     </message>
     <message>
-        <source>Designs over what is not known</source>
-        <translation>Auslegungen über dem, was nicht bekannt ist</translation>
+        <source>Designs for uncertain inputs</source>
+        <translation>Auslegungen bei unsicheren Eingaben</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <source>uncertain</source>
+        <translation>unsicher</translation>
     </message>
     <message>
-        <source>to be chosen</source>
-        <translation>zu wählen</translation>
+        <source>design variables</source>
+        <translation>Entwurfsgrößen</translation>
     </message>
     <message>
         <source>keep the energy</source>
         <translation>Energie halten</translation>
     </message>
     <message>
-        <source>The blow of every design is scaled to the energy of this one: by its impulse, or by the velocity of the hammer</source>
+        <source>Scales the blow of every design to the present blow energy, by impulse or hammer velocity</source>
         <translation>Der Schlag jeder Auslegung wird auf die Energie des gegenwärtigen skaliert: über seinen Kraftstoß oder über die Geschwindigkeit des Hammers</translation>
     </message>
     <message>
@@ -4453,12 +4453,12 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Stichproben je Auslegung</translation>
     </message>
     <message>
-        <source>Too many of the samples have no answer: %1</source>
+        <source>Too many samples could not be solved: %1</source>
         <translation>Zu viele der Stichproben haben keine Antwort: %1</translation>
     </message>
     <message>
         <source>⚠ %1
-What is shown is of the value before.</source>
+The page shows the answer for the value before.</source>
         <translation>⚠ %1
 Gezeigt wird der Wert davor.</translation>
     </message>
@@ -4471,7 +4471,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Bisher %1 Stichproben je Auslegung, verfeinert auf %2</translation>
     </message>
     <message>
-        <source>There is no design to be told of.</source>
+        <source>There is no design study to report.</source>
         <translation>Es gibt keine Auslegung, von der zu berichten wäre.</translation>
     </message>
     <message>
@@ -4491,7 +4491,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Verfeinern (%1 min)</translation>
     </message>
     <message>
-        <source>Nothing is solved yet: this study takes more than 10 s. The button Refine starts it.</source>
+        <source>Not solved yet: this study takes more than 10 s. Press Refine to start it.</source>
         <translation>Noch ist nichts gerechnet: diese Studie dauert länger als 10 s. Der Knopf „Verfeinern“ startet sie.</translation>
     </message>
     <message>
@@ -4518,24 +4518,24 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Mittel</translation>
     </message>
     <message>
-        <source>as it is</source>
+        <source>present</source>
         <translation>wie es ist</translation>
     </message>
     <message>
-        <source>ties</source>
-        <translation>gleichauf</translation>
+        <source>equally good</source>
+        <translation>gleich gut</translation>
     </message>
     <message>
-        <source>nominal best</source>
-        <translation>nominal beste</translation>
+        <source>best for the values entered</source>
+        <translation>beste für die eingegebenen Werte</translation>
     </message>
     <message>
-        <source>robust best</source>
-        <translation>robusteste</translation>
+        <source>best for uncertain rock</source>
+        <translation>beste für unsicheres Gestein</translation>
     </message>
     <message>
         <source>share of the scatter
-(filled: alone)</source>
+(filled: by itself)</source>
         <translation>Anteil an der Streuung
 (gefüllt: allein)</translation>
     </message>
@@ -4544,7 +4544,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>dieses Szenario</translation>
     </message>
     <message>
-        <source>%1: does not scatter</source>
+        <source>%1: no scatter</source>
         <translation>%1: streut nicht</translation>
     </message>
 </context>
@@ -4611,7 +4611,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>der Tabelle des Schlags folgen</translation>
     </message>
     <message>
-        <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
+        <source>%1: cannot be saved: %2. Your changes are still here: save under another name or in another folder.</source>
         <translation>%1: kann nicht gespeichert werden: %2. Nichts ist verloren: unter einem anderen Namen oder in einem anderen Ordner speichern.</translation>
     </message>
     <message>
@@ -4638,7 +4638,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Durchlauf</translation>
     </message>
     <message>
-        <source>The statistics at values of this parameter, each from rest and from bouncing</source>
+        <source>Statistics at values of this parameter, each started at rest and started bouncing</source>
         <translation>Die Statistik bei Werten dieses Parameters, jeweils aus der Ruhe und aus dem Springen</translation>
     </message>
     <message>
@@ -4646,11 +4646,11 @@ Gezeigt wird der Wert davor.</translation>
         <translation>mit Grenzfällen</translation>
     </message>
     <message>
-        <source>Also under a constant force, and with a dashpot of half the impedance where there is a machine mass: no maker publishes its damper</source>
+        <source>Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: makers do not publish their dampers</source>
         <translation>Auch unter konstanter Kraft, und mit einem Dämpfer der halben Impedanz, wo es eine Maschinenmasse gibt: kein Hersteller veröffentlicht seinen Dämpfer</translation>
     </message>
     <message>
-        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust.</source>
+        <source>Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no blow frequency and no feed force.</source>
         <translation>Bohren braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: es hat weder Schlagfrequenz noch Andruck.</translation>
     </message>
     <message>
@@ -4674,7 +4674,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Bohren</translation>
     </message>
     <message>
-        <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
+        <source>Blow %1 of %2 under the feed, with the waves and the motion it started with: gap %3, penetration %4. The panel Result shows a single blow from rest.</source>
         <translation>Schlag %1 von %2 unter dem Vorschub, mit den Wellen und der Bewegung, mit denen er begann: Spalt %3, Eindringung %4. Was das Ergebnis sagt, ist von einem einzelnen Schlag, der in Ruhe beginnt.</translation>
     </message>
     <message>
@@ -4690,11 +4690,11 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Von diesem Szenario gibt es noch keinen Durchlauf.</translation>
     </message>
     <message>
-        <source>Following the blows one after another …</source>
+        <source>Solving the blows one after another …</source>
         <translation>Die Schläge werden einer nach dem anderen verfolgt …</translation>
     </message>
     <message>
-        <source>; in contact is within %1 of the rock; %2</source>
+        <source>; in contact means within %1 of the rock; %2</source>
         <translation>; im Kontakt heißt höchstens %1 vom Gestein; %2</translation>
     </message>
 </context>
@@ -4724,7 +4724,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Median</translation>
     </message>
     <message>
-        <source>Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change</source>
+        <source>95 % error of the mean, from batches of blows and from longer and shorter time steps</source>
         <translation>Fehler des Mittels, 95 %: aus Gruppen von Schlägen, und was größere oder kleinere Zellen ändern</translation>
     </message>
 </context>
@@ -4735,7 +4735,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Dorthin</translation>
     </message>
     <message>
-        <source>To the page that has the answer</source>
+        <source>Opens the page that has the answer</source>
         <translation>Zu der Seite, die die Antwort hat</translation>
     </message>
 </context>
@@ -4804,7 +4804,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Ereignisse an der Bohrkrone</translation>
     </message>
     <message>
-        <source>Choose an event to move the time cursor there</source>
+        <source>Select an event to move the time cursor there</source>
         <translation>Ein Ereignis wählen, um den Zeitcursor dorthin zu setzen</translation>
     </message>
 </context>
@@ -4815,11 +4815,11 @@ Gezeigt wird der Wert davor.</translation>
         <translation>&amp;Über dieses Beispiel</translation>
     </message>
     <message>
-        <source>What to look at in the example that is open</source>
+        <source>Things to look at in the open example</source>
         <translation>Worauf im geöffneten Beispiel zu achten ist</translation>
     </message>
     <message>
-        <source>You have changed this example: what is said of its values may no longer hold. Undo brings them back.</source>
+        <source>You have changed this example: its description may no longer be right. Undo brings the values back.</source>
         <translation>Dieses Beispiel ist geändert: was von seinen Werten gesagt ist, gilt vielleicht nicht mehr. Rückgängig bringt sie zurück.</translation>
     </message>
 </context>
@@ -4854,7 +4854,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>As it is zoomed, to paste into a report</source>
+        <source>The present view, to paste into a report</source>
         <translation>Im gegenwärtigen Ausschnitt, zum Einfügen in einen Bericht</translation>
     </message>
     <message>
@@ -4870,7 +4870,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Die Daten des Diagramms speichern</translation>
     </message>
     <message>
-        <source>The waves of this blow are more than can be kept: there are no histories.</source>
+        <source>This blow has too many waves to keep: there are no histories.</source>
         <translation>Dieser Schlag hat mehr Wellen, als behalten werden können: es gibt keine Verläufe.</translation>
     </message>
     <message>
@@ -4922,7 +4922,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>&amp;Zahlen als Tabelle</translation>
     </message>
     <message>
-        <source>What this page draws, number by number, in a window of its own: to be read and copied</source>
+        <source>The numbers this page draws, in a window of their own, to read and copy</source>
         <translation>Was diese Seite zeichnet, Zahl für Zahl, in einem eigenen Fenster: zum Lesen und Kopieren</translation>
     </message>
     <message>
@@ -5056,7 +5056,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>neu</translation>
     </message>
     <message>
-        <source>A scenario given by its groups β, γ, τ and δ alone, without units</source>
+        <source>A scenario given only by its groups β, γ, τ and δ, without units</source>
         <translation>Ein Szenario, das nur durch seine Kennzahlen β, γ, τ und δ gegeben ist, ohne Einheiten</translation>
     </message>
     <message>
@@ -5120,7 +5120,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Abbildung &amp;%1: %2</translation>
     </message>
     <message>
-        <source>Computed anew, beside the numbers that the paper prints</source>
+        <source>Computed again, beside the numbers that the paper prints</source>
         <translation>Neu berechnet, neben den Zahlen, die die Veröffentlichung druckt</translation>
     </message>
     <message>
@@ -5136,7 +5136,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>Forget these names; the files stay</source>
+        <source>Clears this list; the files stay</source>
         <translation>Diese Namen vergessen; die Dateien bleiben</translation>
     </message>
     <message>
@@ -5145,12 +5145,12 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>%1
-It may be on a drive that is not connected. Shall it be taken off the list?</source>
+It may be on a drive that is not connected. Remove it from the list?</source>
         <translation>%1
 Vielleicht liegt sie auf einem Laufwerk, das nicht verbunden ist. Soll sie aus der Liste genommen werden?</translation>
     </message>
     <message>
-        <source>Take it off</source>
+        <source>Remove</source>
         <translation>Herausnehmen</translation>
     </message>
     <message>
@@ -5158,7 +5158,7 @@ Vielleicht liegt sie auf einem Laufwerk, das nicht verbunden ist. Soll sie aus d
         <translation>Das Szenario kann nicht geöffnet werden.</translation>
     </message>
     <message>
-        <source>This cannot be taken.</source>
+        <source>This cannot be opened.</source>
         <translation>Das kann nicht übernommen werden.</translation>
     </message>
     <message>
@@ -5177,7 +5177,7 @@ Ablegen lassen sich ein Szenario (.yaml), eine Datei eines Laufs (.csv, .json), 
     </message>
     <message>
         <source>%1
-Saving writes over what that program has written.</source>
+Saving overwrites the changes of that program.</source>
         <translation>%1
 Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     </message>
@@ -5201,7 +5201,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>&amp;Neu laden</translation>
     </message>
     <message>
-        <source>Take the scenario from the file; Undo brings the present one back</source>
+        <source>Load the scenario from the file; Undo brings the present one back</source>
         <translation>Das Szenario aus der Datei nehmen; Rückgängig bringt das gegenwärtige zurück</translation>
     </message>
     <message>
@@ -5209,7 +5209,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>&amp;Meines behalten</translation>
     </message>
     <message>
-        <source>Go on with the present scenario; saving writes it over the file</source>
+        <source>Continue with the present scenario; saving overwrites the file</source>
         <translation>Mit dem gegenwärtigen Szenario weiterarbeiten; Speichern schreibt es über die Datei</translation>
     </message>
     <message>
@@ -5236,11 +5236,11 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>There is no such folder yet. Make it?</source>
+        <source>This folder does not exist yet. Create it?</source>
         <translation>Diesen Ordner gibt es noch nicht. Anlegen?</translation>
     </message>
     <message>
-        <source>Make it</source>
+        <source>Create</source>
         <translation>Anlegen</translation>
     </message>
 </context>
@@ -5255,7 +5255,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Zur gleichförmigen Stange &amp;vereinfachen</translation>
     </message>
     <message>
-        <source>Put a &amp;force in place of the hammer</source>
+        <source>Use a &amp;force instead of the hammer</source>
         <translation>&amp;Kraft anstelle des Hammers setzen</translation>
     </message>
     <message>
@@ -5263,7 +5263,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Take the conversion back</source>
+        <source>Undo the conversion</source>
         <translation>Die Umwandlung zurücknehmen</translation>
     </message>
     <message>
@@ -5279,11 +5279,11 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>zur gleichförmigen Stange vereinfachen</translation>
     </message>
     <message>
-        <source>This is a uniform rod now, through which waves travel as long as through the string.</source>
+        <source>This is a uniform rod now, with the same travel time of waves as the string.</source>
         <translation>Das ist jetzt eine gleichförmige Stange, durch die Wellen so lange laufen wie durch den Strang.</translation>
     </message>
     <message>
-        <source>put a force in place of the hammer</source>
+        <source>use a force instead of the hammer</source>
         <translation>eine Kraft anstelle des Hammers setzen</translation>
     </message>
     <message>
@@ -5299,7 +5299,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Verloren oder geändert:</translation>
     </message>
     <message>
-        <source>A hammer and a rod of the same blow, to add couplings, an adapter and a bit to</source>
+        <source>Makes a hammer and a rod with the same blow, to which couplings, an adapter and a bit can be added</source>
         <translation>Ein Hammer und eine Stange mit demselben Schlag, für Kupplungsmuffen, Einsteckende und Bohrkrone</translation>
     </message>
     <message>
@@ -5307,7 +5307,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Nicht in diesem Szenario: %1</translation>
     </message>
     <message>
-        <source>The rod alone, as long for the waves as the string, struck by a uniform piston</source>
+        <source>Only the rod, as long for the waves as the string, struck by a uniform piston</source>
         <translation>Die Stange allein, für die Wellen so lang wie der Strang, von einem gleichförmigen Kolben geschlagen</translation>
     </message>
     <message>
@@ -5319,7 +5319,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Dieses Szenario treibt schon eine Kraft</translation>
     </message>
     <message>
-        <source>A force that does not feel what comes back, as a measured blow is</source>
+        <source>A force that reflected waves do not change, as a measured blow is</source>
         <translation>Eine Kraft, die nicht spürt, was zurückkommt, wie ein gemessener Schlag</translation>
     </message>
     <message>
@@ -5338,7 +5338,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
 <context>
     <name>drillwave::GoalField</name>
     <message>
-        <source>Goal: what the result is to be</source>
+        <source>Goal: wanted result</source>
         <translation>Ziel: was das Ergebnis sein soll</translation>
     </message>
     <message>
@@ -5346,7 +5346,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>keines</translation>
     </message>
     <message>
-        <source>What the result is to be: the values of the parameter that give it are marked, and a click takes one</source>
+        <source>Wanted result: the values of the parameter that give it are marked, and a click takes one</source>
         <translation>Was das Ergebnis sein soll: die Werte des Parameters, die es ergeben, werden markiert, und ein Klick übernimmt einen</translation>
     </message>
 </context>
@@ -5460,8 +5460,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>importieren als</translation>
     </message>
     <message>
-        <source>What the signal is for</source>
-        <translation>Wofür das Signal ist</translation>
+        <source>Use of the signal in the program</source>
+        <translation>Verwendung des Signals im Programm</translation>
     </message>
     <message>
         <source>hammer blow</source>
@@ -5480,7 +5480,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Name</translation>
     </message>
     <message>
-        <source>Under which the measured curve is listed</source>
+        <source>Name of the measured curve in the list</source>
         <translation>Unter dem die gemessene Kurve geführt wird</translation>
     </message>
     <message>
@@ -5492,7 +5492,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Signal</translation>
     </message>
     <message>
-        <source>The record, and what is taken of it</source>
+        <source>The record and the part that is used</source>
         <translation>Die Aufzeichnung und was davon übernommen wird</translation>
     </message>
     <message>
@@ -5524,7 +5524,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nur die Form wird übernommen: dieses Szenario hat keine physikalischen Einheiten.</translation>
     </message>
     <message>
-        <source>The blow takes the place of the hammer; undo brings it back.</source>
+        <source>The blow replaces the hammer; Undo brings it back.</source>
         <translation>Der Schlag ersetzt den Kolben; Rückgängig bringt ihn zurück.</translation>
     </message>
     <message>
@@ -5532,7 +5532,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Messgerät</translation>
     </message>
     <message>
-        <source>Settings that are kept by name: columns, units, gauge and amplifier. Choose some, or type a name and keep the present ones.</source>
+        <source>Saved settings: columns, units, gauge and amplifier. Select one, or type a name and keep the present settings.</source>
         <translation>Einstellungen, die unter einem Namen behalten wurden: Spalten, Einheiten, Messstreifen und Verstärker. Eine auswählen oder einen Namen eintippen und die jetzigen behalten.</translation>
     </message>
     <message>
@@ -5586,7 +5586,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Der Hammerschlag ist aus %1 übernommen.</translation>
     </message>
     <message>
-        <source>%1 is laid over the page Blow.</source>
+        <source>%1 is shown on the page Blow.</source>
         <translation>%1 liegt jetzt über der Seite Schlag.</translation>
     </message>
     <message>
@@ -5613,7 +5613,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Maschine: Gestein</translation>
     </message>
     <message>
-        <source>Whether the bit is turned onto new rock for every blow, or strikes the same crater again</source>
+        <source>Whether each blow meets new rock, or the crater of the blow before</source>
         <translation>Ob die Bohrkrone für jeden Schlag auf neues Gestein gedreht wird, oder wieder denselben Krater trifft</translation>
     </message>
     <message>
@@ -5625,7 +5625,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>derselbe Krater</translation>
     </message>
     <message>
-        <source>change which rock the blows meet</source>
+        <source>change the rock of the next blow</source>
         <translation>ändern, welches Gestein die Schläge treffen</translation>
     </message>
 </context>
@@ -5666,7 +5666,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Bohrkrone und Gestein: Kraft–Eindringung</translation>
     </message>
     <message>
-        <source>How the force rises with the penetration: along one line, along lines with corners, or with a power of it; it falls along one slope in all of them</source>
+        <source>Rise of the force with penetration: along a line, along lines with corners, or as a power; unloading always follows one slope</source>
         <translation>Wie die Kraft mit der Eindringung steigt: entlang einer Geraden, entlang eines Linienzugs mit Knicken oder mit einer Potenz davon; sie fällt immer mit derselben Steigung</translation>
     </message>
     <message>
@@ -5741,7 +5741,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>höchstens %1 Werte</translation>
     </message>
     <message>
-        <source>The values of which the map has contours, in the units on show: 0.95; 1; 1.05</source>
+        <source>Values of the contours, in the present units: 0.95; 1; 1.05</source>
         <translation>Die Werte, von denen das Kennfeld Höhenlinien hat, in den gezeigten Einheiten: 0.95; 1; 1.05</translation>
     </message>
 </context>
@@ -5827,7 +5827,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::ManualHelp</name>
     <message>
-        <source>Menus, as they are now</source>
+        <source>Menus and their keys</source>
         <translation>Menüs, wie sie jetzt sind</translation>
     </message>
     <message>
@@ -5835,7 +5835,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Taste</translation>
     </message>
     <message>
-        <source>what it does</source>
+        <source>action</source>
         <translation>was sie tut</translation>
     </message>
 </context>
@@ -5870,7 +5870,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Punkte des Kennfelds</translation>
     </message>
     <message>
-        <source>How many values each of the two parameters takes</source>
+        <source>Number of values of each of the two parameters</source>
         <translation>Wie viele Werte jeder der beiden Parameter annimmt</translation>
     </message>
     <message>
@@ -5886,7 +5886,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Kennfeld</translation>
     </message>
     <message>
-        <source>A click on a line or a preset takes over the point there, with Shift it pins it; the crosshair can be dragged.</source>
+        <source>Click on a line or preset to use that point; Shift+click pins it. The crosshair can be dragged.</source>
         <translation>Ein Klick auf eine Linie oder eine Voreinstellung übernimmt den Punkt dort, mit Umschalt heftet er ihn an; das Fadenkreuz lässt sich ziehen.</translation>
     </message>
 </context>
@@ -5920,7 +5920,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::MarchRects</name>
     <message>
-        <source>blow (shaded: used for statistics)</source>
+        <source>blow (shaded: counted)</source>
         <translation>Schlag (schattiert: in der Statistik)</translation>
     </message>
     <message>
@@ -5932,11 +5932,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Schläge [%]</translation>
     </message>
     <message>
-        <source>e of this gap</source>
+        <source>e at this gap</source>
         <translation>e dieses Spalts</translation>
     </message>
     <message>
-        <source>of the energy [%]</source>
+        <source>share of the energy [%]</source>
         <translation>der Energie [%]</translation>
     </message>
     <message>
@@ -5953,7 +5953,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>
-a projection of more dimensions</source>
+a projection from more dimensions</source>
         <translation>
 eine Projektion weiterer Dimensionen</translation>
     </message>
@@ -5969,7 +5969,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Einzelner Schlag</translation>
     </message>
     <message>
-        <source>Show the blow again that begins at rest, as in Result</source>
+        <source>Shows the blow from rest again, as in Result</source>
         <translation>Wieder den Schlag zeigen, der in Ruhe beginnt, wie im Ergebnis</translation>
     </message>
 </context>
@@ -5996,7 +5996,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Gemessene Kurve</translation>
     </message>
     <message>
-        <source>Show the waves at the section where this was measured</source>
+        <source>Shows the waves at the section of this gauge</source>
         <translation>Die Wellen an der Stelle zeigen, an der das gemessen wurde</translation>
     </message>
     <message>
@@ -6004,11 +6004,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Zeitversatz der gemessenen Kurve</translation>
     </message>
     <message>
-        <source>Added to the times of the measured curve; Up and Down move it</source>
+        <source>Time added to the measured curve; Up and Down change it</source>
         <translation>Kommt zu den Zeiten der gemessenen Kurve hinzu; Hoch und Runter verschieben sie</translation>
     </message>
     <message>
-        <source>Shift it to where it fits the computed curve best</source>
+        <source>Shifts the curve to the best fit with the computed one</source>
         <translation>Dorthin verschieben, wo sie am besten zur berechneten Kurve passt</translation>
     </message>
     <message>
@@ -6016,11 +6016,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die gemessene Kurve entfernen</translation>
     </message>
     <message>
-        <source>Take this measured curve away; Undo brings it back</source>
+        <source>Removes this measured curve; Undo brings it back</source>
         <translation>Diese gemessene Kurve wegnehmen; Rückgängig bringt sie zurück</translation>
     </message>
     <message>
-        <source>Over the time that both have: root of the mean square of their difference; size of the largest force, measured less computed; how much later the measured curve comes than where it fits best</source>
+        <source>Over the common time: root mean square of the difference; measured minus computed peak; delay of the measured curve from the best fit</source>
         <translation>Über der gemeinsamen Zeit: Wurzel aus dem mittleren Quadrat des Unterschieds; Betrag der größten Kraft, gemessen weniger berechnet; um wie viel die gemessene Kurve später kommt, als wo sie am besten passt</translation>
     </message>
     <message>
@@ -6040,7 +6040,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>bei %1</translation>
     </message>
     <message>
-        <source>%1 points; no sample of what is taken is further than %2 from them</source>
+        <source>%1 points; no sample is further than %2 from the lines between them</source>
         <translation>%1 Punkte; kein übernommener Abtastwert ist weiter als %2 von ihnen entfernt</translation>
     </message>
 </context>
@@ -6094,47 +6094,47 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 = %2 liegt außerhalb des üblichen Bereichs, %3 bis %4.</translation>
     </message>
     <message>
-        <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
-        <translation>Die erste Reflexion ist zurück, während %1&#xa0;% des Schlags noch ausstehen; ein wirklicher Hammer würde sie spüren, hier ist seine Kraft vorgegeben.</translation>
+        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Die erste Reflexion kommt vor den letzten %1 % des Schlags zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Kraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
-        <translation>Die Impedanz des Hammers ist die der Stange, der Wert, der angenommen wird, wo keiner angegeben ist: sein Schlag ist eine Stufe.</translation>
+        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
+        <translation>Der Hammer hat die Impedanz der Stange, den Standardwert: sein Schlag ist eine Stufe. Die Daten des Kolbens angeben.</translation>
     </message>
     <message>
-        <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
-        <translation>Der Hammer ist der, der angenommen wird, wo keiner angegeben ist (%1, Werkstoff der Stange): die Daten des Kolbens des Bohrhammers angeben.</translation>
+        <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
+        <translation>Der Hammer ist der Standardhammer (%1, Werkstoff der Stange). Die Daten des Kolbens des Bohrhammers angeben.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
+        <source>The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and the rod receives more than its momentum.</source>
         <translation>Die Impedanz des Hammers ist kleiner als die der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
-        <translation>Die Impedanz des Hammers ist größer als die der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
+        <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen, berechnet für eine lange Stange.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; %2 verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3. Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10 % ändern; %2 berechnet das.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; %3 verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2). Die Eindringung kann sich um bis zu 10 % ändern; %3 berechnet das.</translation>
     </message>
     <message>
-        <source>share but a cell of time of %1, which would take more work than is permitted</source>
-        <translation>haben nur eine Zeitzelle von %1 gemeinsam, die mehr Aufwand kosten würde, als erlaubt ist</translation>
+        <source>only share a time step of %1, which takes more work than is permitted</source>
+        <translation>haben nur einen Zeitschritt von %1 gemeinsam, der mehr Aufwand kostet, als erlaubt ist</translation>
     </message>
     <message>
-        <source>share no cell of time</source>
-        <translation>haben keine Zeitzelle gemeinsam</translation>
+        <source>share no time step</source>
+        <translation>haben keinen Zeitschritt gemeinsam</translation>
     </message>
     <message>
-        <source>the force on the rock and the rebound are off: e by up to %1</source>
+        <source>force on the rock and rebound have errors: e by up to %1</source>
         <translation>Kraft auf das Gestein und Rückprall weichen ab: e um bis zu %1</translation>
     </message>
     <message>
-        <source>the efficiency may be off by %1</source>
+        <source>the efficiency may have an error of %1</source>
         <translation>der Wirkungsgrad kann um %1 abweichen</translation>
     </message>
     <message>
@@ -6142,12 +6142,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer one.</source>
-        <translation>Längen mit einem größeren gemeinsamen Teiler haben eine längere gemeinsam.</translation>
+        <source>Lengths with a larger common divisor share a longer time step.</source>
+        <translation>Längen mit einem größeren gemeinsamen Teiler haben einen längeren Zeitschritt gemeinsam.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share one and are exact.</source>
-        <translation>Längen in ganzen Millimetern aus einem Stahl haben eine gemeinsam und sind genau.</translation>
+        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
+        <translation>Längen in ganzen Millimetern aus einem Stahl haben einen Zeitschritt gemeinsam und sind genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6158,7 +6158,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Bohrkrone das Gestein mitten in einer Welle trifft (delta = %1 ist keine ganze Zahl)</translation>
     </message>
     <message>
-        <source>the loading curve of the rock is no straight line</source>
+        <source>the loading curve of the rock is not a straight line</source>
         <translation>die Belastungskurve des Gesteins keine Gerade ist</translation>
     </message>
     <message>
@@ -6166,12 +6166,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Bohrkrone noch auf dem Gestein ist, wenn die nächste Reflexion ankommt</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3.</source>
+        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
         <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1: ihr e = %2 weicht um %3 ab.</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so that e depends on the last digits of the input: it is known to %2 only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock chatters less.</source>
-        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e an den letzten Stellen der Eingabe hängt: es ist nur auf %2 bekannt, und keine Rechnung kennt es besser. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein rattert weniger.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input: no calculation can know it better than to %2. A longer rod, a shorter blow or a softer rock chatters less.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt: keine Rechnung kann es genauer als auf %2 kennen. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein rattert weniger.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6186,12 +6186,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Auf eine Bewegung als starrer Körper hat der Spalt keine Wirkung: er verschiebt nur die Zeit des Kontakts.</translation>
     </message>
     <message>
-        <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
-        <translation>Die Stange prallt mit mehr Impuls zurück, als sie ankam (e = %1): mit starrem Gestein, e = 1, würde der Andruck unterschätzt.</translation>
+        <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
+        <translation>Die Stange prallt mit mehr Impuls zurück, als sie vor dem Aufprall hatte (e = %1). Eine Schätzung für starres Gestein (e = 1) ergibt einen zu kleinen Andruck.</translation>
     </message>
     <message>
-        <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
-        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: die Wellen unterwegs bringen sie zurück.</translation>
+        <source>The bit hits the rock %1 times in this blow: reflected waves push it back to the rock.</source>
+        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: reflektierte Wellen drücken sie zum Gestein zurück.</translation>
     </message>
     <message>
         <source>The numerical error of e may be as large as %1.</source>
@@ -6202,60 +6202,60 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>würde fließen</translation>
     </message>
     <message>
-        <source>is fatigued by every blow</source>
+        <source>suffers fatigue at every blow</source>
         <translation>überschreitet mit jedem Schlag die Dauerfestigkeit</translation>
     </message>
     <message>
-        <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Nach %1 können Bohrkrone oder Hammer noch einmal auftreffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
+        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
+        <translation>Nach %1 können sich Bohrkrone und Gestein oder Hammer und Strang noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
-        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist: sie wurden weggelassen, und keine Festigkeit wurde geprüft. Eine frühere end_time kann Platz für sie lassen.</translation>
+        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
+        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist. Sie wurden nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
+        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
         <translation>Die Kraft bleibt unter der ersten Ecke der Belastungskurve (%1 von %2): das Gesetz wirkt wie das bilineare.</translation>
     </message>
     <message>
-        <source>The feed, %1, is less than the mean reaction of the blows, %2, or so near to it that gaps grow without bound.</source>
-        <translation>Der Vorschub, %1, ist kleiner als die mittlere Reaktion der Schläge, %2, oder ihr so nahe, dass Spalte ohne Grenze wachsen.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
+        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran: Spalte wachsen ohne Grenze. Den Andruck erhöhen.</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Die Wellen verlieren nichts: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30&#xa0;% in einem Hin- und Rücklauf ist üblich.</translation>
+        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Nichts dämpft die Wellen: Sprünge klingen nie ab. Einen Wellenverlust angeben; 1 bis 30 % je Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
-        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; “may strike again” switched off (restrike: false in the file) says so.</source>
-        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt „darf wieder schlagen“ ausgeschaltet (restrike: false in der Datei).</translation>
+        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Nach der Trennung gibt der Kolben noch bis zu %1 % seines Impulses ab: er ist dem zurückprallenden Strang im Weg. Hat die Maschine ihn bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; the spring of the damper brings it back.</source>
-        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; die Feder des Dämpfers bringt es zurück.</translation>
+        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
+        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: Hub und Schlag wären andere. Nur mit einem Dämpfer kriecht es; dem Dämpfer eine Feder geben.</translation>
     </message>
     <message>
-        <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
-        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit Schläge am Ende einer Zelle kommen.</translation>
+        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
+        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
     </message>
     <message>
-        <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
-        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihrer Fehler: es braucht mehr Schläge, oder mehr davon zum Einschwingen.</translation>
+        <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
+        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihres Fehlers. Die Zahl der Schläge oder der Schläge zum Einschwingen erhöhen.</translation>
     </message>
     <message>
-        <source>Two motions coexist. The start or the time step decides which one is computed; which one a machine takes is not known.</source>
-        <translation>Zwei Bewegungen sind möglich. Welche berechnet wird, entscheidet der Anfang oder der Zeitschritt; welche eine Maschine ausführt, ist nicht bekannt.</translation>
+        <source>Two steady motions are possible. The start or the time step decides which one is computed; a real drill may settle into either.</source>
+        <translation>Zwei stetige Bewegungen sind möglich. Anfang oder Zeitschritt entscheiden, welche berechnet wird; eine wirkliche Maschine kann jede der beiden annehmen.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: means are results, single blows are none.</source>
-        <translation>Die Bewegung wiederholt sich nicht: Mittel sind Ergebnisse, einzelne Schläge keine.</translation>
+        <source>The motion does not repeat: use the means, not the values of single blows.</source>
+        <translation>Die Bewegung wiederholt sich nicht: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
     </message>
     <message>
-        <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Die Energiebilanz aller Schläge geht nur auf %1&#xa0;% genau auf: die Zellen sind lang für diese Kontakte; kürzere verringern den Fehler mit ihrer Länge.</translation>
+        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1 %: der Zeitschritt ist lang für diese Kontakte. Ein kürzerer verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
-        <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
-        <translation>Kein Hersteller veröffentlicht seinen Dämpfer: Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
+        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Der Dämpfer ist angenommen, weil Hersteller ihren nicht veröffentlichen. Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6282,7 +6282,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>vor jedem Schlag in Ruhe</translation>
     </message>
     <message>
-        <source>irregular: single blows are no result</source>
+        <source>irregular: use means only</source>
         <translation>unregelmäßig: einzelne Schläge sind kein Ergebnis</translation>
     </message>
     <message>
@@ -6314,11 +6314,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>bei jedem Spalt</translation>
     </message>
     <message>
-        <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
+        <source>The feed cannot be judged: the scenario has dimensionless groups, not physical units.</source>
         <translation>Der Vorschub wird nicht beurteilt: das Szenario ist durch seine dimensionslosen Kennzahlen gegeben, nicht in physikalischen Einheiten.</translation>
     </message>
     <message>
-        <source>The feed is not judged: no blow frequency is given.</source>
+        <source>The feed cannot be judged: no blow frequency is given.</source>
         <translation>Der Vorschub wird nicht beurteilt: es ist keine Schlagfrequenz angegeben.</translation>
     </message>
     <message>
@@ -6438,7 +6438,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>polynomiale Zellen</translation>
     </message>
     <message>
-        <source>the thrust</source>
+        <source>the feed force</source>
         <translation>der Andruck</translation>
     </message>
     <message>
@@ -6450,7 +6450,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 braucht drill.blow_frequency; im Szenario oder mit --set angeben</translation>
     </message>
     <message>
-        <source>This blow has %1 pieces, too many to be followed over all gaps in a report: `drillwave %2` does that, and takes its time.</source>
+        <source>This blow has %1 wave pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
         <translation>Dieser Schlag hat %1 Stücke, zu viele, um ihn in einem Bericht über alle Spalte zu verfolgen: `drillwave %2` tut das und nimmt sich die Zeit.</translation>
     </message>
     <message>
@@ -6458,11 +6458,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Der Schlag konnte nicht bei allen Spalten gelöst werden: %1</translation>
     </message>
     <message>
-        <source>The reference case does not depend on the gap: it only shifts the time of contact.</source>
+        <source>The reference case does not depend on the gap, which only shifts the time of contact.</source>
         <translation>Der Referenzfall hängt nicht vom Spalt ab: dieser verschiebt nur die Zeit des Kontakts.</translation>
     </message>
     <message>
-        <source>The hammer still pushes when its first reflection is back: results have a period in the gap only from a gap of %1 d0 on, and the statistics are over the period that begins there.</source>
+        <source>The hammer still pushes when its first reflection returns: results are periodic only for gaps above %1 d0, and the statistics cover the first period above it.</source>
         <translation>Der Hammer drückt noch, wenn seine erste Reflexion zurück ist: die Ergebnisse haben erst ab einem Spalt von %1 d0 eine Periode im Spalt, und die Statistik gilt für die Periode, die dort beginnt.</translation>
     </message>
     <message>
@@ -6502,7 +6502,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Mittel</translation>
     </message>
     <message>
-        <source>all gaps alike</source>
+        <source>all gaps equally likely</source>
         <translation>alle Spalte gleich wahrscheinlich</translation>
     </message>
     <message>
@@ -6542,7 +6542,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Knicke von e bei einem Spalt von %1</translation>
     </message>
     <message>
-        <source>The scattered gap is a normal distribution cut off at no gap: mean and deviation are those before the cut.</source>
+        <source>The scattered gap is a normal distribution cut off at zero; mean and deviation are those before the cut.</source>
         <translation>Der gestreute Spalt ist eine bei null abgeschnittene Normalverteilung: Mittel und Standardabweichung sind die vor dem Schnitt.</translation>
     </message>
     <message>
@@ -6650,11 +6650,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>as a multiple</source>
+        <source>scaled</source>
         <translation>als Vielfaches</translation>
     </message>
     <message>
-        <source>where and when</source>
+        <source>place and time</source>
         <translation>wo und wann</translation>
     </message>
     <message>
@@ -6662,7 +6662,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>E₀ and p₀ are energy and momentum of the hammer.</source>
+        <source>E₀ and p₀ are the energy and momentum of the hammer.</source>
         <translation>E₀ und p₀ sind Energie und Impuls des Hammers.</translation>
     </message>
     <message>
@@ -6670,7 +6670,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>W ist die Arbeit des Hammers.</translation>
     </message>
     <message>
-        <source>Beside other runs</source>
+        <source>Comparison with other runs</source>
         <translation>Vergleich mit anderen Läufen</translation>
     </message>
     <message>
@@ -6678,7 +6678,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Beside what was measured</source>
+        <source>Comparison with measurements</source>
         <translation>Vergleich mit der Messung</translation>
     </message>
     <message>
@@ -6686,11 +6686,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Signal</translation>
     </message>
     <message>
-        <source>Over the time that both have: the root of the mean square of their difference, the size of the largest force, measured less computed, and how much later the measured signal comes than where it fits best.</source>
+        <source>Over the common time: root mean square of the difference, measured minus computed peak force, and delay of the measured signal from the best fit.</source>
         <translation>Über die gemeinsame Zeit: die Wurzel aus dem mittleren Quadrat der Differenz, der Betrag der größten Kraft, gemessen minus berechnet, und um wie viel später das gemessene Signal kommt als dort, wo es am besten passt.</translation>
     </message>
     <message>
-        <source>How well it is solved</source>
+        <source>Numerical error</source>
         <translation>Genauigkeit der Lösung</translation>
     </message>
     <message>
@@ -6702,15 +6702,15 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Betrag</translation>
     </message>
     <message>
-        <source>The error of the efficiency and the errors of the balances are numerical; what is known of rock and string is far coarser.</source>
+        <source>The errors of the efficiency and of the balances are numerical; rock and string are known far less well.</source>
         <translation>Der Fehler des Wirkungsgrads und die Fehler der Bilanzen sind numerisch; was man von Gestein und Strang weiß, ist weit gröber.</translation>
     </message>
     <message>
-        <source>The bound on e and the errors of the balances are numerical; what is known of rock and rod is far coarser.</source>
+        <source>The error bound of e and the errors of the balances are numerical; rock and rod are known far less well.</source>
         <translation>Die Schranke für e und die Fehler der Bilanzen sind numerisch; was man von Gestein und Stange weiß, ist weit gröber.</translation>
     </message>
     <message>
-        <source>Where the energy went</source>
+        <source>Energy balance</source>
         <translation>Wohin die Energie ging</translation>
     </message>
     <message>
@@ -6726,11 +6726,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Größte Spannungen jedes Abschnitts</translation>
     </message>
     <message>
-        <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
+        <source>Places are from the rear end of a section. Reflected at a joint: the energy that the far end of the section reflects of the waves from the hammer, as a share of the hammer energy.</source>
         <translation>Orte zählen vom hinteren Ende eines Abschnitts. Die Reflexion ist der Anteil der Energie des Hammers, den die Verbindung am gesteinsseitigen Ende des Abschnitts von dem reflektiert, was vom Hammer kommt.</translation>
     </message>
     <message>
-        <source>Needs of the thrust</source>
+        <source>Required feed force</source>
         <translation>Bedarfe an Andruck</translation>
     </message>
     <message>
@@ -7002,12 +7002,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Zug erreicht %1</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den verbliebenen Wellen (die hier nichts dämpft), gegenüber einer Festigkeit von %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
+        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den Restwellen (hier ungedämpft); ihre Festigkeit ist %5.</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags, gegenüber einer Festigkeit von %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
+        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags; ihre Festigkeit ist %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -7038,11 +7038,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>muss eine ganze Zahl sein</translation>
     </message>
     <message>
-        <source>cannot be kept: the values that it follows from are at the end of double precision, it reads back as %1</source>
+        <source>cannot be stored: its values are at the limit of double precision, it reads back as %1</source>
         <translation>lässt sich nicht halten: die Werte, aus denen es folgt, liegen an der Grenze der doppelten Genauigkeit, zurückgelesen wird %1</translation>
     </message>
     <message>
-        <source>in a larger one the numbers of double precision are too coarse to place a wave</source>
+        <source>in a larger one, double precision is too coarse to place a wave</source>
         <translation>bei größeren Werten sind Zahlen doppelter Genauigkeit zu grob, um eine Welle zu verorten</translation>
     </message>
     <message>
@@ -7074,7 +7074,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>jeder Teil muss ein Abschnitt sein, oder eine Wiederholung von mindestens einem</translation>
     </message>
     <message>
-        <source>only a repeat has it</source>
+        <source>only for a repeat</source>
         <translation>das hat nur eine Wiederholung</translation>
     </message>
     <message>
@@ -7082,15 +7082,15 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>hat %1 Abschnitte, Wiederholungen ausgeschrieben; höchstens %2 werden verfolgt</translation>
     </message>
     <message>
-        <source>losses inside the hammer are not part of the model: give them to sections of the string</source>
+        <source>losses inside the hammer are not modelled: give them to sections of the string</source>
         <translation>Verluste im Hammer gehören nicht zum Modell: sie bei Abschnitten des Strangs angeben</translation>
     </message>
     <message>
-        <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
+        <source>is so narrow that its face only covers the bore of %1 of the section it strikes</source>
         <translation>ist so schmal, dass die Schlagfläche nur die Bohrung von %1 des getroffenen Abschnitts trifft</translation>
     </message>
     <message>
-        <source>the values are so large or small that its impedance, transit time or mass overflows</source>
+        <source>the values are too large or too small: impedance, transit time or mass overflows</source>
         <translation>die Werte sind so groß oder klein, dass Impedanz, Laufzeit oder Masse überlaufen</translation>
     </message>
     <message>
@@ -7106,7 +7106,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>muss größer als die Kraft der Ecke davor sein, %1</translation>
     </message>
     <message>
-        <source>must be at most 1/gamma = %1: loading steeper than unloading would create energy</source>
+        <source>must be at most 1/gamma = %1, because loading steeper than unloading would create energy</source>
         <translation>darf höchstens 1/gamma = %1 sein: Belastung steiler als Entlastung würde Energie erzeugen</translation>
     </message>
     <message>
@@ -7126,11 +7126,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Impedanz des Hammers ist das %1-Fache derjenigen der Stange, zu viele Stufen zum Verfolgen; die Form exponential nehmen, einen starren Hammer</translation>
     </message>
     <message>
-        <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to tell what happens within one t0 (at most %3)%4</source>
+        <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to resolve one t0 (at most %3)%4</source>
         <translation>bei tau = %1 trifft die Bohrkrone das Gestein nach %2 t0, zu spät, als dass doppelte Genauigkeit sagen könnte, was in einem t0 geschieht (höchstens %3)%4</translation>
     </message>
     <message>
-        <source>the values are so large or small that the force or energy of the blow overflows</source>
+        <source>the values are too large or too small: the force or energy of the blow overflows</source>
         <translation>die Werte sind so groß oder klein, dass Kraft oder Energie des Schlags überlaufen</translation>
     </message>
     <message>
@@ -7166,7 +7166,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>dauert zu lange</translation>
     </message>
     <message>
-        <source>has no unit: write for example `%1 %2`; units that would do: %3</source>
+        <source>has no unit: write for example `%1 %2`; allowed units: %3</source>
         <translation>hat keine Einheit: zum Beispiel `%1 %2` schreiben; möglich sind: %3</translation>
     </message>
     <message>
@@ -7174,11 +7174,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein Dezimalkomma wird hier nicht gelesen: einen Punkt schreiben</translation>
     </message>
     <message>
-        <source>must be a plain number, %1 is too much</source>
+        <source>must be a plain number: remove %1</source>
         <translation>muss eine bloße Zahl sein, %1 ist zu viel</translation>
     </message>
     <message>
-        <source>unit %1 is not known here; units that would do: %2</source>
+        <source>unit %1 is not known here; allowed units: %2</source>
         <translation>die Einheit %1 ist hier nicht bekannt; möglich sind: %2</translation>
     </message>
     <message>
@@ -7206,7 +7206,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>fehlt: zum Beispiel `corners: [{force: 90 kN, slope: 0.35}]` schreiben</translation>
     </message>
     <message>
-        <source>only a law with corners has it; write `law: corners`</source>
+        <source>only for a law with corners; write `law: corners`</source>
         <translation>das hat nur ein Gesetz mit Ecken; `law: corners` schreiben</translation>
     </message>
     <message>
@@ -7246,7 +7246,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Quelle %1</translation>
     </message>
     <message>
-        <source>must be [value, source], the source being `assumed` where there is none</source>
+        <source>must be [value, source]; write `assumed` if there is no source</source>
         <translation>muss [Wert, Quelle] sein, die Quelle `assumed`, wo es keine gibt</translation>
     </message>
     <message>
@@ -7262,7 +7262,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>und %1 weitere Fehler</translation>
     </message>
     <message>
-        <source>only a table has it, the shape is %1</source>
+        <source>only for a table; the shape is %1</source>
         <translation>das hat nur eine Tabelle, die Form ist %1</translation>
     </message>
     <message>
@@ -7302,7 +7302,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>das Szenario ist größer als 1 MiB</translation>
     </message>
     <message>
-        <source>the scenario is larger than 1 MiB, which no file may be; keep the points of a table in a CSV file</source>
+        <source>the scenario is larger than 1 MiB, the limit for files; keep the points of a table in a CSV file</source>
         <translation>das Szenario ist größer als 1 MiB, mehr, als eine Datei haben darf; die Punkte einer Tabelle in einer CSV-Datei ablegen</translation>
     </message>
     <message>
@@ -7326,11 +7326,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>gehört zu einem Bohrstrang: eine Datei, die es hat, beginnt mit `drillwave: 2`</translation>
     </message>
     <message>
-        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` in place of `rod`, and `hammer` or `pulse`</source>
+        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` instead of `rod`, and `hammer` or `pulse`</source>
         <translation>gehört zu einer gleichförmigen Stange: eine Datei, die es hat, beginnt mit `drillwave: 1`; ein Bohrstrang hat `string` anstelle von `rod`, und `hammer` oder `pulse`</translation>
     </message>
     <message>
-        <source>cannot stand beside `dimensionless`: give one or the other</source>
+        <source>cannot be combined with `dimensionless`: give one or the other</source>
         <translation>kann nicht neben `dimensionless` stehen: das eine oder das andere angeben</translation>
     </message>
     <message>
@@ -7382,7 +7382,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>fehlt: dies oder %1 angeben</translation>
     </message>
     <message>
-        <source>cannot stand beside %1: give one or the other</source>
+        <source>cannot be combined with %1: give one or the other</source>
         <translation>kann nicht neben %1 stehen: das eine oder das andere angeben</translation>
     </message>
     <message>
@@ -7394,7 +7394,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>muss ein Abschnitt sein: `{length: 300 mm, diameter: 50 mm}`</translation>
     </message>
     <message>
-        <source>is empty; a section without a name is written without it</source>
+        <source>is empty; leave it out for a section without a name</source>
         <translation>ist leer; ein Abschnitt ohne Namen wird ohne ihn geschrieben</translation>
     </message>
     <message>
@@ -7418,7 +7418,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein Hammer hat keine Wiederholungen; seine Abschnitte ausschreiben</translation>
     </message>
     <message>
-        <source>a repeat cannot stand inside another one</source>
+        <source>a repeat cannot contain another one</source>
         <translation>eine Wiederholung kann nicht in einer anderen stehen</translation>
     </message>
     <message>
@@ -7434,7 +7434,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>muss ein Abschnitt sein, `{name: rod, length: 3660 mm, diameter: 39 mm}`, oder `{repeat: 3, of: […]}`</translation>
     </message>
     <message>
-        <source>is missing: the list of the sections that come again</source>
+        <source>is missing: give the list of the sections to repeat</source>
         <translation>fehlt: die Liste der Abschnitte, die wiederkommen</translation>
     </message>
     <message>
@@ -7446,23 +7446,23 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>fehlt: zum Beispiel `repeat: 3` schreiben</translation>
     </message>
     <message>
-        <source>stands beside `hammer`: keep one, a hammer of sections or a force in its place</source>
+        <source>cannot be combined with `hammer`: keep one, a hammer of sections or a force instead of it</source>
         <translation>steht neben `hammer`: eines behalten, einen Hammer aus Abschnitten oder eine Kraft an seiner Stelle</translation>
     </message>
     <message>
-        <source>only a drill string has it (`drillwave: 2`), this is a uniform rod</source>
+        <source>only for drill strings (`drillwave: 2`); this is a uniform rod</source>
         <translation>das hat nur ein Bohrstrang (`drillwave: 2`), dies ist eine gleichförmige Stange</translation>
     </message>
     <message>
-        <source>only a uniform rod has it (`drillwave: 1`), this is a drill string</source>
+        <source>only for uniform rods (`drillwave: 1`); this is a drill string</source>
         <translation>das hat nur eine gleichförmige Stange (`drillwave: 1`), dies ist ein Bohrstrang</translation>
     </message>
     <message>
-        <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
+        <source>only for a force instead of the hammer (`pulse`); this string is struck by a hammer</source>
         <translation>das hat nur eine Kraft anstelle des Hammers (`pulse`), diesen Strang schlägt ein Hammer</translation>
     </message>
     <message>
-        <source>only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)</source>
+        <source>only for a hammer of sections (`hammer`); this string is driven by a force (`pulse`)</source>
         <translation>das hat nur ein Hammer aus Abschnitten (`hammer`), diesen Strang treibt eine Kraft (`pulse`)</translation>
     </message>
     <message>
@@ -7482,11 +7482,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1; seine Abschnitte setzen, wie `string.1.length`</translation>
     </message>
     <message>
-        <source>only %1 has it; set `%2=%3` too</source>
+        <source>only for %1; set `%2=%3` too</source>
         <translation>das hat nur %1; auch `%2=%3` setzen</translation>
     </message>
     <message>
-        <source>needs a unit, as this scenario is in physical quantities</source>
+        <source>needs a unit, because this scenario has physical units</source>
         <translation>braucht eine Einheit, da dieses Szenario in physikalischen Größen ist</translation>
     </message>
     <message>
@@ -7494,7 +7494,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>hat in einem dimensionslosen Szenario keine Einheit</translation>
     </message>
     <message>
-        <source>only a trapezoid has it, the shape is %1</source>
+        <source>only for a trapezoid; the shape is %1</source>
         <translation>das hat nur ein Trapez, die Form ist %1</translation>
     </message>
     <message>
@@ -7502,7 +7502,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>folgt aus den Durchmessern und Werkstoffen von Hammer und Stange</translation>
     </message>
     <message>
-        <source>only a piston has it, the shape is %1</source>
+        <source>only for a piston; the shape is %1</source>
         <translation>das hat nur ein Kolben, die Form ist %1</translation>
     </message>
     <message>
@@ -7550,7 +7550,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein Anker (&amp;) wird hier nicht angenommen: den Wert selbst schreiben</translation>
     </message>
     <message>
-        <source>a tag (!) is not accepted here: write the value alone</source>
+        <source>a tag (!) is not accepted here: write only the value</source>
         <translation>ein Tag (!) wird hier nicht angenommen: den Wert allein schreiben</translation>
     </message>
     <message>
@@ -7566,11 +7566,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>kein YAML: %1</translation>
     </message>
     <message>
-        <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
+        <source>The force is no longer prescribed: reflected waves can separate the hammer from the rod.</source>
         <translation>Der Schlag ist keine vorgegebene Kraft mehr: Wellen, die zum Hammer zurückkommen, während er noch drückt, trennen ihn von der Stange.</translation>
     </message>
     <message>
-        <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
+        <source>%1 of %2 sections have another impedance (couplings, adapter, bit): they became rod, which reflects nothing.</source>
         <translation>%1 von %2 Abschnitten haben eine andere Impedanz (Kupplungsmuffen, Einsteckende, Bohrkrone): sie sind zu Stange geworden, die nichts zurückwirft.</translation>
     </message>
     <message>
@@ -7582,7 +7582,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Verluste in Verbindungen und entlang der Stangen.</translation>
     </message>
     <message>
-        <source>The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel time.</source>
+        <source>The steps of the hammer: it became uniform, with the same mass, velocity and travel time of waves.</source>
         <translation>Die Stufen des Hammers: er ist gleichförmig geworden, mit derselben Masse, Geschwindigkeit und Wellenlaufzeit.</translation>
     </message>
     <message>
@@ -7590,7 +7590,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die elastische Schlagfläche des Hammers: sie ist starr.</translation>
     </message>
     <message>
-        <source>The hammer is not hit again once it has separated: it is withdrawn.</source>
+        <source>After separation the hammer is withdrawn: it does not strike again.</source>
         <translation>Der Hammer wird nach der Trennung nicht noch einmal getroffen: er ist zurückgezogen.</translation>
     </message>
     <message>
@@ -7606,7 +7606,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Referenzfall einer Stange, die ohne Wellen ankommt, hat keinen Hammer</translation>
     </message>
     <message>
-        <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
+        <source>Waves reflected to the hammer are left out: the force is that of the hammer on an endless rod.</source>
         <translation>Was zum Hammer zurückkommt: die Kraft ist die des Hammers auf eine Stange ohne Ende.</translation>
     </message>
     <message>
@@ -7614,23 +7614,23 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Zeit, bis zu der der Schlag verfolgt wird.</translation>
     </message>
     <message>
-        <source>the waves of such a blow are too many to be kept</source>
+        <source>such a blow has too many waves to keep</source>
         <translation>die Wellen eines solchen Schlags sind zu viele, um sie zu behalten</translation>
     </message>
     <message>
-        <source>it has no number of some output</source>
+        <source>some output has no value</source>
         <translation>es hat zu einem der Ergebnisse keine Zahl</translation>
     </message>
     <message>
-        <source>its waves are more than can be kept</source>
+        <source>it has too many waves to keep</source>
         <translation>seine Wellen sind mehr, als behalten werden können</translation>
     </message>
     <message>
-        <source>the hammer still pushes when its wave has returned more often than is followed</source>
+        <source>the hammer pushes longer than the reflections that are computed</source>
         <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
     </message>
     <message>
-        <source>its blows over all gaps have more wave pieces than are followed in passing</source>
+        <source>its blows over all gaps need more wave pieces than a quick study permits</source>
         <translation>seine Schläge über alle Spalte haben mehr Wellenstücke, als nebenbei verfolgt werden</translation>
     </message>
     <message>
@@ -7638,11 +7638,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>es hat kein solches Ergebnis</translation>
     </message>
     <message>
-        <source>the damper, or the face of the hammer, is too stiff for the cells of the march</source>
+        <source>the damper, or the face of the hammer, is too stiff for the time step</source>
         <translation>der Dämpfer oder die Schlagfläche des Hammers ist zu steif für die Zellen der Rechnung</translation>
     </message>
     <message>
-        <source>the damper, or the hammer, meets and leaves the rear end without end</source>
+        <source>the contact of damper or hammer with the rear end changes without end</source>
         <translation>der Dämpfer oder der Hammer trifft und verlässt das hintere Ende unaufhörlich</translation>
     </message>
     <message>
@@ -7666,11 +7666,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Reihenfolge zweier Ereignisse hängt an der Rundung</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <source>its histories need more than 4 million wave pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
         <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
-        <source>it needs more wave pieces than permitted: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <source>it needs more wave pieces than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
         <translation>der Schlag braucht mehr Wellenstücke als erlaubt: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
@@ -7686,11 +7686,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein Ereignis am Gestein lässt sich nicht verorten</translation>
     </message>
     <message>
-        <source>bit and rock meet and part, or a small bit mass swings, faster than can be followed</source>
+        <source>bit and rock change contact, or a small bit mass oscillates, faster than can be computed</source>
         <translation>Bohrkrone und Gestein treffen und trennen sich schneller, als verfolgt werden kann, oder eine kleine Masse der Bohrkrone schwingt zu schnell</translation>
     </message>
     <message>
-        <source>the faces of hammer and string meet and part without end</source>
+        <source>the contact of hammer and string changes without end</source>
         <translation>die Schlagflächen von Hammer und Strang treffen und trennen sich unaufhörlich</translation>
     </message>
     <message>
@@ -7698,23 +7698,23 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein Kontakt von Hammer und Strang lässt sich nicht verorten</translation>
     </message>
     <message>
-        <source>bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less</source>
+        <source>contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, no bit mass or a shorter end_time</source>
         <translation>Bohrkrone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Masse der Bohrkrone schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Masse der Bohrkrone oder eine frühere end_time braucht weniger</translation>
     </message>
     <message>
-        <source>it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier end_time need fewer</source>
+        <source>it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a shorter end_time</source>
         <translation>der Schlag braucht mehr Wellenzellen als erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
     </message>
     <message>
-        <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
+        <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
         <translation>eine Stange, die sich als Ganzes auf das Gestein zubewegt, ist nichts für polynomiale Zellen, die eine Kraft oder einen Hammer verfolgen</translation>
     </message>
     <message>
-        <source>losses inside the hammer are not part of the model: give loss and attenuation to the string only</source>
+        <source>losses inside the hammer are not modelled: give loss and attenuation only to the string</source>
         <translation>Verluste im Hammer gehören nicht zum Modell: loss und attenuation nur beim Strang angeben</translation>
     </message>
     <message>
-        <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
+        <source>the bit mass oscillates too fast on this rock: leave it out (it is too small to matter), or give a softer rock</source>
         <translation>die Masse der Bohrkrone schwingt auf diesem Gestein zu schnell, um verfolgt zu werden: sie weglassen, sie ist zu klein, um etwas auszumachen, oder ein weicheres Gestein angeben</translation>
     </message>
     <message>
@@ -7726,7 +7726,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ist %1-mal angegeben; eines davon behalten</translation>
     </message>
     <message>
-        <source>is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)</source>
+        <source>ends in .csv and holds no scenario; only CSV files of run, gap, thrust and accuracy do (for a sweep or table it is in the .yaml file beside it)</source>
         <translation>gilt als Ergebnis, da der Name auf .csv endet, und enthält kein Szenario; nur die CSV-Dateien von run, gap, thrust und accuracy beginnen mit einem (sweep und table haben es in der .yaml daneben)</translation>
     </message>
     <message>
@@ -7734,15 +7734,15 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ist eine Webseite und enthält kein Szenario; nur die HTML-Dateien von `drillwave report` beginnen mit einem</translation>
     </message>
     <message>
-        <source>is larger than 4 MiB, too large to be meant</source>
+        <source>is larger than 4 MiB, the limit for this kind of file</source>
         <translation>ist größer als 4 MiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
-        <source>is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario file</source>
+        <source>ends in .json and holds no `scenario`; give the scenario file</source>
         <translation>gilt als Ergebnis, da der Name auf .json endet, und enthält kein `scenario`; die Szenariodatei angeben</translation>
     </message>
     <message>
-        <source>the scenario file is larger than 1024 KiB, too large to be meant</source>
+        <source>the scenario file is larger than 1024 KiB, the limit for scenario files</source>
         <translation>die Szenariodatei ist größer als 1024 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
@@ -7754,7 +7754,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Reflexionen überlappen, was die geschlossene Form vernachlässigt: der Kontakt ist nicht vorbei, wenn die dritte Welle ankommt; das exakte Verfahren oder das Gitter nehmen</translation>
     </message>
     <message>
-        <source>the momentum after a separation is zero within rounding: whether the rod returns is undecided</source>
+        <source>the momentum after a separation is zero within rounding: it cannot be decided whether the rod returns</source>
         <translation>der Impuls nach einer Trennung ist innerhalb der Rundung null: ob die Stange zurückkehrt, ist unentschieden</translation>
     </message>
     <message>
@@ -7766,11 +7766,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>das Gitter fand mehr Ereignisse als erlaubt; das exakte Verfahren nehmen</translation>
     </message>
     <message>
-        <source>lattices of other step lengths find no solution, so that its error cannot be estimated; use more segments or the exact method</source>
+        <source>lattices with other step lengths have no solution, so the error cannot be estimated; use more segments or the exact method</source>
         <translation>Gitter anderer Schrittlängen finden keine Lösung, so dass sich der Fehler nicht schätzen lässt; mehr Segmente oder das exakte Verfahren nehmen</translation>
     </message>
     <message>
-        <source>%1; parts are joined by the records that were written with them</source>
+        <source>%1; joining needs the records written with the parts</source>
         <translation>%1; Teile werden anhand der .yaml zusammengefügt, die mit ihnen geschrieben wurden</translation>
     </message>
     <message>
@@ -7782,7 +7782,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>is no record of rows</source>
+        <source>is not a record of rows</source>
         <translation>beschreibt keine Zeilen</translation>
     </message>
     <message>
@@ -7806,15 +7806,15 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1: ist %2, wie auch %3; jeden Teil nur einmal angeben</translation>
     </message>
     <message>
-        <source>part %1 of %2 is missing; run what is missing, or name it</source>
+        <source>part %1 of %2 is missing; run it, or name its file</source>
         <translation>Teil %1 von %2 fehlt; Fehlendes rechnen oder angeben</translation>
     </message>
     <message>
-        <source>parts %1 of %2 are missing; run what is missing, or name it</source>
+        <source>parts %1 of %2 are missing; run them, or name their files</source>
         <translation>Teile %1 von %2 fehlen; Fehlendes rechnen oder angeben</translation>
     </message>
     <message>
-        <source>%1: has %2 rows, but %3 of all %4 has %5; it is of another run</source>
+        <source>%1: has %2 rows, but %3 of all %4 has %5; it belongs to another run</source>
         <translation>%1: hat %2 Zeilen, %3 aber müsste %5 von insgesamt %4 haben; die Datei stammt aus einem anderen Lauf</translation>
     </message>
     <message>
@@ -7822,7 +7822,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein dimensionsloses Szenario hat keine Maschine; Stange und Maschine mit Einheiten angeben</translation>
     </message>
     <message>
-        <source>is missing: many blows need it</source>
+        <source>is missing: many blows require it</source>
         <translation>fehlt: für viele Schläge ist es nötig</translation>
     </message>
     <message>
@@ -7838,7 +7838,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 muss kleiner als die Anzahl der Schläge (%2) sein</translation>
     </message>
     <message>
-        <source>a blow lasts %1 s, which is no less than the interval of the blows; lower the frequency or make the blow shorter</source>
+        <source>a blow lasts %1 s, not less than the interval of the blows; lower the frequency or shorten the blow</source>
         <translation>ein Schlag dauert %1 s und damit nicht kürzer als der Schlagabstand; die Frequenz senken oder den Schlag verkürzen</translation>
     </message>
     <message>
@@ -7850,19 +7850,19 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>muss %1 oder %2 sein</translation>
     </message>
     <message>
-        <source>only a uniform rod has it (`drillwave: 1`)</source>
+        <source>only for uniform rods (`drillwave: 1`)</source>
         <translation>das hat nur eine gleichförmige Stange (`drillwave: 1`)</translation>
     </message>
     <message>
-        <source>only a drill string has it (`drillwave: 2`)</source>
+        <source>only for drill strings (`drillwave: 2`)</source>
         <translation>das hat nur ein Bohrstrang (`drillwave: 2`)</translation>
     </message>
     <message>
-        <source>only a hammer of sections has it (`hammer`), this string is driven by a force</source>
+        <source>only for a hammer of sections (`hammer`); this string is driven by a force</source>
         <translation>das hat nur ein Hammer aus Abschnitten (`hammer`), diesen Strang treibt eine Kraft</translation>
     </message>
     <message>
-        <source>only faces with a stiffness have it (`hammer.face_stiffness`)</source>
+        <source>only for faces with a stiffness (`hammer.face_stiffness`)</source>
         <translation>das haben nur Schlagflächen mit einer Steifigkeit (`hammer.face_stiffness`)</translation>
     </message>
     <message>
@@ -7882,11 +7882,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 Schritte</translation>
     </message>
     <message>
-        <source>the margin of the thrust is known of uniform rods alone (`drillwave: 1`)</source>
+        <source>the feed force margin is known only for uniform rods (`drillwave: 1`)</source>
         <translation>die Reserve des Andrucks gibt es nur bei gleichförmigen Stangen (`drillwave: 1`)</translation>
     </message>
     <message>
-        <source>the margin of the thrust needs drill.thrust; give it in the scenario or with --set</source>
+        <source>the feed force margin needs drill.thrust; give it in the scenario or with --set</source>
         <translation>die Reserve des Andrucks braucht drill.thrust; im Szenario oder mit --set angeben</translation>
     </message>
     <message>
@@ -7906,7 +7906,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>is larger than %1 KiB, too large to be meant</source>
+        <source>is larger than the limit of %1 KiB</source>
         <translation>ist größer als %1 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
@@ -7914,11 +7914,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>setzen dasselbe</translation>
     </message>
     <message>
-        <source>`%1` is no number; write it into the scenario file</source>
+        <source>`%1` is not a number; write it into the scenario file</source>
         <translation>`%1` ist keine Zahl; in die Szenariodatei schreiben</translation>
     </message>
     <message>
-        <source>has no meaning here: %1</source>
+        <source>does not apply here: %1</source>
         <translation>hat hier keine Bedeutung: %1</translation>
     </message>
     <message>
@@ -7970,7 +7970,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Strang hat nur %1 Abschnitte</translation>
     </message>
     <message>
-        <source>set one section, which a repeat brings to both places</source>
+        <source>both are the same section of a repeat; set one of them</source>
         <translation>setzen denselben Abschnitt, der durch eine Wiederholung unter beiden Nummern vorkommt</translation>
     </message>
     <message>
@@ -8010,7 +8010,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>DER RINGPUFFER GIBT DIE ZAHLEN DER VERSCHOBENEN WELLEN NICHT WIEDER (%1 Segmente): bitte melden.</translation>
     </message>
     <message>
-        <source>The ring buffer gives every number of the moved waves, to the last bit.</source>
+        <source>The ring buffer gives the same numbers as the moved waves, to the last bit.</source>
         <translation>Der Ringpuffer gibt jede Zahl der verschobenen Wellen bis zum letzten Bit genau wieder.</translation>
     </message>
     <message>
@@ -8018,17 +8018,17 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Tabelle</translation>
     </message>
     <message>
-        <source>Errors are absolute, forces in F0; those of lattice and closed form against the exact solution.
-estimate: what the method itself says about its error of e. order: observed, from the row above.
+        <source>Errors are absolute, forces in F0; lattice and closed form are compared with the exact solution.
+estimate: error of e estimated by the method itself. order: observed, from the row above.
 force: largest difference of the force history, at ends and middles of all steps; mid-step: at the
-middles. A force that is constant in each step cannot come closer than half its change in a step.</source>
+middles. A force that is constant in each step cannot be closer than half its change in a step.</source>
         <translation>Fehler sind absolut, Kräfte in F0; die von Gitter und geschlossener Form gegen die exakte Lösung.
 Schätzung: was das Verfahren selbst zum Fehler von e sagt. Ordnung: beobachtet, zur Zeile darüber.
 Kraft: größte Abweichung des Kraftverlaufs an Enden und Mitten aller Schritte; Schrittmitte: in
 den Mitten. Eine je Schritt konstante Kraft weicht mindestens um ihre halbe Änderung je Schritt ab.</translation>
     </message>
     <message>
-        <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
+        <source>Times: processor time of a solve for e only. speed: how many times faster than the paper&apos;s choice,
 the lattice of %1 segments with moved waves.</source>
         <translation>Zeiten: Rechenzeit einer Lösung nur für e. Tempo: wievielmal so schnell wie das Gitter der
 Veröffentlichung, %1 Segmente mit verschobenen Wellen.</translation>
@@ -8038,13 +8038,13 @@ Veröffentlichung, %1 Segmente mit verschobenen Wellen.</translation>
         <translation>%1 Zeilen über einer Sekunde haben weniger Läufe.</translation>
     </message>
     <message>
-        <source>In long double it was not solved: %1.</source>
+        <source>It could not be solved in long double: %1.</source>
         <translation>In long double nicht gelöst: %1.</translation>
     </message>
     <message>
-        <source>Its errors are differences to a solution in long double (%1 bits, %2),
-whose own error is below %3 and counted in: they show
-rounding and truncation, but not a mistaken event: both march with the same code for events.</source>
+        <source>Its errors are differences from a solution in long double (%1 bits, %2),
+whose own error is below %3 and included: they show
+rounding and truncation, but not a wrong event, as both solutions share the code for events.</source>
         <translation>Ihre Fehler sind Differenzen zu einer Lösung in long double (%1 Bit, %2),
 deren eigener Fehler unter %3 liegt und eingerechnet ist: sie zeigen Rundungs- und
 Abbruchfehler, aber kein falsches Ereignis: beide rechnen Ereignisse mit demselben Code.</translation>
@@ -8054,7 +8054,7 @@ Abbruchfehler, aber kein falsches Ereignis: beide rechnen Ereignisse mit demselb
         <translation>Die exakte Lösung</translation>
     </message>
     <message>
-        <source>So its histories were put back into the equations at %1 points, without that code.
+        <source>Therefore the histories were inserted into the equations at %1 points, without that code.
 Largest residuals, in F0 (1 + beta/gamma):</source>
         <translation>Daher wurden ihre Verläufe an %1 Punkten in die Gleichungen eingesetzt, ohne diesen Code.
 Größte Residuen, in F0 (1 + beta/gamma):</translation>
@@ -8088,17 +8088,17 @@ Größte Residuen, in F0 (1 + beta/gamma):</translation>
         <translation>Über alle Auflösungen fällt der Fehler von e mit der Anzahl der Segmente hoch %1.</translation>
     </message>
     <message>
-        <source>error: of the efficiency, against %1 (cut cells half as large again, stated error %2)
-stated: what the method says of it; impulse: error of the impulse on the rock, of the hammer&apos;s
+        <source>error: error of the efficiency, against %1 (cut cells of half the length, error bound %2)
+stated: error bound of the method; impulse: error of the impulse on the rock, over the hammer&apos;s
 cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every corner of a wave (run);
-plain: a lattice of constant cells, as others have it</source>
+plain: a lattice of constant cells, the usual method</source>
         <translation>Fehler: gegen den Wirkungsgrad %1 (geteilte Zellen, nochmals halb so groß, Fehler %2)
 angegeben: laut Verfahren; Kraftstoß: Fehler des Kraftstoßes auf das Gestein durch den des Hammers
 cells: polynomiale Zellen, an Sprüngen geteilt (sweep, map); cells_cut: an jeder Wellenecke (run);
 plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
-        <source>and what the hammer takes back</source>
+        <source>and returned with the hammer</source>
         <translation>und was der Hammer zurücknimmt</translation>
     </message>
     <message>
@@ -8134,7 +8134,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>bleibende Eindringung</translation>
     </message>
     <message>
-        <source>penetration that stays</source>
+        <source>residual penetration</source>
         <translation>bleibende Eindringung</translation>
     </message>
     <message>
@@ -8170,7 +8170,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zeit in Kontakt</translation>
     </message>
     <message>
-        <source>hammer leaves</source>
+        <source>hammer separates</source>
         <translation>Hammer löst sich</translation>
     </message>
     <message>
@@ -8310,7 +8310,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>und %1 weitere; --json enthält alle</translation>
     </message>
     <message>
-        <source>known by points alone from %1 to %2: %3</source>
+        <source>only points known from %1 to %2: %3</source>
         <translation>nur von einzelnen Punkten bekannt von %1 bis %2: %3</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>keine Antwort von %1 bis %2: %3</translation>
     </message>
     <message>
-        <source>From %1 blows in %2.</source>
+        <source>%1 blows solved in %2.</source>
         <translation>Aus %1 Schlägen in %2.</translation>
     </message>
     <message>
@@ -8334,15 +8334,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 (%2 Werte)</translation>
     </message>
     <message>
-        <source>nothing, the design of FILE alone</source>
+        <source>nothing, only the design of FILE</source>
         <translation>nichts, nur die Auslegung von FILE</translation>
     </message>
     <message>
-        <source>Chosen: %1; every blow has the energy of FILE&apos;s.</source>
+        <source>Design variables: %1; every blow has the energy of FILE.</source>
         <translation>Zur Wahl: %1; jeder Schlag hat dieselbe Energie wie der von FILE.</translation>
     </message>
     <message>
-        <source>Chosen: %1.</source>
+        <source>Design variables: %1.</source>
         <translation>Zur Wahl: %1.</translation>
     </message>
     <message>
@@ -8366,19 +8366,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>grenzwertig</translation>
     </message>
     <message>
-        <source>robust best</source>
-        <translation>robusteste</translation>
+        <source>best for uncertain rock</source>
+        <translation>beste für unsicheres Gestein</translation>
     </message>
     <message>
-        <source>nominal best</source>
-        <translation>nominal beste</translation>
+        <source>best for the values entered</source>
+        <translation>beste für die eingegebenen Werte</translation>
     </message>
     <message>
-        <source>%1 in place of %2: %3 %4, where all is as in FILE %5.</source>
+        <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
         <translation>%1 anstelle von %2: %3 %4, wenn alles wie in FILE ist, %5.</translation>
     </message>
     <message>
-        <source>none is better in all aims</source>
+        <source>no design is better in all aims</source>
         <translation>keine ist in allen Zielen besser</translation>
     </message>
     <message>
@@ -8394,11 +8394,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ziehungen</translation>
     </message>
     <message>
-        <source>acts in combination</source>
+        <source>acts with others</source>
         <translation>wirkt im Zusammenspiel</translation>
     </message>
     <message>
-        <source>What is worth measuring: share of the scatter, # alone, - with others</source>
+        <source>Worth measuring: share of the scatter, # by itself, - with others</source>
         <translation>Was sich zu messen lohnt: Anteil an der Streuung, # allein, - mit anderen</translation>
     </message>
     <message>
@@ -8406,11 +8406,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zeile %1 der Ziehungen</translation>
     </message>
     <message>
-        <source>Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
         <translation>Kleinster in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
-        <source>Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
         <translation>Größter in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
@@ -8430,8 +8430,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Auslegungen mit mehr als 0,1&#xa0;% davon haben keine Statistik.</translation>
     </message>
     <message>
-        <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
-        <translation>Bis zu %1&#xa0;% der Stichproben einer Auslegung haben einen eigenen Fehler, der größer ist als der der Statistik: Schläge, bei denen die Bohrkrone rattert.</translation>
+        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
+        <translation>Bei bis zu %1 % der Stichproben einer Auslegung ist der numerische Fehler größer als der der Statistik: die Bohrkrone rattert bei diesen Schlägen.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8442,23 +8442,23 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 oder %2 weitere</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1.</source>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the largest %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den größten Wert (%3), %4.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the least %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den kleinsten Wert (%3), %4.</translation>
     </message>
     <message>
-        <source>The robust best is at the upper end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
         <translation>Die robusteste Auslegung liegt am oberen Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
-        <source>The robust best is at the lower end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
         <translation>Die robusteste Auslegung liegt am unteren Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
@@ -8466,7 +8466,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
     </message>
     <message>
-        <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
         <translation>Der Wirkungsgrad streut fast nur mit gamma; loading_work zeigt, was Welle und Maschine können: --aim max:loading_work@q05.</translation>
     </message>
     <message>
@@ -8534,15 +8534,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Kraftstoß auf das Gestein</translation>
     </message>
     <message>
-        <source>up to %1: an upper limit, all rock under the bit gives way and cuttings vanish</source>
+        <source>up to %1: an upper limit (all rock under the bit breaks, cuttings are removed)</source>
         <translation>bis %1: obere Grenze, alles Gestein unter der Krone gibt nach, Bohrklein verschwindet</translation>
     </message>
     <message>
-        <source>%1 of the blows begin within %2 of the rock</source>
+        <source>%1 of the blows start within %2 of the rock</source>
         <translation>%1 der Schläge beginnen höchstens %2 vom Gestein entfernt</translation>
     </message>
     <message>
-        <source>rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring</source>
+        <source>rock %1, damper %2, waves %3, new faces %4 of the energy from hammer and feed</source>
         <translation>Gestein %1, Dämpfer %2, Wellen %3, neue Gesteinsflächen %4 dessen, was Hammer und Vorschub bringen</translation>
     </message>
     <message>
@@ -8550,7 +8550,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Impuls auf %1 genau, Energie auf %2 genau</translation>
     </message>
     <message>
-        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow</source>
+        <source>phi = %1 (feed force over mean force of the blows), n_b = %2 round trips per blow</source>
         <translation>φ = %1 (Andruck durch mittlere Reaktion), %2 Hin- und Rückläufe je Schlag</translation>
     </message>
     <message>
@@ -8594,7 +8594,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>zwischen Punkten, von %1 auf %2</translation>
     </message>
     <message>
-        <source>where it is known by points alone</source>
+        <source>where only points of it are known</source>
         <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist</translation>
     </message>
     <message>
@@ -8602,7 +8602,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>wo es keine Antwort gibt</translation>
     </message>
     <message>
-        <source>where it is known by points alone or has no answer</source>
+        <source>where only points of it are known or it has no answer</source>
         <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist oder es keine Antwort gibt</translation>
     </message>
     <message>
@@ -8670,7 +8670,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Linien</translation>
     </message>
     <message>
-        <source>%1, but for %2 where it jumps across</source>
+        <source>%1, except %2 where it jumps across</source>
         <translation>%1, außer bei %2, wo das Ergebnis darüber springt</translation>
     </message>
     <message>
@@ -8774,11 +8774,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Fehler der Energiebilanz</translation>
     </message>
     <message>
-        <source>pull of the rock</source>
+        <source>tension on the rock</source>
         <translation>Zug des Gesteins</translation>
     </message>
     <message>
-        <source>return after the end</source>
+        <source>return after the computed end</source>
         <translation>Rückkehr nach dem Ende</translation>
     </message>
     <message>
@@ -8822,7 +8822,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Marke</translation>
     </message>
     <message>
-        <source>where</source>
+        <source>place</source>
         <translation>wo</translation>
     </message>
     <message>
@@ -8850,7 +8850,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>der Bereich von %1 muss über seinem Anfang enden</translation>
     </message>
     <message>
-        <source>a scenario given by its groups has no energy to keep; leave it out</source>
+        <source>a dimensionless scenario has no energy to keep; leave it out</source>
         <translation>ein durch seine Kennzahlen gegebenes Szenario hat keine Energie zu halten; die Option weglassen</translation>
     </message>
     <message>
@@ -8874,7 +8874,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>höchstens %1 Ziele, dies sind %2</translation>
     </message>
     <message>
-        <source>at most %1 designs, the choices make more than can be counted; give fewer values</source>
+        <source>at most %1 designs, and the choices make too many to count; give fewer values</source>
         <translation>höchstens %1 Auslegungen, was zur Wahl steht, ergibt mehr, als sich zählen lässt; weniger Werte angeben</translation>
     </message>
     <message>
@@ -8894,7 +8894,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 ist zweimal angegeben; einmal angeben</translation>
     </message>
     <message>
-        <source>%1 is chosen and uncertain: only +-P% about the choice can be both</source>
+        <source>%1 is both design variable and uncertain: only +-P% about its value can be both</source>
         <translation>%1 ist gewählt und unsicher: beides zugleich geht nur mit +-P% um die Wahl</translation>
     </message>
     <message>
@@ -8902,11 +8902,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Energie zu halten setzt %1, und die Wahl von %2 auch; eines davon weglassen</translation>
     </message>
     <message>
-        <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>
+        <source>thrust_margin needs a study of all gaps; aim at thrust instead</source>
         <translation>thrust_margin ist für sich schon eine Studie aller Spalte; thrust als Ziel nehmen</translation>
     </message>
     <message>
-        <source>%1 is a march of many blows by itself; `drillwave drill` and sweeps have it</source>
+        <source>%1 needs many blows for each value; use `drillwave drill` or a sweep</source>
         <translation>%1 ist für sich schon eine Rechnung über viele Schläge; `drillwave drill` und sweep haben es</translation>
     </message>
     <message>
@@ -8918,11 +8918,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Spalte %1 %2</translation>
     </message>
     <message>
-        <source>column `%1` is no number that can be uncertain; leave it out of the draws</source>
+        <source>column `%1` is not a number that can be uncertain; leave it out</source>
         <translation>Spalte `%1` ist keine Zahl, die unsicher sein kann; in den Ziehungen weglassen</translation>
     </message>
     <message>
-        <source>column `%1` is not a parameter; leave it out of the draws</source>
+        <source>column `%1` is not a parameter; leave it out</source>
         <translation>Spalte `%1` ist kein Parameter; in den Ziehungen weglassen</translation>
     </message>
     <message>
@@ -8946,7 +8946,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>hat keine Breite; LOW kleiner als HIGH angeben</translation>
     </message>
     <message>
-        <source>is upside down; give LOW below HIGH</source>
+        <source>has LOW above HIGH; exchange them</source>
         <translation>steht verkehrt herum; LOW kleiner als HIGH angeben</translation>
     </message>
     <message>
@@ -8958,7 +8958,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>muss bei `lognormal` über 0 beginnen</translation>
     </message>
     <message>
-        <source>reaches %1, where there is no answer; use lognormal</source>
+        <source>the distribution extends to %1, outside the allowed range; use lognormal</source>
         <translation>reicht bis %1, wo es keine Antwort gibt; lognormal nehmen</translation>
     </message>
     <message>
@@ -8970,23 +8970,23 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 braucht LOW:HIGH, LOW:HIGH:log, :normal oder :lognormal, oder +-P%</translation>
     </message>
     <message>
-        <source>`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal</source>
+        <source>unknown suffix `%1` after the range of %2; choose from uniform, log, normal, lognormal</source>
         <translation>`%1` hinter dem Bereich von %2 ist nicht bekannt; möglich sind uniform, log, normal, lognormal</translation>
     </message>
     <message>
-        <source>`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%</source>
+        <source>`%1` is not a range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%</source>
         <translation>`%1` ist kein Bereich: KEY=LOW:HIGH, KEY=LOW:HIGH:log oder KEY=+-P% schreiben</translation>
     </message>
     <message>
-        <source>%1 is no number and cannot be uncertain; choose among several by --choose</source>
+        <source>%1 is not a number and cannot be uncertain; list values with --choose</source>
         <translation>%1 ist keine Zahl und kann nicht unsicher sein; mit --choose unter mehreren wählen</translation>
     </message>
     <message>
-        <source>%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose</source>
+        <source>%1 takes only whole numbers and cannot be uncertain; list values with --choose</source>
         <translation>%1 nimmt nur ganze Zahlen und kann nicht unsicher sein; mit --choose unter mehreren wählen</translation>
     </message>
     <message>
-        <source>%1 has no meaning here: %2</source>
+        <source>%1 does not apply here: %2</source>
         <translation>%1 hat hier keine Bedeutung: %2</translation>
     </message>
     <message>
@@ -9002,7 +9002,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 = +-%2% von %3 (%4)</translation>
     </message>
     <message>
-        <source>the machine is pushed back: no motion that is bounded</source>
+        <source>the machine is pushed back without limit</source>
         <translation>die Maschine weicht zurück: keine beschränkte Bewegung</translation>
     </message>
     <message>
@@ -9014,7 +9014,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Achse %1 eines Kennfelds braucht START:STOP:COUNT oder START:STOP:COUNT:log</translation>
     </message>
     <message>
-        <source>the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none</source>
+        <source>the map has more than %1 points; take fewer, or use `drillwave sweep`, which has no limit</source>
         <translation>das Kennfeld hat mehr als %1 Punkte; weniger nehmen, oder `drillwave sweep`, das keine behält</translation>
     </message>
     <message>
@@ -9026,11 +9026,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Fehler der Energiebilanz %1</translation>
     </message>
     <message>
-        <source>the rock pulls: F/Fmax %1</source>
+        <source>tension on the rock: F/Fmax %1</source>
         <translation>das Gestein zieht: F/Fmax %1</translation>
     </message>
     <message>
-        <source>not at its end: the front end returns by %1</source>
+        <source>not at its end: the bit returns by %1</source>
         <translation>nicht am Ende: das vordere Ende kehrt um %1 zurück</translation>
     </message>
     <message>
@@ -9042,11 +9042,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>um den Faktor %1 zu weit vom Grenzfall entfernt</translation>
     </message>
     <message>
-        <source>the lattice differs by estimates: %1</source>
+        <source>the lattice differs, in units of its error estimate: %1</source>
         <translation>das Gitter weicht um das %1-Fache der geschätzten Fehler ab</translation>
     </message>
     <message>
-        <source>the stated error is exceeded by a factor %1</source>
+        <source>the error bound is exceeded by a factor of %1</source>
         <translation>der angegebene Fehler wird um den Faktor %1 überschritten</translation>
     </message>
     <message>
@@ -9054,7 +9054,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 und %2 %3; eines davon variieren</translation>
     </message>
     <message>
-        <source>`all` are all outputs already; give it alone</source>
+        <source>`all` are all outputs already; give nothing else</source>
         <translation>`all` sind schon alle Ergebnisse; allein angeben</translation>
     </message>
     <message>
@@ -9078,11 +9078,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Anzahl `%1` von %2 muss eine ganze Zahl von 1 bis %3 sein</translation>
     </message>
     <message>
-        <source>`%1` behind the end of %2 is not known; only `log` may follow</source>
+        <source>unknown suffix `%1` after the range of %2; only `log` is allowed</source>
         <translation>`%1` hinter dem Ende von %2 ist nicht bekannt; nur `log` darf folgen</translation>
     </message>
     <message>
-        <source>`%1` behind the count of %2 is not known; only `log` may follow</source>
+        <source>unknown suffix `%1` after the count of %2; only `log` is allowed</source>
         <translation>`%1` hinter der Anzahl von %2 ist nicht bekannt; nur `log` darf folgen</translation>
     </message>
     <message>
@@ -9090,7 +9090,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>eine logarithmische Achse von %1 muss über 0 beginnen und enden</translation>
     </message>
     <message>
-        <source>%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C</source>
+        <source>%1 takes only whole numbers; give a COUNT that hits them, or a list A,B,C</source>
         <translation>%1 nimmt nur ganze Zahlen; ein COUNT angeben, das sie trifft, oder eine Liste A,B,C</translation>
     </message>
     <message>
@@ -9102,23 +9102,23 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 braucht START:STOP oder START:STOP:log</translation>
     </message>
     <message>
-        <source>%1 has no numbers to go along; make a family of shapes</source>
+        <source>%1 has no numeric values; use a family of shapes</source>
         <translation>%1 hat keine Zahlen zum Verfolgen; eine Schar von Formen daraus machen</translation>
     </message>
     <message>
-        <source>%1 has no numbers to go along; make a family of words</source>
+        <source>%1 has no numeric values; use a family of words</source>
         <translation>%1 hat keine Zahlen zum Verfolgen; eine Schar von Wörtern daraus machen</translation>
     </message>
     <message>
-        <source>`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
+        <source>`%1` is not an axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
         <translation>`%1` ist keine Achse: KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log oder KEY=A,B,C schreiben</translation>
     </message>
     <message>
-        <source>`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log</source>
+        <source>`%1` is not an axis: write KEY=START:STOP or KEY=START:STOP:log</source>
         <translation>`%1` ist keine Achse: KEY=START:STOP oder KEY=START:STOP:log schreiben</translation>
     </message>
     <message>
-        <source>%1 has whole numbers alone; make a family of them, or sweep it</source>
+        <source>%1 has only whole numbers; make a family of them, or sweep it</source>
         <translation>%1 hat nur ganze Zahlen; eine Schar daraus machen, oder sweep nehmen</translation>
     </message>
     <message>
@@ -9146,11 +9146,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Bilder zeigen eine oder zwei Achsen, nicht %1; weniger variieren, oder --plots weglassen</translation>
     </message>
     <message>
-        <source>no axis has two numbers or more to draw a curve along</source>
+        <source>no axis has two or more numeric values to draw a curve along</source>
         <translation>keine Achse hat zwei Zahlen oder mehr, über denen sich eine Kurve zeichnen lässt</translation>
     </message>
     <message>
-        <source>a part of the rows cannot be drawn; leave out --shard</source>
+        <source>pictures need all rows; leave out --shard</source>
         <translation>ein Teil der Zeilen lässt sich nicht zeichnen; --shard weglassen</translation>
     </message>
     <message>
@@ -9158,7 +9158,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>höchstens %1 Zeilen lassen sich zeichnen, nicht %2; weniger nehmen</translation>
     </message>
     <message>
-        <source>at most %1 curves can be told apart, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
+        <source>at most %1 curves can be distinguished, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
         <translation>höchstens %1 Kurven lassen sich unterscheiden, und %2 hat %3 Werte; weniger nehmen, oder ein Kennfeld zeichnen (drillwave map)</translation>
     </message>
     <message>
@@ -9178,11 +9178,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zellen sind durch `;` getrennt, nicht durch `,`; die Tabelle mit `,` dazwischen und `.` in Zahlen speichern</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; write a key that there is, or another name than `%2` for a column that is only to be passed through</source>
+        <source>`%1` is not a parameter; write a known key, or another name than `%2` for a column that is only passed through</source>
         <translation>`%1` ist kein Parameter; einen vorhandenen Schlüssel schreiben, oder für eine Spalte, die nur durchgereicht werden soll, einen anderen Namen als `%2`</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column that is only to be passed through?</source>
+        <source>`%1` is not a parameter; did you mean `%2`? A column that is only passed through needs another name than `%3`</source>
         <translation>`%1` ist kein Parameter; war `%2` gemeint, oder für eine Spalte, die nur durchgereicht werden soll, ein anderer Name als `%3`?</translation>
     </message>
     <message>
@@ -9194,11 +9194,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>`%1` ist keine Zahl; mit --set für alle Zeilen angeben</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; write `%2`, with its unit in square brackets, or another name for a column that is only to be passed through</source>
+        <source>`%1` is not a parameter; write `%2`, with its unit in square brackets, or another name for a column that is only passed through</source>
         <translation>`%1` ist kein Parameter; `%2` schreiben, mit der Einheit in eckigen Klammern, oder für eine Spalte, die nur durchgereicht werden soll, einen anderen Namen</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; write `%2`, or another name for a column that is only to be passed through</source>
+        <source>`%1` is not a parameter; write `%2`, or another name for a column that is only passed through</source>
         <translation>`%1` ist kein Parameter; `%2` schreiben, oder für eine Spalte, die nur durchgereicht werden soll, einen anderen Namen</translation>
     </message>
     <message>
@@ -9214,19 +9214,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 hat keine Einheit; ohne `[%2]` schreiben</translation>
     </message>
     <message>
-        <source>%1: unit `%2` is not known here; units that would do: %3</source>
+        <source>%1: unit `%2` is not known here; allowed units: %3</source>
         <translation>%1: die Einheit `%2` ist hier nicht bekannt; möglich sind: %3</translation>
     </message>
     <message>
-        <source>sets %1 again, column %2 does already; keep one of them</source>
+        <source>sets %1, which column %2 also sets; keep one of them</source>
         <translation>setzt %1 noch einmal, Spalte %2 tut das schon; eine davon behalten</translation>
     </message>
     <message>
-        <source>`%1` is passed through as it is; the column that is computed follows with the same name</source>
+        <source>`%1` is passed through unchanged; the computed column with the same name follows</source>
         <translation>`%1` wird unverändert durchgereicht; die berechnete Spalte folgt unter demselben Namen</translation>
     </message>
     <message>
-        <source>no column names a parameter, so that every row would be the same blow; name some in the first row, as `beta` or `rod.length [m]`</source>
+        <source>no column is a parameter, so every row would be the same blow; name parameters in the first row, such as `beta` or `rod.length [m]`</source>
         <translation>keine Spalte nennt einen Parameter, so dass jede Zeile derselbe Schlag wäre; in der ersten Zeile welche nennen, wie `beta` oder `rod.length [m]`</translation>
     </message>
     <message>
@@ -9278,7 +9278,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>darf keine Steuerzeichen enthalten</translation>
     </message>
     <message>
-        <source>must have no characters that turn the direction of reading</source>
+        <source>must have no characters that change the reading direction</source>
         <translation>darf keine Zeichen enthalten, die die Leserichtung umkehren</translation>
     </message>
     <message>
@@ -9318,11 +9318,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>`%1` braucht einen Wert: %2</translation>
     </message>
     <message>
-        <source>%1; `%2` behind it is an option, a file of that name is ./%2</source>
+        <source>%1; `%2` after it is an option; write ./%2 for a file of that name</source>
         <translation>%1; `%2` dahinter ist eine Option, eine Datei dieses Namens ist ./%2</translation>
     </message>
     <message>
-        <source>%1; `%2` behind it is an option</source>
+        <source>%1; `%2` after it is an option</source>
         <translation>%1; `%2` dahinter ist eine Option</translation>
     </message>
     <message>
@@ -9342,15 +9342,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>braucht %1; siehe drillwave %2 --help</translation>
     </message>
     <message>
-        <source>`%1` is too much; takes none, see drillwave %2 --help</source>
+        <source>unexpected argument `%1`; the command takes none, see drillwave %2 --help</source>
         <translation>`%1` ist zu viel; der Befehl nimmt keine Argumente, siehe drillwave %2 --help</translation>
     </message>
     <message>
-        <source>`%1` is too much; takes %2, see drillwave %3 --help</source>
+        <source>unexpected argument `%1`; the command takes %2, see drillwave %3 --help</source>
         <translation>`%1` ist zu viel; der Befehl nimmt %2, siehe drillwave %3 --help</translation>
     </message>
     <message>
-        <source>--goal is about one output; --outputs names %1</source>
+        <source>--goal needs one output; --outputs names %1</source>
         <translation>--goal gilt für ein einziges Ergebnis; --outputs nennt %1</translation>
     </message>
     <message>
@@ -9362,7 +9362,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>braucht --along KEY=START:STOP oder KEY=START:STOP:log</translation>
     </message>
     <message>
-        <source>--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv</source>
+        <source>--goal cannot be used with -o -, which prints the curve; leave out -o, or give -o FILE.csv</source>
         <translation>für --goal ist kein Platz, wo -o - die Kurve ausgibt; -o weglassen oder -o FILE.csv angeben</translation>
     </message>
     <message>
@@ -9370,7 +9370,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: konnte nicht überall gelöst werden: von %2 = %3 bis %4: %5</translation>
     </message>
     <message>
-        <source>--force is about the file of -o; add -o FILE.csv</source>
+        <source>--force applies to the file of -o; add -o FILE.csv</source>
         <translation>--force gilt für die Datei von -o; -o FILE.csv hinzufügen</translation>
     </message>
     <message>
@@ -9378,7 +9378,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--json und -o - würden beide auf die Standardausgabe schreiben; eines davon nehmen</translation>
     </message>
     <message>
-        <source>takes one FILE; `%1` is a second one</source>
+        <source>takes one FILE; remove `%1`</source>
         <translation>nimmt nur ein FILE; `%1` ist ein zweites</translation>
     </message>
     <message>
@@ -9390,7 +9390,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Schläge</translation>
     </message>
     <message>
-        <source>%1: of too many samples there is no answer, so that designs have no statistics: %2 of %3; the first: %4</source>
+        <source>%1: too many samples could not be solved, so designs have no statistics: %2 of %3; the first: %4</source>
         <translation>%1: zu viele Stichproben haben keine Antwort, so dass es zu Auslegungen keine Statistik gibt: %2 von %3; die erste: %4</translation>
     </message>
     <message>
@@ -9398,11 +9398,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>keine Auslegung hält alle Grenzen ein; eine lockern oder die Wahl erweitern</translation>
     </message>
     <message>
-        <source>the scenario as it is could not be solved</source>
+        <source>the scenario could not be solved with the values entered</source>
         <translation>das Szenario selbst konnte nicht gelöst werden</translation>
     </message>
     <message>
-        <source>--force is about the files of -o; add -o DIR</source>
+        <source>--force applies to the files of -o; add -o DIR</source>
         <translation>--force gilt für die Dateien von -o; -o DIR hinzufügen</translation>
     </message>
     <message>
@@ -9414,7 +9414,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>`%1` braucht OUTPUT@STATISTIC, wie efficiency@q05</translation>
     </message>
     <message>
-        <source>`all` are several outputs; name one</source>
+        <source>`all` means several outputs; name one</source>
         <translation>`all` sind mehrere Ergebnisse; eines nennen</translation>
     </message>
     <message>
@@ -9438,7 +9438,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>keine Anzeige für das Fenster; `drillwave run FILE` nehmen (siehe --help), oder `drillwave -platform offscreen`</translation>
     </message>
     <message>
-        <source>--gaps is about a scan; add --scan KEY=START:STOP:COUNT</source>
+        <source>--gaps needs a scan; add --scan KEY=START:STOP:COUNT</source>
         <translation>--gaps gilt für einen Durchlauf; --scan KEY=START:STOP:COUNT hinzufügen</translation>
     </message>
     <message>
@@ -9446,11 +9446,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--histories: diese Schläge haben mehr als %1 Zeitpunkte; weniger Schläge oder weniger --cells nehmen</translation>
     </message>
     <message>
-        <source>--work-limit %1 must be a number of at least 1</source>
+        <source>--work-limit %1: must be at least 1</source>
         <translation>--work-limit %1 muss eine Zahl von mindestens 1 sein</translation>
     </message>
     <message>
-        <source>--si and --dimensionless exclude each other</source>
+        <source>--si and --dimensionless cannot be combined</source>
         <translation>--si und --dimensionless schließen einander aus</translation>
     </message>
     <message>
@@ -9466,7 +9466,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>es kostet %1 Zellen mal Knoten, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
     </message>
     <message>
-        <source>end_time counts for single blows, not here</source>
+        <source>end_time applies only to single blows, not here</source>
         <translation>end_time zählt bei einzelnen Schlägen, nicht hier</translation>
     </message>
     <message>
@@ -9482,7 +9482,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--plots: ein Durchlauf über %1 hat Wörter auf der Achse und kein Bild; eine Zahl durchlaufen</translation>
     </message>
     <message>
-        <source>-o and --gaps name one file; give two</source>
+        <source>-o and --gaps name the same file; give two</source>
         <translation>-o und --gaps nennen dieselbe Datei; zwei angeben</translation>
     </message>
     <message>
@@ -9502,7 +9502,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Abb. %1 konnte nicht gezeichnet werden</translation>
     </message>
     <message>
-        <source>%1 is about files; add -o %2 to say where they go</source>
+        <source>%1 applies to files; add -o %2</source>
         <translation>%1 gilt für Dateien; mit -o %2 angeben, wohin sie sollen</translation>
     </message>
     <message>
@@ -9548,11 +9548,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>`%1` ist kein Abschnitt von %2; vorhanden: %3</translation>
     </message>
     <message>
-        <source>`%1` is neither a command nor a chapter, parameter or output; `drillwave help` says what there is</source>
+        <source>`%1` is not a command, chapter, parameter or output; see `drillwave help`</source>
         <translation>`%1` ist weder ein Befehl noch ein Kapitel, Parameter oder Ergebnis; `drillwave help` sagt, was es gibt</translation>
     </message>
     <message>
-        <source>`%1` is neither a command nor a chapter, parameter or output; near it %2; `drillwave help` says what there is</source>
+        <source>`%1` is not a command, chapter, parameter or output; did you mean %2? See `drillwave help`</source>
         <translation>`%1` ist weder ein Befehl noch ein Kapitel, Parameter oder Ergebnis; ähnlich: %2; `drillwave help` sagt, was es gibt</translation>
     </message>
     <message>
@@ -9560,11 +9560,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>liest die Standardeingabe; Strg-D beendet sie</translation>
     </message>
     <message>
-        <source>%1: cannot be read: %2; copy it to another disk, or get it anew</source>
+        <source>%1: cannot be read: %2; copy it to another disk, or get it again</source>
         <translation>%1: kann nicht gelesen werden: %2; auf einen anderen Datenträger kopieren oder neu beschaffen</translation>
     </message>
     <message>
-        <source>is not a regular file; write the rows to a file first</source>
+        <source>is not a regular file; save the rows to a file first</source>
         <translation>ist keine gewöhnliche Datei; die Zeilen zuerst in eine Datei schreiben</translation>
     </message>
     <message>
@@ -9572,11 +9572,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>kann nicht zum Lesen geöffnet werden; die Zugriffsrechte prüfen</translation>
     </message>
     <message>
-        <source>%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room</source>
+        <source>%1: cannot be stored in %2: %3; set TMPDIR to a folder with more space</source>
         <translation>%1: kann in %2 nicht zwischengespeichert werden: %3; TMPDIR auf einen Ordner mit mehr Platz setzen</translation>
     </message>
     <message>
-        <source>%1: is longer than %2 MiB, the most that is kept of what is not a file; write its rows to a file first</source>
+        <source>%1: is longer than %2 MiB, the limit for input that is not a file; save its rows to a file first</source>
         <translation>%1: ist länger als %2 MiB, mehr wird von Eingaben, die keine Datei sind, nicht zwischengespeichert; die Zeilen zuerst in eine Datei schreiben</translation>
     </message>
     <message>
@@ -9588,19 +9588,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>abgebrochen; es wurde keine Ausgabe hinterlassen</translation>
     </message>
     <message>
-        <source>its command is none of this version: %1</source>
+        <source>its command does not exist in this version: %1</source>
         <translation>den Befehl darin gibt es in dieser Version nicht: %1</translation>
     </message>
     <message>
-        <source>is no file of rows</source>
+        <source>is not a file of rows</source>
         <translation>ist keine Datei mit Zeilen</translation>
     </message>
     <message>
-        <source>the part is not there</source>
+        <source>the part does not exist</source>
         <translation>diesen Teil gibt es nicht</translation>
     </message>
     <message>
-        <source>%1; a part needs the record that was written with it</source>
+        <source>%1; a part needs the record written with it</source>
         <translation>%1; ein Teil braucht die .yaml, die mit ihm geschrieben wurde</translation>
     </message>
     <message>
@@ -9612,7 +9612,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>%1: is a part of another run than %2: its %3 differs; leave it out or run it again</source>
+        <source>%1: belongs to another run than %2: its %3 differs; leave it out or run it again</source>
         <translation>%1: ist Teil eines anderen Laufs als %2 (Unterschied: %3); weglassen oder neu rechnen</translation>
     </message>
     <message>
@@ -9640,7 +9640,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Standardausgabe: kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>`%1` is too much; `drillwave help` says what there is</source>
+        <source>unexpected argument `%1`; see `drillwave help`</source>
         <translation>`%1` ist zu viel; `drillwave help` sagt, was es gibt</translation>
     </message>
     <message>
@@ -9652,7 +9652,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>interner Fehler: %1; bitte mit dem Befehl melden, der dazu geführt hat</translation>
     </message>
     <message>
-        <source>needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing</source>
+        <source>needs --x KEY=START:STOP:COUNT[:log] and --y KEY=START:STOP:COUNT[:log]; %1 is missing</source>
         <translation>braucht --x KEY=START:STOP:COUNT[:log] und ebenso --y; %1 fehlt</translation>
     </message>
     <message>
@@ -9660,7 +9660,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--output: ein Kennfeld hat ein einziges Ergebnis; für mehrere `drillwave sweep` nehmen</translation>
     </message>
     <message>
-        <source>%1 has no place where -o - prints the map; give -o FILE.csv</source>
+        <source>%1 cannot be used with -o -, which prints the map; give -o FILE.csv</source>
         <translation>für %1 ist kein Platz, wo -o - das Kennfeld ausgibt; -o FILE.csv angeben</translation>
     </message>
     <message>
@@ -9680,7 +9680,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 von %2 Punkten ohne Lösung und ohne Ergebnis; %3</translation>
     </message>
     <message>
-        <source>--shard: a part of a map has rows alone; add -o FILE.csv</source>
+        <source>--shard: a part of a map has only rows; add -o FILE.csv</source>
         <translation>--shard: ein Teil eines Kennfelds hat nur Zeilen; -o FILE.csv hinzufügen</translation>
     </message>
     <message>
@@ -9692,7 +9692,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--method %1: ist nicht bekannt; möglich sind %2</translation>
     </message>
     <message>
-        <source>--segments is about the lattice; add --method lattice</source>
+        <source>--segments applies to the lattice; add --method lattice</source>
         <translation>--segments gilt für das Gitter; --method lattice hinzufügen</translation>
     </message>
     <message>
@@ -9712,7 +9712,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist geschlossen; in eine Datei oder nach /dev/null leiten</translation>
     </message>
     <message>
-        <source>the name has bytes that are not UTF-8; choose another one</source>
+        <source>the name is not UTF-8; choose another one</source>
         <translation>der Name hat Bytes, die kein UTF-8 sind; einen anderen wählen</translation>
     </message>
     <message>
@@ -9748,11 +9748,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Datei mit Voreinstellungen hat einen leeren Namen; ohne die Option gelten die eingebauten</translation>
     </message>
     <message>
-        <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
+        <source>%1: the file of presets is larger than the limit of %2 KiB</source>
         <translation>%1: die Datei mit Voreinstellungen ist größer als %2 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
-        <source>%1 is a drill string, whose sections are given one by one</source>
+        <source>%1 is a drill string: its sections are given one by one</source>
         <translation>%1 ist ein Bohrstrang, dessen Abschnitte einzeln angegeben werden</translation>
     </message>
     <message>
@@ -9760,7 +9760,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 ist durch dimensionslose Kennzahlen gegeben; Voreinstellungen brauchen ein Szenario in physikalischen Einheiten</translation>
     </message>
     <message>
-        <source>--presets is about --rod, --hammer and --rock; add one of them</source>
+        <source>--presets applies to --rod, --hammer and --rock; add one of them</source>
         <translation>--presets gilt für --rod, --hammer und --rock; eines davon hinzufügen</translation>
     </message>
     <message>
@@ -9816,7 +9816,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>braucht -o DIR, -o FILE.html oder -o FILE.pdf, wohin geschrieben wird</translation>
     </message>
     <message>
-        <source>a report is FILE.html or FILE.pdf; for a folder of that name put / behind it</source>
+        <source>a report is FILE.html or FILE.pdf; for a folder of that name, end it with /</source>
         <translation>ein Bericht ist FILE.html oder FILE.pdf; für einen Ordner dieses Namens / dahinter setzen</translation>
     </message>
     <message>
@@ -9856,7 +9856,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>alle davon, die FILE hat; manche brauchen eine Frequenz, thrust_margin auch Andruck</translation>
     </message>
     <message>
-        <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
+        <source>Results of many blows, only by name (each takes a march); FILE needs drill.blow_frequency and drill.thrust:</source>
         <translation>Aus vielen Schlägen, nur namentlich (je Fall eine Rechnung); mit drill.blow_frequency und drill.thrust:</translation>
     </message>
     <message>
@@ -9880,7 +9880,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: Hinweis: von Drillwave %2 geschrieben, das neuer ist als dieses %3: Ergebnisse können abweichen</translation>
     </message>
     <message>
-        <source>-o %1 is read as input (%2); choose another name for the output</source>
+        <source>-o %1 is also the input (%2); choose another name for the output</source>
         <translation>-o %1 wird als Eingabe gelesen (%2); für die Ausgabe einen anderen Namen wählen</translation>
     </message>
     <message>
@@ -9904,7 +9904,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--plots %1: `%2` ist kein Format für Diagramme; möglich sind %3</translation>
     </message>
     <message>
-        <source>--plots: there is no place for pictures beside %1; give -o FILE.csv</source>
+        <source>--plots needs a file to store pictures beside, not %1; give -o FILE.csv</source>
         <translation>--plots: neben %1 ist kein Platz für Bilder; -o FILE.csv angeben</translation>
     </message>
     <message>
@@ -9920,7 +9920,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--frequency VALUES ist dasselbe wie --along drill.blow_frequency=VALUES; eines davon angeben</translation>
     </message>
     <message>
-        <source>pulse.shape is no number; sweep takes it</source>
+        <source>pulse.shape is not a number; use sweep for it</source>
         <translation>pulse.shape ist keine Zahl; sweep nimmt es</translation>
     </message>
     <message>
@@ -9940,7 +9940,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>unbekannte Option `%1`; siehe drillwave --help</translation>
     </message>
     <message>
-        <source>`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?</source>
+        <source>`%1` is not a command, file or example; did you mean `drillwave %2`?</source>
         <translation>`%1` ist weder ein Befehl noch eine Datei oder ein Beispiel; war `drillwave %2` gemeint?</translation>
     </message>
     <message>
@@ -9948,15 +9948,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>keine solche Datei und kein solcher Befehl; siehe drillwave --help</translation>
     </message>
     <message>
-        <source>`%1` is too much; the window opens one file</source>
+        <source>unexpected argument `%1`; the window opens one file</source>
         <translation>`%1` ist zu viel; das Fenster öffnet nur eine Datei</translation>
     </message>
     <message>
-        <source>what loses all of it carries no wave</source>
+        <source>a section that loses everything carries no wave</source>
         <translation>was alles verliert, trägt keine Welle</translation>
     </message>
     <message>
-        <source>no design has it</source>
+        <source>no design reaches it</source>
         <translation>keine Auslegung erfüllt das</translation>
     </message>
     <message>
@@ -9964,7 +9964,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>am nächsten kommt %2 mit %1</translation>
     </message>
     <message>
-        <source>its blows under a feed need more wave cells than permitted</source>
+        <source>its sequence of blows needs more wave cells than permitted</source>
         <translation>seine Schläge unter einem Vorschub brauchen mehr Wellenzellen als erlaubt</translation>
     </message>
     <message>
@@ -9980,11 +9980,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit dem erlaubten Aufwand nicht glatt</translation>
     </message>
     <message>
-        <source>an error, which has no smooth course</source>
+        <source>errors do not vary smoothly</source>
         <translation>ein Fehler, der keinen glatten Verlauf hat</translation>
     </message>
     <message>
-        <source>of many blows, which need not be smooth: straight between points</source>
+        <source>result of many blows, not necessarily smooth: straight lines between points</source>
         <translation>aus vielen Schlägen, die nicht glatt sein müssen: gerade zwischen den Punkten</translation>
     </message>
     <message>
@@ -10044,7 +10044,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>erforderlich</translation>
     </message>
     <message>
-        <source>required, or what stands in its place</source>
+        <source>required, or its alternative</source>
         <translation>erforderlich, oder was an seiner Stelle steht</translation>
     </message>
     <message>
@@ -10052,11 +10052,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>erforderlich, oder `%1`</translation>
     </message>
     <message>
-        <source>may be left out: the program then assumes a value</source>
+        <source>optional; default value assumed</source>
         <translation>kann wegbleiben: das Programm nimmt dann einen Wert an</translation>
     </message>
     <message>
-        <source>may be left out</source>
+        <source>optional</source>
         <translation>kann wegbleiben</translation>
     </message>
     <message>
@@ -10068,7 +10068,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>dimensionslose Szenarien</translation>
     </message>
     <message>
-        <source>scenarios in physical units, for many blows: one alone does not depend on it</source>
+        <source>scenarios in physical units; only for many blows</source>
         <translation>Szenarien in physikalischen Einheiten, für viele Schläge: ein einzelner hängt nicht davon ab</translation>
     </message>
     <message>
@@ -10076,7 +10076,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Bohrstränge</translation>
     </message>
     <message>
-        <source>drill strings that a hammer strikes</source>
+        <source>drill strings struck by a hammer</source>
         <translation>Bohrstränge, auf die ein Hammer schlägt</translation>
     </message>
     <message>
@@ -10092,7 +10092,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>gleichförmige Stangen in physikalischen Einheiten, gegeben durch ihren Durchmesser</translation>
     </message>
     <message>
-        <source>hammer forces in physical units, but those of a piston or a table</source>
+        <source>hammer forces in physical units, except piston and table</source>
         <translation>Hammerkräfte in physikalischen Einheiten, außer denen eines Kolbens oder einer Tabelle</translation>
     </message>
     <message>
@@ -10216,7 +10216,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Im Fenster: %1.</translation>
     </message>
     <message>
-        <source>nothing: it is there in SI only</source>
+        <source>none: only in SI</source>
         <translation>nichts: das gibt es nur in SI</translation>
     </message>
     <message>
@@ -10232,7 +10232,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the window. This chapter is written by the program from the table it works with. Outside its range a value is refused, outside the usual one it is remarked on; what presets give is a starting point, with its source. How files are written: files §1.</source>
+        <source>All parameters of a scenario: in files, after `--set`, as axis of a study, as a field of the window. The program writes this chapter from its own table. A value outside its range is refused; outside the usual range it gives a warning. Presets are starting points with a source. Format of files: files §1.</source>
         <translation>Jede Zahl eines Szenarios: in Dateien, hinter `--set`, als Achse einer Studie, als Feld im Fenster. Dieses Kapitel schreibt das Programm aus der Tabelle, mit der es arbeitet. Außerhalb seines Bereichs wird ein Wert abgelehnt, außerhalb des üblichen gibt es einen Hinweis; was Voreinstellungen geben, ist ein Ausgangspunkt, mit seiner Quelle. Wie Dateien geschrieben werden: files §1.</translation>
     </message>
     <message>
@@ -10240,7 +10240,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ecken der Belastungskurve</translation>
     </message>
     <message>
-        <source>Up to 64 of them, by their place.</source>
+        <source>Up to 64, by number.</source>
         <translation>Bis zu 64 davon, nach ihrer Reihenfolge gezählt.</translation>
     </message>
     <message>
@@ -10248,7 +10248,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Abschnitte eines Bohrstrangs</translation>
     </message>
     <message>
-        <source>NAME is the name of sections, or the place of one from 1; of the hammer `hammer.1.length` (files §1.3).</source>
+        <source>NAME is the name of sections, or the number of one, from 1; for the hammer, `hammer.1.length` (files §1.3).</source>
         <translation>NAME ist der Name von Abschnitten oder die Stelle eines Abschnitts, von 1 an; beim Hammer `hammer.1.length` (files §1.3).</translation>
     </message>
     <message>
@@ -10256,7 +10256,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Wörter</translation>
     </message>
     <message>
-        <source>Whether the hammer stays there to be hit again; without it the hammer is withdrawn after the first separation</source>
+        <source>Whether the hammer may strike again; otherwise it is withdrawn after the first separation</source>
         <translation>Ob der Hammer dableibt und wieder getroffen werden kann; sonst wird er nach der ersten Trennung zurückgezogen</translation>
     </message>
     <message>
@@ -10264,7 +10264,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the window. This chapter is written by the program from the table it works with. Scales are those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the momentum p0.</source>
+        <source>All results: keys of JSON, columns of CSV files, names for `--outputs`, rows of the window. The program writes this chapter from its own table. Scales are those of theory §2; for drill strings, W0 and W are the hammer energy E0 and I0 is the momentum p0.</source>
         <translation>Jedes Ergebnis: ein Schlüssel in JSON, eine Spalte in CSV-Dateien, ein Name für `--outputs`, eine Zeile im Fenster. Dieses Kapitel schreibt das Programm aus der Tabelle, mit der es arbeitet. Die Bezugsgrößen sind die von theory §2; bei einem Bohrstrang sind W0 und W die Energie E0 seines Hammers, I0 dessen Impuls p0.</translation>
     </message>
     <message>
@@ -10284,7 +10284,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Punkte in %2.</translation>
     </message>
     <message>
-        <source>a section is shorter than a cell of the march: take more cells (--cells), or leave the section out and give its mass to the section in front of it</source>
+        <source>a section is shorter than a time step: take more (--cells), or leave the section out and add its mass to the section before it</source>
         <translation>ein Abschnitt ist kürzer als eine Zelle der Rechnung: mehr Zellen verwenden (--cells), oder den Abschnitt weglassen und seine Masse dem Abschnitt davor geben</translation>
     </message>
     <message>
@@ -10308,7 +10308,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 muss zwischen %2 und %3 liegen, nicht bei %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and part very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <source>its blows would take %1 wave cells, more than the %2 permitted, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
         <translation>die Schläge brauchten %1 Wellenzellen, erlaubt sind %2: Bohrkrone und Gestein treffen und trennen sich sehr oft; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
     </message>
     <message>
@@ -10336,11 +10336,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ein Durchlauf braucht mindestens eine Achse und eine Ergebnisgröße</translation>
     </message>
     <message>
-        <source>has no meaning in this scenario</source>
+        <source>does not apply to this scenario</source>
         <translation>hat in diesem Szenario keine Bedeutung</translation>
     </message>
     <message>
-        <source>is a uniform rod (`drillwave: 1`) and no string</source>
+        <source>is a uniform rod (`drillwave: 1`), not a string</source>
         <translation>ist eine gleichförmige Stange (`drillwave: 1`) und kein Bohrstrang</translation>
     </message>
     <message>
@@ -10348,11 +10348,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>-o - nennt keinen Ordner für die Dateien; -o DIR angeben oder --json, das auf die Standardausgabe schreibt</translation>
     </message>
     <message>
-        <source>--histories is about the blows of one march, and --scan makes one of each value; take one of them</source>
+        <source>--histories and --scan cannot be combined: a scan has many sequences; take one of them</source>
         <translation>--histories gilt für die Schläge einer Folge, und --scan rechnet für jeden Wert eine; nur eines von beiden angeben</translation>
     </message>
     <message>
-        <source>must have no sections in a uniform rod: they belong to `drillwave: 2`</source>
+        <source>a uniform rod has no sections; they belong to `drillwave: 2`</source>
         <translation>darf bei einer gleichförmigen Stange keine Abschnitte haben: sie gehören zu `drillwave: 2`</translation>
     </message>
     <message>
@@ -10360,7 +10360,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: ein anderer Prozess schreibt diese Zeilen; auf ihn warten oder ihn beenden</translation>
     </message>
     <message>
-        <source>%1: is of another run (other options, inputs or build); use --force to begin again, or choose another name</source>
+        <source>%1: belongs to another run (other options, inputs or build); use --force to start again, or choose another name</source>
         <translation>%1: gehört zu einem anderen Lauf (andere Optionen, Eingaben oder anderes Programm); mit --force neu beginnen oder einen anderen Namen wählen</translation>
     </message>
     <message>
@@ -10384,7 +10384,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: diese Sperre des Ordners kann nicht geöffnet werden: %2; sie löschen oder einen anderen Ordner wählen</translation>
     </message>
     <message>
-        <source>The plots are left out because this report was written with --no-plots. Write it again without that option to get them.</source>
+        <source>This report was written with --no-plots, so it has no plots. Write it again without that option to get them.</source>
         <translation>Die Diagramme fehlen, weil dieser Bericht mit --no-plots geschrieben wurde. Ohne diese Option noch einmal geschrieben, enthält er sie.</translation>
     </message>
     <message>
@@ -10392,11 +10392,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Wellen unterwegs brauchen %1 Wellenzellen zugleich, erlaubt sind %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
     </message>
     <message>
-        <source>%1 is true or false, which is no axis; give it with --set</source>
+        <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
         <translation>%1 ist wahr oder falsch (true, false) und damit keine Achse; mit --set angeben</translation>
     </message>
     <message>
-        <source>--samples %1: takes %2, a power of two</source>
+        <source>--samples %1: rounded up to %2, a power of two</source>
         <translation>--samples %1: nimmt %2, eine Zweierpotenz</translation>
     </message>
     <message>
@@ -10416,7 +10416,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>das Fenster kann auf der Plattform von -platform oder QT_QPA_PLATFORM nicht geöffnet werden; `drillwave run FILE` oder `-platform offscreen` verwenden</translation>
     </message>
     <message>
-        <source>display %1 cannot be reached; set DISPLAY to one that is there, use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
+        <source>display %1 cannot be reached; set DISPLAY to an available one, use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
         <translation>die Anzeige %1 ist nicht erreichbar; DISPLAY auf eine vorhandene setzen, `drillwave run FILE` (siehe --help) oder `drillwave -platform offscreen` verwenden</translation>
     </message>
     <message>
@@ -10434,11 +10434,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Option</translation>
     </message>
     <message>
-        <source>does</source>
+        <source>meaning</source>
         <translation>bewirkt</translation>
     </message>
     <message>
-        <source>of the commands</source>
+        <source>of commands</source>
         <translation>bei den Befehlen</translation>
     </message>
     <message>
@@ -10446,7 +10446,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>alle</translation>
     </message>
     <message>
-        <source>what is there</source>
+        <source>topics</source>
         <translation>was dort steht</translation>
     </message>
     <message>
@@ -10462,7 +10462,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Siehe auch %1.</translation>
     </message>
     <message>
-        <source>%1: is not what its record says: it has %2 bytes with checksum %3, and was written with %4 and %5; it was changed or is another part, run it again</source>
+        <source>%1: differs from its record: it has %2 bytes with checksum %3, written were %4 and %5; it was changed or is another part, so run it again</source>
         <translation>%1: ist nicht, was sein Protokoll sagt: hat %2 Bytes mit der Prüfsumme %3, geschrieben wurden %4 mit %5; die Datei wurde verändert oder ist ein anderer Teil, ihn noch einmal rechnen</translation>
     </message>
     <message>
@@ -10474,7 +10474,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>eine Karte braucht KEY=START:STOP:COUNT oder KEY=START:STOP:COUNT:log; eine Liste nimmt `drillwave sweep`</translation>
     </message>
     <message>
-        <source>waiting for another run of drillwave, which holds the lock %1; Ctrl-C gives up</source>
+        <source>waiting for another run of drillwave, which holds the lock %1; Ctrl-C stops waiting</source>
         <translation>wartet auf einen anderen Lauf von drillwave, der die Sperre %1 hält; Strg-C bricht ab</translation>
     </message>
     <message>
@@ -10482,7 +10482,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--no-plots: ein PDF wird mit seinen Diagrammen gezeichnet; -o FILE.html angeben</translation>
     </message>
     <message>
-        <source>--resume is about the file of -o; add -o FILE.csv</source>
+        <source>--resume applies to the file of -o; add -o FILE.csv</source>
         <translation>--resume gilt für die Datei von -o; -o FILE.csv angeben</translation>
     </message>
     <message>
@@ -10490,7 +10490,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 braucht die Zeilen aus einem Lauf; --resume weglassen</translation>
     </message>
     <message>
-        <source>%1 rows take about %2 and %3. A run that ends before its time leaves no rows, but with --resume those that are done, and with --shard I/N the parts that are done</source>
+        <source>%1 rows take about %2 and %3. An interrupted run keeps no rows; with --resume it keeps finished rows, with --shard I/N finished parts</source>
         <translation>%1 Zeilen brauchen etwa %2 und %3. Ein Lauf, der vorzeitig endet, hinterlässt keine Zeilen, mit --resume aber die fertigen und mit --shard I/N die fertigen Teile</translation>
     </message>
     <message>
@@ -10506,7 +10506,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: hat alle diese Zeilen schon</translation>
     </message>
     <message>
-        <source>interrupted; %1 of %2 rows are kept in %3, and the same command goes on behind them</source>
+        <source>interrupted; %1 of %2 rows are kept in %3; the same command continues after them</source>
         <translation>unterbrochen; %1 von %2 Zeilen stehen in %3, derselbe Befehl geht dahinter weiter</translation>
     </message>
     <message>
@@ -10542,11 +10542,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Andruck erforderlich</translation>
     </message>
     <message>
-        <source>+- contains the scatter of the blows and three times what half or twice the cells change. Penetrations are upper limits: all rock under the bit gives way and cuttings vanish.</source>
+        <source>+- is the 95 % error: the scatter of the blows plus three times the change with half or twice the time step. Penetrations are upper limits: all rock under the bit breaks and cuttings are removed.</source>
         <translation>+- enthält die Streuung der Schläge und das Dreifache dessen, was halb oder doppelt so viele Zellen ändern. Eindringungen sind obere Grenzen: alles Gestein unter der Bohrkrone gibt nach, und das Bohrklein verschwindet.</translation>
     </message>
     <message>
-        <source>The single-blow estimate does not apply: the waves of a blow are still in the string when the next one comes.</source>
+        <source>The single-blow estimate does not apply: the waves of a blow are still in the string at the next blow.</source>
         <translation>Die Schätzung aus einem Schlag gilt nicht: die Wellen eines Schlags sind noch im Strang, wenn der nächste kommt.</translation>
     </message>
     <message>
@@ -10594,7 +10594,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3); Spalte wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole alone covers this blow and rigid rock.</source>
+        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
         <translation>Es ist kein Andruck angegeben: bei %1 deckt das Gewicht längs des Bohrlochs allein diesen Schlag und starres Gestein ab.</translation>
     </message>
     <message>
@@ -10610,11 +10610,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, starres Gestein mindestens %3.</translation>
     </message>
     <message>
-        <source>The feed is not judged: neither blow frequency nor feed force is given.</source>
+        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
         <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck sind angegeben.</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <source>Estimate from single blows; %1 solves consecutive blows.</source>
         <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
@@ -10650,8 +10650,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nur wenige Schläge verfolgt wurden</translation>
     </message>
     <message>
-        <source>the lengths are no whole number of cells</source>
-        <translation>die Längen keine ganze Zahl von Zellen sind</translation>
+        <source>the lengths are not whole numbers of time steps</source>
+        <translation>die Längen keine ganze Zahl von Zeitschritten sind</translation>
     </message>
     <message>
         <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
@@ -10662,8 +10662,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Mehr Schläge (%1) verkleinern den Fehler.</translation>
     </message>
     <message>
-        <source>Smaller cells, or lengths with a common step, lower it.</source>
-        <translation>Kleinere Zellen oder Längen mit gemeinsamem Schritt verkleinern ihn.</translation>
+        <source>Shorter time steps, or lengths with a common step, lower it.</source>
+        <translation>Kürzere Zeitschritte oder Längen mit gemeinsamem Schritt verringern ihn.</translation>
     </message>
     <message>
         <source>%1 per blow, %2.</source>
@@ -10674,8 +10674,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 je Schlag, %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
     </message>
     <message>
-        <source>The machine is pushed back: its motion has no bound.</source>
-        <translation>Die Maschine weicht zurück: ihre Bewegung hat keine Grenze.</translation>
+        <source>The machine is pushed back without limit.</source>
+        <translation>Die Maschine wird ohne Grenze zurückgedrückt.</translation>
     </message>
     <message>
         <source>A feed of %1</source>
@@ -10714,8 +10714,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Alle Werte ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
     </message>
     <message>
-        <source>%1 gives the most, %2%3.</source>
-        <translation>%1 ergibt das meiste, %2%3.</translation>
+        <source>%1 gives the highest rate, %2%3.</source>
+        <translation>%1 ergibt die höchste Rate, %2%3.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -10754,11 +10754,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Schlagfolgen</translation>
     </message>
     <message>
-        <source>all results, by its cones</source>
+        <source>all results: cones are solved more exactly</source>
         <translation>alle Ergebnisse, wegen der Kegel</translation>
     </message>
     <message>
-        <source>cor and the required feed, by its losses</source>
+        <source>cor and required feed: losses are counted</source>
         <translation>cor und der erforderliche Andruck, wegen der Verluste</translation>
     </message>
     <message>
@@ -10774,7 +10774,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energien, neben SI in J</translation>
     </message>
     <message>
-        <source>Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading).</source>
+        <source>Written by Drillwave %1. Since then these results have changed: %2 (manual, Upgrading).</source>
         <translation>Geschrieben von Drillwave %1. Seither haben sich geändert: %2 (Handbuch, Kapitel Upgrading).</translation>
     </message>
     <message>
@@ -10786,7 +10786,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Voreinstellungen brauchen physikalische Einheiten, und dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben; wählen Sie eine Kennzahl wie beta</translation>
     </message>
     <message>
-        <source>a uniform rod has no bit; a drill string has one</source>
+        <source>a uniform rod has no bit; use a drill string</source>
         <translation>eine gleichförmige Stange hat keine Bohrkrone; ein Bohrstrang hat eine</translation>
     </message>
     <message>
@@ -10858,7 +10858,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>eine Schätzung</translation>
     </message>
     <message>
-        <source>In what unit is the signal? Volts also need --scale 50kN/V, or --excitation, --gain, --bridge and --gauge-factor</source>
+        <source>Which unit has the signal? Volts also need --scale 50kN/V, or --excitation, --gain, --bridge and --gauge-factor</source>
         <translation>In welcher Einheit ist das Signal? Volt brauchen auch --scale 50kN/V oder --excitation, --gain, --bridge und --gauge-factor</translation>
     </message>
     <message>
@@ -10866,15 +10866,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Wie groß ist die Abtastrate?</translation>
     </message>
     <message>
-        <source>In what unit are the times?</source>
+        <source>Which unit have the times?</source>
         <translation>In welcher Einheit sind die Zeiten?</translation>
     </message>
     <message>
-        <source>Which column is the signal? Several could be</source>
+        <source>Which column is the signal? Several are possible</source>
         <translation>Welche Spalte ist das Signal? Mehrere kommen in Frage</translation>
     </message>
     <message>
-        <source>Is the sign in 1,234 a decimal sign or a group of thousands?</source>
+        <source>Is the comma in 1,234 a decimal sign or a thousands separator?</source>
         <translation>Ist das Zeichen in 1,234 ein Dezimalzeichen oder trennt es Tausender?</translation>
     </message>
     <message>
@@ -10982,7 +10982,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nicht gelesen</translation>
     </message>
     <message>
-        <source>a row without values stands between the cases; delete it</source>
+        <source>there is a row without values between the cases; delete it</source>
         <translation>eine Zeile ohne Werte steht zwischen den Fällen; löschen Sie sie</translation>
     </message>
     <message>
@@ -11042,11 +11042,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Nulllinie driftet um %1 der Spitze je ms</translation>
     </message>
     <message>
-        <source>the recorder has steps of %1 of the peak, and the noise is smaller: use a smaller range</source>
+        <source>the resolution of the recorder is %1 of the peak, coarser than the noise: use a smaller range</source>
         <translation>der Rekorder hat Stufen von %1 der Spitze, und das Rauschen ist kleiner: Nehmen Sie einen kleineren Messbereich</translation>
     </message>
     <message>
-        <source>steps of time differ from the usual step by up to %1</source>
+        <source>time steps differ from the usual step by up to %1</source>
         <translation>Zeitschritte weichen um bis zu %1 vom üblichen ab</translation>
     </message>
     <message>
@@ -11054,7 +11054,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Aufzeichnung enthält %1 Schläge: Wählen Sie einen durch seinen Zeitbereich</translation>
     </message>
     <message>
-        <source>opposite gauges differ: half their difference is %1 of the peak (rms); is the bar bent or a gauge loose?</source>
+        <source>opposite gauges differ: half their difference is %1 of the peak (rms); check for bending or a loose gauge</source>
         <translation>gegenüberliegende Messstreifen unterscheiden sich: Ihre halbe Differenz ist %1 der Spitze (Effektivwert); ist der Stab gebogen oder ein Streifen lose?</translation>
     </message>
     <message>
@@ -11062,11 +11062,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Zeiten haben eine Lücke von %1</translation>
     </message>
     <message>
-        <source>this is no table: it is %1</source>
+        <source>this is not a table: it is %1</source>
         <translation>das ist keine Tabelle: Es ist %1</translation>
     </message>
     <message>
-        <source>each channel is a row: the table is turned, lines count its columns</source>
+        <source>each channel is a row: the table was transposed, lines count its columns</source>
         <translation>jeder Kanal ist eine Zeile: Die Tabelle ist gedreht, Zeilennummern zählen ihre Spalten</translation>
     </message>
     <message>
@@ -11098,11 +11098,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Zeilen ohne Zahl werden übergangen, die erste ist Zeile %2</translation>
     </message>
     <message>
-        <source>%1 of them say that the recorder was overloaded</source>
+        <source>%1 of them are marked as overload of the recorder</source>
         <translation>%1 davon sagen, dass der Rekorder übersteuert war</translation>
     </message>
     <message>
-        <source>skipped rows leave a gap of %1 in the blow, from %2 on: straight lines cross it</source>
+        <source>skipped rows leave a gap of %1 in the blow, from %2: it is filled by a straight line</source>
         <translation>übergangene Zeilen hinterlassen eine Lücke von %1 im Schlag, ab %2: Geraden überbrücken sie</translation>
     </message>
     <message>
@@ -11198,19 +11198,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>eine Webseite; speichern Sie die Tabelle als CSV</translation>
     </message>
     <message>
-        <source>is no bit; give the preset of a bit</source>
+        <source>is not a bit; give the preset of a bit</source>
         <translation>ist keine Bohrkrone; geben Sie die Voreinstellung einer Bohrkrone an</translation>
     </message>
     <message>
-        <source>is no rod; give the preset of a rod</source>
+        <source>is not a rod; give the preset of a rod</source>
         <translation>ist keine Stange; geben Sie die Voreinstellung einer Stange an</translation>
     </message>
     <message>
-        <source>does not fit a drill string, whose hammer is followed too; give the preset of a piston</source>
+        <source>does not fit a drill string; give the preset of a piston</source>
         <translation>passt nicht zu einem Bohrstrang, dessen Hammer mitgerechnet wird; geben Sie die Voreinstellung eines Kolbens an</translation>
     </message>
     <message>
-        <source>does not fit a uniform rod, whose hammer is a force; give the preset of a hammer</source>
+        <source>does not fit a uniform rod; give the preset of a hammer</source>
         <translation>passt nicht zu einer gleichförmigen Stange, deren Hammer eine Kraft ist; geben Sie die Voreinstellung eines Hammers an</translation>
     </message>
     <message>
@@ -11218,7 +11218,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>muss eine Liste von Texten sein, jeder nach einem `-`</translation>
     </message>
     <message>
-        <source>has an item that is no text</source>
+        <source>has an item that is not text</source>
         <translation>hat einen Eintrag, der kein Text ist</translation>
     </message>
     <message>
@@ -11226,11 +11226,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>hat keine Kopfzeile `%1`</translation>
     </message>
     <message>
-        <source>each channel is a row; write `drillwave signal FILE -o blow.csv` and take that</source>
+        <source>each channel is a row; run `drillwave signal FILE -o blow.csv` and use blow.csv</source>
         <translation>jeder Kanal ist eine Zeile; schreiben Sie `drillwave signal FILE -o blow.csv` und nehmen Sie diese Datei</translation>
     </message>
     <message>
-        <source>1,234 can be a number with decimals or a thousand: write one number with another count of decimals, such as 0,5 or 0.5</source>
+        <source>1,234 can be a decimal number or a thousand: write one number with another count of decimals, such as 0,5 or 0.5</source>
         <translation>1,234 kann eine Zahl mit Dezimalen oder ein Tausender sein: Schreiben Sie eine Zahl mit einer anderen Anzahl von Dezimalen, etwa 0,5 oder 0.5</translation>
     </message>
     <message>
@@ -11238,11 +11238,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mehrere Spalten könnten die Kraft sein, %1 ist eine; lassen Sie die anderen weg</translation>
     </message>
     <message>
-        <source>%1 is no force; `--signal FILE` and the import make one of strains and volts</source>
+        <source>%1 is not a force; `--signal FILE` and the import convert strains and volts</source>
         <translation>%1 ist keine Kraft; `--signal FILE` und der Import machen eine aus Dehnungen und Volt</translation>
     </message>
     <message>
-        <source>is no file of recorders; it must begin with `drillwave_recorders: 1`</source>
+        <source>is not a file of recorders; it must begin with `drillwave_recorders: 1`</source>
         <translation>ist keine Datei von Rekordern; sie muss mit `drillwave_recorders: 1` beginnen</translation>
     </message>
     <message>
@@ -11250,7 +11250,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>`%1` ist kein bekannter Schlüssel; nur `recorders` ist einer</translation>
     </message>
     <message>
-        <source>must be names of recorders with settings</source>
+        <source>must be a list of recorders with settings</source>
         <translation>müssen Namen von Rekordern mit Einstellungen sein</translation>
     </message>
     <message>
@@ -11258,11 +11258,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>müssen Einstellungen sein, jede `option: value`</translation>
     </message>
     <message>
-        <source>`%1` is no option of drillwave signal</source>
+        <source>`%1` is not an option of drillwave signal</source>
         <translation>`%1` ist keine Option von drillwave signal</translation>
     </message>
     <message>
-        <source>the recorder `%1` is there twice</source>
+        <source>the recorder `%1` is given twice</source>
         <translation>der Rekorder `%1` steht zweimal da</translation>
     </message>
     <message>
@@ -11298,7 +11298,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: kann nicht geschrieben werden: %2</translation>
     </message>
     <message>
-        <source>%1 is about a record; add --signal FILE</source>
+        <source>%1 applies to a record; add --signal FILE</source>
         <translation>%1 betrifft eine Aufzeichnung; fügen Sie --signal FILE hinzu</translation>
     </message>
     <message>
@@ -11306,7 +11306,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist durch seine dimensionslosen Größen gegeben; --signal braucht physikalische Einheiten</translation>
     </message>
     <message>
-        <source>the table leaves open: %1; answer by %2, see drillwave signal</source>
+        <source>the table does not state: %1; give %2, see drillwave signal</source>
         <translation>die Tabelle lässt offen: %1; antworten Sie mit %2, siehe drillwave signal</translation>
     </message>
     <message>
@@ -11318,7 +11318,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist kein Text</translation>
     </message>
     <message>
-        <source>two rows of numbers are needed below the header</source>
+        <source>needs at least two rows of numbers below the header</source>
         <translation>unter der Kopfzeile werden zwei Zeilen mit Zahlen gebraucht</translation>
     </message>
     <message>
@@ -11326,15 +11326,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
     </message>
     <message>
-        <source>Impulse of a blow and the cycle behind it; its mean is the feed times the interval</source>
+        <source>Impulse on the rock in a cycle; its mean is the feed force times the interval</source>
         <translation>Je Schlag und den Zyklus danach; im Mittel der Andruck mal dem Abstand der Schläge</translation>
     </message>
     <message>
-        <source>Per blow; an upper limit: all rock under the bit gives way</source>
+        <source>Per blow; an upper limit: all rock under the bit breaks</source>
         <translation>Je Schlag; eine obere Grenze: alles Gestein unter der Bohrkrone gibt nach</translation>
     </message>
     <message>
-        <source>Largest force of the rock in a cycle</source>
+        <source>Largest force on the rock in a cycle</source>
         <translation>Größte Kraft des Gesteins in einem Zyklus</translation>
     </message>
     <message>
@@ -11342,7 +11342,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Kontakte</translation>
     </message>
     <message>
-        <source>How many contacts begin in a cycle</source>
+        <source>Number of contacts in a cycle</source>
         <translation>Wie viele Kontakte in einem Zyklus beginnen</translation>
     </message>
     <message>
@@ -11350,7 +11350,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Aufzeichnung:</translation>
     </message>
     <message>
-        <source>The hammer is rounded to %1, so that waves can be kept; it gives the same impulse, in a blow that is so much longer or shorter.</source>
+        <source>The hammer is rounded to %1, so that waves can be kept. Its impulse is the same; its blow is longer or shorter in proportion.</source>
         <translation>Der Hammer ist auf %1 gerundet, damit Wellen behalten werden können; er gibt denselben Impuls, in einem um so viel längeren oder kürzeren Schlag.</translation>
     </message>
     <message>
@@ -11450,7 +11450,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to see which breaks first.</source>
+        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
         <translation>Kein Abschnitt hat eine Festigkeit: `fatigue_strength` angeben, um zu sehen, welcher zuerst bricht.</translation>
     </message>
     <message>
@@ -11466,15 +11466,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Abschnitte des Strangs haben keine Festigkeit.</translation>
     </message>
     <message>
-        <source>is empty; a section that is from no preset is written without it</source>
+        <source>is empty; leave it out for a section without a preset</source>
         <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
         <translation>%1 %2: %3, %4 von ihrem hinteren Ende, nach %5; die Festigkeit ist %6.</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
         <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Wellen und Kräfte in den Diagrammen gehören zu einem gröber geteilten Strang, dessen Stoßzahl und Wirkungsgrad um höchstens %1 abweichen.</translation>
     </message>
     <message>
@@ -11510,8 +11510,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
+        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
+        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -11530,7 +11530,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Wie der Spalt streut</translation>
     </message>
     <message>
-        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <source>The gap at the rig is a matter of chance: all gaps of a period equally likely, or a normal distribution cut off at zero</source>
         <translation>Niemand regelt den Spalt am Bohrgerät: alle Spalte einer Periode gleich, oder eine Normalverteilung, abgeschnitten bei keinem Spalt</translation>
     </message>
     <message>
@@ -11570,11 +11570,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein erster Blick; die Kurve folgt.</translation>
     </message>
     <message>
-        <source>A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <source>Click on the curve to use that gap; Shift+click pins it.</source>
         <translation>Ein Klick auf die Kurve übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
     </message>
     <message>
-        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <source>COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings they do not repeat: Efficiency–stiffness shows them over the gap, point by point.</source>
         <translation>e–Spalt ist für gleichförmige Stangen, deren Ergebnisse sich über dem Spalt wiederholen; die eines Bohrstrangs tun das nicht, und Wirkungsgrad–Steifigkeit zeigt sie über dem Spalt Punkt für Punkt.</translation>
     </message>
     <message>
@@ -11626,7 +11626,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>e &gt; 1 bei %1 der Spalte</translation>
     </message>
     <message>
-        <source>thrust for 95 % of gaps %1</source>
+        <source>feed force for 95 % of gaps %1</source>
         <translation>95&#xa0;%-Andruck %1</translation>
     </message>
     <message>
@@ -11770,8 +11770,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nicht zu sehen: die Aufzeichnung endet, bevor sich das Gestein entlastet</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <source>uncertain</source>
+        <translation>unsicher</translation>
     </message>
     <message>
         <source>next blow</source>
@@ -12192,7 +12192,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>&amp;Vorige Seite</translation>
     </message>
     <message>
-        <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
+        <source>only for drill strings, and this scenario is a uniform rod: a click converts it, as Edit ▸ Make a drill string of this does</source>
         <translation>nur für Bohrstränge, und dieses Szenario ist eine gleichförmige Stange: ein Klick macht einen Bohrstrang daraus, wie Bearbeiten ▸ Bohrstrang daraus machen</translation>
     </message>
 </context>
@@ -12211,7 +12211,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Einheit, in der %1 gezeigt wird</translation>
     </message>
     <message>
-        <source>The value lies beyond the range of the slider.</source>
+        <source>The value is outside the range of the slider.</source>
         <translation>Der Wert liegt außerhalb des Bereichs des Schiebers.</translation>
     </message>
     <message>
@@ -12257,7 +12257,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>PDF – Linien und Text, zum Drucken</translation>
     </message>
     <message>
-        <source>The kind of file; always on white, whatever the window looks like</source>
+        <source>File format; the background is always white</source>
         <translation>Die Art der Datei; immer auf Weiß, wie auch das Fenster aussieht</translation>
     </message>
     <message>
@@ -12344,7 +12344,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Der Lauf kann nicht zurückgebracht werden.</translation>
     </message>
     <message>
-        <source>Shall the kept runs be taken away?</source>
+        <source>Delete the kept runs?</source>
         <translation>Sollen die aufbewahrten Läufe weggenommen werden?</translation>
     </message>
     <message>
@@ -12354,7 +12354,7 @@ They stay on the list until the window is closed.</source>
 Sie bleiben in der Liste, bis das Fenster geschlossen wird.</translation>
     </message>
     <message>
-        <source>Take away</source>
+        <source>Delete</source>
         <translation>Wegnehmen</translation>
     </message>
     <message>
@@ -12363,7 +12363,7 @@ Sie bleiben in der Liste, bis das Fenster geschlossen wird.</translation>
     </message>
     <message>
         <source>%1
-Those that are not on the list here would be lost.</source>
+Runs that are not on the list here would be lost.</source>
         <translation>%1
 Jene, die hier nicht in der Liste sind, gingen verloren.</translation>
     </message>
@@ -12404,7 +12404,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>in %1 s</translation>
     </message>
     <message>
-        <source>How long the times in view take to play</source>
+        <source>Duration of playing the times in view</source>
         <translation>Wie lange das Abspielen der Zeiten im Bild dauert</translation>
     </message>
     <message>
@@ -12447,7 +12447,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>B&amp;ild kopieren</translation>
     </message>
     <message>
-        <source>This view, black on white, for a report</source>
+        <source>The present view, black on white, for a report</source>
         <translation>Diese Ansicht, schwarz auf weiß, für einen Bericht</translation>
     </message>
     <message>
@@ -12487,7 +12487,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>&amp;Zurück zoomen</translation>
     </message>
     <message>
-        <source>The view before</source>
+        <source>The previous view</source>
         <translation>Die Ansicht davor</translation>
     </message>
     <message>
@@ -12499,7 +12499,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Senk&amp;rechte Achse logarithmisch</translation>
     </message>
     <message>
-        <source>Equal steps are equal factors; zeros are cut off</source>
+        <source>Equal steps are equal ratios; values of zero are not shown</source>
         <translation>Gleiche Schritte sind gleiche Faktoren; Nullen werden abgeschnitten</translation>
     </message>
     <message>
@@ -12511,7 +12511,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Punkt für &amp;Tasten</translation>
     </message>
     <message>
-        <source>Arrows move it, N goes to the next mark; Enter then does what a click there does</source>
+        <source>Arrows move the point, N goes to the next mark, Enter acts like a click</source>
         <translation>Pfeile bewegen ihn, N geht zur nächsten Marke; die Eingabetaste tut dann, was ein Klick dort tut</translation>
     </message>
     <message>
@@ -12519,7 +12519,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Cursor &amp;A hier</translation>
     </message>
     <message>
-        <source>Reads the curves here; can be dragged</source>
+        <source>Reads the curves here; drag it to move it</source>
         <translation>Liest die Kurven hier ab; lässt sich ziehen</translation>
     </message>
     <message>
@@ -12535,7 +12535,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Zeitcursor &amp;hier</translation>
     </message>
     <message>
-        <source>The instant shown on all pages</source>
+        <source>The time shown on all pages</source>
         <translation>Der Augenblick, der auf allen Seiten gezeigt wird</translation>
     </message>
     <message>
@@ -12543,7 +12543,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Cursor A und B ent&amp;fernen</translation>
     </message>
     <message>
-        <source>The table below the plot reads what is in view then</source>
+        <source>The table below the plot then reads the values in view</source>
         <translation>Die Tabelle unter dem Diagramm liest dann ab, was im Bild ist</translation>
     </message>
     <message>
@@ -12551,7 +12551,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Tabelle dar&amp;unter kopieren</translation>
     </message>
     <message>
-        <source>What is read at the cursors, or in view, to paste into a spreadsheet</source>
+        <source>The readings at the cursors, or the numbers in view, to paste into a spreadsheet</source>
         <translation>Was an den Cursorn oder im Bild abgelesen ist, zum Einfügen in eine Tabellenkalkulation</translation>
     </message>
 </context>
@@ -12562,7 +12562,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>&amp;Daten dieses Diagramms …</translation>
     </message>
     <message>
-        <source>The curves that the plot shows, as CSV</source>
+        <source>The curves of the plot, as CSV</source>
         <translation>Die Kurven, die das Diagramm zeigt, als CSV</translation>
     </message>
     <message>
@@ -12570,7 +12570,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>&amp;Bild dieses Diagramms …</translation>
     </message>
     <message>
-        <source>As it is zoomed, as PNG, SVG or PDF</source>
+        <source>The present view, as PNG, SVG or PDF</source>
         <translation>Im gegenwärtigen Ausschnitt, als PNG, SVG oder PDF</translation>
     </message>
 </context>
@@ -12585,7 +12585,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>&amp;Tabelle unter den Diagrammen</translation>
     </message>
     <message>
-        <source>Reads what is in view, or at the cursors A and B</source>
+        <source>Readings in view, or at the cursors A and B</source>
         <translation>Liest ab, was im Bild ist, oder an den Cursorn A und B</translation>
     </message>
     <message>
@@ -12604,11 +12604,11 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>eigene</translation>
     </message>
     <message>
-        <source>The values are those of no preset. Choose one to start from its values.</source>
+        <source>The values belong to no preset. Select one to start from its values.</source>
         <translation>Die Werte sind die keiner Voreinstellung. Eine wählen, um von ihren Werten auszugehen.</translation>
     </message>
     <message>
-        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone.</source>
+        <source>Presets have physical units, and this scenario has only dimensionless groups.</source>
         <translation>Voreinstellungen sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben.</translation>
     </message>
     <message>
@@ -12620,7 +12620,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Datei mit Voreinstellungen &amp;hinzufügen …</translation>
     </message>
     <message>
-        <source>Offer the presets of a YAML file of your own, now and in later runs</source>
+        <source>Adds the presets of your own YAML file, also for later sessions</source>
         <translation>Die Voreinstellungen einer eigenen YAML-Datei anbieten, jetzt und künftig</translation>
     </message>
     <message>
@@ -12628,7 +12628,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>&amp;Ordner der Voreinstellungen öffnen</translation>
     </message>
     <message>
-        <source>A file presets.yaml in %1 is read by itself</source>
+        <source>A file presets.yaml in %1 is read automatically</source>
         <translation>Eine Datei presets.yaml in %1 wird von selbst gelesen</translation>
     </message>
     <message>
@@ -12644,7 +12644,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Die Voreinstellungen von %1 werden nicht verwendet.</translation>
     </message>
     <message>
-        <source>Take it off the list</source>
+        <source>Remove from the list</source>
         <translation>Aus der Liste nehmen</translation>
     </message>
     <message>
@@ -12679,7 +12679,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Bohrkronen</translation>
     </message>
     <message>
-        <source>Ticked presets are designs to choose from</source>
+        <source>Ticked presets are compared as designs</source>
         <translation>Angekreuzte Voreinstellungen sind Auslegungen, die zur Wahl stehen</translation>
     </message>
     <message>
@@ -12709,7 +12709,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>schlechteste</translation>
     </message>
     <message>
-        <source>of its mark</source>
+        <source>of its limit</source>
         <translation>ihrer Marke</translation>
     </message>
     <message>
@@ -12795,7 +12795,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>CSV wählen …</translation>
     </message>
     <message>
-        <source>Take the hammer blow from a CSV file that begins with `time [us],force [kN]`</source>
+        <source>Reads the hammer blow from a CSV file that begins with `time [us],force [kN]`</source>
         <translation>Den Hammerschlag aus einer CSV-Datei übernehmen, die mit `time [us],force [kN]` beginnt</translation>
     </message>
     <message>
@@ -12803,7 +12803,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Hammerschlag: Kraftstoß der Tabelle</translation>
     </message>
     <message>
-        <source>Impulse of the table; another one scales all its forces, which the scenario then keeps in itself</source>
+        <source>Impulse of the table. Another value scales all its forces, and the scenario then contains the points.</source>
         <translation>Kraftstoß der Tabelle; ein anderer skaliert alle ihre Kräfte, die das Szenario dann selbst enthält</translation>
     </message>
     <message>
@@ -12815,7 +12815,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Hammerschlag: Kraftstoß der Tabelle, Einheit</translation>
     </message>
     <message>
-        <source>a table of more than %1 points stays in its file: scale the forces there</source>
+        <source>a table of more than %1 points stays in its file: scale its forces there</source>
         <translation>eine Tabelle von mehr als %1 Punkten bleibt in ihrer Datei: die Kräfte dort skalieren</translation>
     </message>
     <message>
@@ -12850,11 +12850,11 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Unsicherer Parameter</translation>
     </message>
     <message>
-        <source>Chosen parameter</source>
+        <source>Design variable</source>
         <translation>Gewählter Parameter</translation>
     </message>
     <message>
-        <source>How it scatters</source>
+        <source>Distribution</source>
         <translation>Wie er streut</translation>
     </message>
     <message>
@@ -12866,15 +12866,15 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>gleich in log</translation>
     </message>
     <message>
-        <source>bell</source>
-        <translation>Glocke</translation>
+        <source>normal</source>
+        <translation>normal</translation>
     </message>
     <message>
-        <source>bell in log</source>
-        <translation>Glocke in log</translation>
+        <source>normal in log</source>
+        <translation>normal im Logarithmus</translation>
     </message>
     <message>
-        <source>Every value between the ends as often as another, or a bell curve of which 95 % lie between them; in the value or in its logarithm</source>
+        <source>Equally likely between the limits, or a normal distribution with 95 % between them; in the value or in its logarithm</source>
         <translation>Jeder Wert zwischen den Enden so oft wie ein anderer, oder eine Glockenkurve, von der 95 % dazwischen liegen; im Wert oder in seinem Logarithmus</translation>
     </message>
     <message>
@@ -12882,7 +12882,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>log</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Gleiche Verhältnisse statt gleicher Schritte</translation>
     </message>
     <message>
@@ -12910,7 +12910,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>muss sich vom anderen Ende unterscheiden</translation>
     </message>
     <message>
-        <source>the range is upside down: the first end is the lower one</source>
+        <source>the range is reversed: give the lower end first</source>
         <translation>der Bereich steht kopf: das erste Ende ist das untere</translation>
     </message>
     <message>
@@ -12918,11 +12918,11 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>%1 entfernen</translation>
     </message>
     <message>
-        <source>This one is known</source>
+        <source>Removes this row: the parameter is known</source>
         <translation>Dieser ist bekannt</translation>
     </message>
     <message>
-        <source>This one stays as it is</source>
+        <source>Removes this row: the parameter is not varied</source>
         <translation>Dieser bleibt, wie er ist</translation>
     </message>
 </context>
@@ -12933,15 +12933,15 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Unsicheren Parameter hinzufügen</translation>
     </message>
     <message>
-        <source>Add a chosen parameter</source>
+        <source>Add a design variable</source>
         <translation>Gewählten Parameter hinzufügen</translation>
     </message>
     <message>
-        <source>One more number that is not known</source>
+        <source>Adds an uncertain parameter</source>
         <translation>Eine weitere Zahl, die nicht bekannt ist</translation>
     </message>
     <message>
-        <source>One more number that can be chosen</source>
+        <source>Adds a design variable</source>
         <translation>Eine weitere Zahl, die gewählt werden kann</translation>
     </message>
     <message>
@@ -12976,7 +12976,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Auftraggeber</translation>
     </message>
     <message>
-        <source>The scenario has changed since: show the pages of what it is now</source>
+        <source>The scenario has changed: shows the pages again for the present one</source>
         <translation>Das Szenario hat sich seitdem geändert: die Seiten des jetzigen zeigen</translation>
     </message>
     <message>
@@ -12999,7 +12999,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Beri&amp;cht …</translation>
     </message>
     <message>
-        <source>A page to hand over, as HTML or PDF: inputs with their sources, results, verdict, plots and the scenario</source>
+        <source>A report as HTML or PDF: inputs with their sources, results, verdict, plots and the scenario</source>
         <translation>Eine Seite zum Weitergeben, als HTML oder PDF: Eingaben mit ihren Quellen, Ergebnisse, Urteil, Diagramme und das Szenario</translation>
     </message>
     <message>
@@ -13039,7 +13039,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Geschrieben: %1</translation>
     </message>
     <message>
-        <source>%1 takes no pages; look after the printer, or write the report as PDF</source>
+        <source>%1 does not accept pages; check the printer, or write the report as PDF</source>
         <translation>%1 nimmt keine Seiten an; nach dem Drucker sehen, oder den Bericht als PDF schreiben</translation>
     </message>
     <message>
@@ -13051,7 +13051,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>&amp;Vorschau des Berichts …</translation>
     </message>
     <message>
-        <source>The pages of the report in a window, with project, author, customer and date for their head</source>
+        <source>Shows the pages of the report, with project, author, customer and date in their heading</source>
         <translation>Die Seiten des Berichts in einem Fenster, mit Projekt, Verfasser, Auftraggeber und Datum für ihren Kopf</translation>
     </message>
     <message>
@@ -13118,7 +13118,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Wellenverlust 10 % setzen</translation>
     </message>
     <message>
-        <source>Estimate from single blows; consecutive blows are followed …</source>
+        <source>Estimate from single blows; solving consecutive blows …</source>
         <translation>Schätzung aus einzelnen Schlägen; aufeinanderfolgende Schläge werden verfolgt …</translation>
     </message>
     <message>
@@ -13126,11 +13126,11 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Schätzung aus einzelnen Schlägen.</translation>
     </message>
     <message>
-        <source>Follow consecutive blows (about %1 s)</source>
+        <source>Solve consecutive blows (about %1 s)</source>
         <translation>Aufeinanderfolgende Schläge verfolgen (etwa %1 s)</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <source>Estimate from single blows; %1 solves consecutive blows.</source>
         <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
 </context>
@@ -13153,7 +13153,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Anlage erstellen</translation>
     </message>
     <message>
-        <source>From the groups follow a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.</source>
+        <source>The groups give a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.</source>
         <translation>Aus den Kennzahlen folgen eine Stange von %1, ein Impuls von %2, eine Steifigkeit von %3 und ein Spalt von %4.</translation>
     </message>
     <message>
@@ -13168,7 +13168,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
 <context>
     <name>drillwave::RockPage</name>
     <message>
-        <source>State of the rock at the time cursor, the larger point on the path</source>
+        <source>State of the rock at the time cursor, shown by the larger point</source>
         <translation>Zustand des Gesteins am Zeitcursor, dem größeren Punkt auf dem Weg</translation>
     </message>
     <message>
@@ -13176,7 +13176,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Bring the whole path into view (double-click in the plot)</source>
+        <source>Shows the whole path (double-click in the plot)</source>
         <translation>Den ganzen Weg ins Bild bringen (Doppelklick im Diagramm)</translation>
     </message>
     <message>
@@ -13184,7 +13184,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Stoßkraft über der Eindringung</translation>
     </message>
     <message>
-        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <source>Nothing to show: this blow has too many waves to keep.</source>
         <translation>Nichts zu zeigen: dieser Schlag hat mehr Wellen, als behalten werden können.</translation>
     </message>
     <message>
@@ -13255,15 +13255,15 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Stoßkraft über der Eindringung. Belastung entlang der Steigung k = %1 bis zur Spitze, Fₘ = %2 bei der Eindringung Uₘ = %3; Entlastung entlang k/γ = %4; die Eindringung Uᵣ = %5 bleibt. Die eingeschlossene Fläche: %6.</translation>
     </message>
     <message>
-        <source> Behind its corners it loads along %1.</source>
+        <source> Above its corners it loads along %1.</source>
         <translation> Hinter ihren Ecken belastet es entlang %1.</translation>
     </message>
 </context>
 <context>
     <name>drillwave::RodPage</name>
     <message>
-        <source>The dotted line: where in the rod one looks, 0 is the struck end, 1 the bit.
-A click in the plot moves it, and the time cursor to when the stress there is largest.</source>
+        <source>Section shown by the dotted line: 0 is the struck end, 1 the bit.
+A click in the plot moves it, and moves the time cursor to the largest stress there.</source>
         <translation>Die gepunktete Linie: wohin in der Stange man schaut, 0 ist das Schlagende, 1 die Bohrkrone.
 Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannung dort am größten ist.</translation>
     </message>
@@ -13288,7 +13288,7 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
         <translation>Größte Spannungen entlang der Stange</translation>
     </message>
     <message>
-        <source>Nothing to show: there are too many waves to be kept.</source>
+        <source>Nothing to show: there are too many waves to keep.</source>
         <translation>Nichts zu zeigen: so viele Wellen, dass sie nicht behalten werden.</translation>
     </message>
     <message>
@@ -13301,7 +13301,7 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
     </message>
     <message>
         <source>At %1 in the blow: %2 and %3
-of the waves left: %4 and %5</source>
+in the residual waves: %4 and %5</source>
         <translation>Bei %1 im Schlag: %2 und %3
 der verbleibenden Wellen: %4 und %5</translation>
     </message>
@@ -13331,11 +13331,11 @@ in %4</translation>
         <translation>größter Zug im Schlag</translation>
     </message>
     <message>
-        <source>compression of the waves left</source>
+        <source>compression of residual waves</source>
         <translation>Druck der verbleibenden Wellen</translation>
     </message>
     <message>
-        <source>tension of the waves left</source>
+        <source>tension of residual waves</source>
         <translation>Zug der verbleibenden Wellen</translation>
     </message>
     <message>
@@ -13359,15 +13359,15 @@ in %4</translation>
         <translation>Kraft N (Zug positiv)</translation>
     </message>
     <message>
-        <source>of uniform sections; threads and changes of diameter raise stresses locally</source>
+        <source>stresses of uniform sections; threads and changes of diameter raise them locally</source>
         <translation>der gleichförmigen Abschnitte; Gewinde und Durchmessersprünge erhöhen Spannungen örtlich</translation>
     </message>
     <message>
-        <source>so many waves that between the peaks a curve may be too low by %1</source>
+        <source>many waves: between peaks the curve may be too low by %1</source>
         <translation>so viele Wellen, dass eine Kurve zwischen den Spitzen um %1 zu niedrig sein kann</translation>
     </message>
     <message>
-        <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
+        <source>stresses of the uniform rod; couplings and threads raise them locally; residual waves are undamped</source>
         <translation>der gleichförmigen Stange; Muffen und Gewinde erhöhen Spannungen örtlich, nichts dämpft Restwellen</translation>
     </message>
     <message>
@@ -13421,7 +13421,7 @@ in %4</translation>
         <translation>Die Stange am Zeitcursor: Hammer, Stange, Bohrkrone und Gestein. Orange bewegt sich zum Gestein, Blau davon weg; wie auf dem Farbbalken darüber.</translation>
     </message>
     <message>
-        <source>t = %1 · later than the blow was followed, which is to %2</source>
+        <source>t = %1 · after the end of the computed time, %2</source>
         <translation>t = %1 · später, als der Schlag verfolgt wurde, das ist bis %2</translation>
     </message>
     <message>
@@ -13456,11 +13456,11 @@ in %4</translation>
 <context>
     <name>drillwave::RunKeeper</name>
     <message>
-        <source>A run is not what it was.</source>
+        <source>A run has changed.</source>
         <translation>Ein Lauf ist nicht mehr, was er war.</translation>
     </message>
     <message>
-        <source>%1: there is no room for it among the runs on show; remove some and open the file again</source>
+        <source>%1: too many runs are shown already; remove some and open the file again</source>
         <translation>%1: unter den gezeigten Läufen ist kein Platz dafür; einige entfernen und die Datei neu öffnen</translation>
     </message>
     <message>
@@ -13484,7 +13484,7 @@ in %4</translation>
         <translation>Die Läufe sind nicht aufbewahrt.</translation>
     </message>
     <message>
-        <source>The runs are not kept any more.</source>
+        <source>The runs are no longer kept.</source>
         <translation>Die Läufe werden nicht mehr aufbewahrt.</translation>
     </message>
 </context>
@@ -13499,7 +13499,7 @@ in %4</translation>
         <translation>F7 heftet dieses Ergebnis zum Vergleich an.</translation>
     </message>
     <message>
-        <source>Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right click has the rest</source>
+        <source>Ticked runs are shown in the plots. F2 renames, Del removes; right-click for more</source>
         <translation>Angehakte Läufe werden über die Diagramme gezeichnet. F2 benennt um, Entf entfernt, die Menütaste oder ein Rechtsklick hat das Übrige</translation>
     </message>
     <message>
@@ -13511,7 +13511,7 @@ in %4</translation>
         <translation>Δ</translation>
     </message>
     <message>
-        <source>How far e is off that of the reference</source>
+        <source>Difference of e from the reference</source>
         <translation>Wie weit e von dem des Bezugs abweicht</translation>
     </message>
     <message>
@@ -13551,7 +13551,7 @@ in %4</translation>
         <translation>Wird gelöst</translation>
     </message>
     <message>
-        <source>Gone when the window closes, unless File ▸ Keep runs beside the file.</source>
+        <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
         <translation>Mit dem Fenster weg, außer mit Datei ▸ Läufe neben der Datei aufbewahren.</translation>
     </message>
 </context>
@@ -13562,7 +13562,7 @@ in %4</translation>
         <translation>Das ist schon der Lauf %1.</translation>
     </message>
     <message>
-        <source>There are %1 runs, which is as many as can be told apart: remove one first.</source>
+        <source>There are %1 runs already, the most that can be distinguished: remove one first.</source>
         <translation>Es gibt %1 Läufe, so viele, wie sich unterscheiden lassen: erst einen entfernen.</translation>
     </message>
     <message>
@@ -13573,7 +13573,7 @@ in %4</translation>
 <context>
     <name>drillwave::ScanRects</name>
     <message>
-        <source>blows from contact</source>
+        <source>blows in contact</source>
         <translation>Schläge aus dem Kontakt</translation>
     </message>
     <message>
@@ -13589,8 +13589,8 @@ in %4</translation>
         <translation>Bohrfortschritt</translation>
     </message>
     <message>
-        <source>begun bouncing</source>
-        <translation>springend begonnen</translation>
+        <source>started bouncing</source>
+        <translation>federnd begonnen</translation>
     </message>
     <message>
         <source>%1 (of an earlier scenario: scan again)</source>
@@ -13601,7 +13601,7 @@ in %4</translation>
         <translation>Spalt beim Schlag</translation>
     </message>
     <message>
-        <source>from contact [%]</source>
+        <source>blows in contact [%]</source>
         <translation>aus dem Kontakt [%]</translation>
     </message>
 </context>
@@ -13670,7 +13670,7 @@ in %4</translation>
         <translation>Stelle x</translation>
     </message>
     <message>
-        <source>Of the gauge, from the struck end; below 0 in the hammer</source>
+        <source>Distance of the gauge from the struck end; negative in the hammer</source>
         <translation>Der Messstelle, vom Schlagende; unter 0 im Hammer</translation>
     </message>
     <message>
@@ -13682,8 +13682,8 @@ in %4</translation>
         <translation>Signal ist</translation>
     </message>
     <message>
-        <source>What the numbers are</source>
-        <translation>Was die Zahlen sind</translation>
+        <source>Quantity that was recorded</source>
+        <translation>Aufgezeichnete Größe</translation>
     </message>
     <message>
         <source>force</source>
@@ -13702,15 +13702,15 @@ in %4</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>In what the numbers are</source>
-        <translation>Worin die Zahlen angegeben sind</translation>
+        <source>Unit of the numbers</source>
+        <translation>Einheit der Zahlen</translation>
     </message>
     <message>
         <source>positive is</source>
         <translation>positiv ist</translation>
     </message>
     <message>
-        <source>What a number greater than 0 means. Here tension is positive in a rod, and pressing is in a blow and on the rock.</source>
+        <source>Meaning of positive numbers. In this program tension is positive in rods; on the rock and in a blow, compression is.</source>
         <translation>Was eine Zahl größer als 0 bedeutet. Hier ist Zug in einer Stange positiv, und Drücken in einem Schlag und auf das Gestein.</translation>
     </message>
     <message>
@@ -13726,7 +13726,7 @@ in %4</translation>
         <translation>Nulllinie</translation>
     </message>
     <message>
-        <source>What is taken off all samples</source>
+        <source>Zero level, subtracted from all samples</source>
         <translation>Was von allen Abtastwerten abgezogen wird</translation>
     </message>
     <message>
@@ -13746,7 +13746,7 @@ in %4</translation>
         <translation>erste</translation>
     </message>
     <message>
-        <source>How long nothing happens in the record</source>
+        <source>Time at the start of the record without a signal</source>
         <translation>Wie lange in der Aufzeichnung nichts geschieht</translation>
     </message>
     <message>
@@ -13786,7 +13786,7 @@ in %4</translation>
         <translation>Spitze</translation>
     </message>
     <message>
-        <source>From and to where the signal is 2 % of its peak, around it</source>
+        <source>The range around the peak in which the signal exceeds 2 % of it</source>
         <translation>Von und bis dorthin, wo das Signal 2 % seiner Spitze ist, um sie herum</translation>
     </message>
     <message>
@@ -13794,7 +13794,7 @@ in %4</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>From and to the ends of what the plot shows: zoom there first</source>
+        <source>The range shown by the plot: zoom there first</source>
         <translation>Von und bis zu den Enden dessen, was das Diagramm zeigt: dort zuerst zoomen</translation>
     </message>
     <message>
@@ -13822,11 +13822,11 @@ in %4</translation>
         <translation>Skalierung</translation>
     </message>
     <message>
-        <source>Times what all forces are multiplied by</source>
+        <source>Scaling of all forces</source>
         <translation>Womit alle Kräfte multipliziert werden</translation>
     </message>
     <message>
-        <source>as it is</source>
+        <source>present</source>
         <translation>wie es ist</translation>
     </message>
     <message>
@@ -13850,7 +13850,7 @@ in %4</translation>
         <translation>Kraftstoß</translation>
     </message>
     <message>
-        <source>The impulse that the signal is to have</source>
+        <source>Wanted impulse of the signal</source>
         <translation>Den das Signal haben soll</translation>
     </message>
     <message>
@@ -13862,11 +13862,11 @@ in %4</translation>
         <translation>wählen</translation>
     </message>
     <message>
-        <source>The unit in the header is not known, or there is none: choose what the signal is, and its unit.</source>
+        <source>The header has no known unit: choose the kind of signal and its unit.</source>
         <translation>Die Einheit im Kopf ist nicht bekannt, oder es gibt keine: wählen, was das Signal ist, und seine Einheit.</translation>
     </message>
     <message>
-        <source>place x: not given: a wave passes every section at another time; type how far the gauge is from the struck end</source>
+        <source>place x: not given: type the distance of the gauge from the struck end, because the time of a wave depends on it</source>
         <translation>Stelle x: nicht gegeben: eine Welle kommt durch jeden Querschnitt zu anderer Zeit; eingeben, wie weit die Messstelle vom Schlagende ist</translation>
     </message>
     <message>
@@ -13898,7 +13898,7 @@ in %4</translation>
         <translation>Teilchengeschwindigkeit</translation>
     </message>
     <message>
-        <source>That are kept of the samples; a blow keeps as few as leave impulse and e the same to 1e-4 until you choose a number. How far the rest is from the lines between them is said below</source>
+        <source>Largest number of points to keep. By default a blow keeps as many as needed for impulse and e to within 1e-4. The summary below gives the largest deviation.</source>
         <translation>Die von den Abtastwerten bleiben; ein Schlag behält so wenige, wie Kraftstoß und e auf 1e-4 gleich lassen, bis Sie eine Anzahl wählen. Wie weit die übrigen von den Geraden dazwischen entfernt sind, steht unten</translation>
     </message>
 </context>
@@ -13913,7 +13913,7 @@ in %4</translation>
         <translation>das Lösen wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>stopped · what is shown is not of the present input</source>
+        <source>stopped · the result shown is not that of the present input</source>
         <translation>angehalten · was gezeigt ist, gehört nicht zur gegenwärtigen Eingabe</translation>
     </message>
     <message>
@@ -13937,14 +13937,14 @@ in %4</translation>
         <translation>Die gegenwärtige Eingabe lösen</translation>
     </message>
     <message>
-        <source>Stop solving; the old result stays, marked as such</source>
+        <source>Stops solving; the old result stays, marked as old</source>
         <translation>Das Lösen anhalten; das alte Ergebnis bleibt, als solches markiert</translation>
     </message>
 </context>
 <context>
     <name>drillwave::StaleVeil</name>
     <message>
-        <source>not of the present input</source>
+        <source>result of an earlier input</source>
         <translation>nicht zur gegenwärtigen Eingabe</translation>
     </message>
 </context>
@@ -14025,7 +14025,7 @@ in %4</translation>
         <translation>Duplizieren</translation>
     </message>
     <message>
-        <source>Put the selected section there once more, with its name</source>
+        <source>Duplicates the selected section, with its name</source>
         <translation>Den gewählten Abschnitt mit seinem Namen noch einmal dorthin setzen</translation>
     </message>
     <message>
@@ -14033,7 +14033,7 @@ in %4</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take the selected sections away</source>
+        <source>Removes the selected sections</source>
         <translation>Die gewählten Abschnitte wegnehmen</translation>
     </message>
     <message>
@@ -14057,7 +14057,7 @@ in %4</translation>
         <translation>Wiederholen …</translation>
     </message>
     <message>
-        <source>Let the selected sections follow one another several times; in a repeat, type how often</source>
+        <source>Repeats the selected sections; inside a repeat, type the number of times</source>
         <translation>Die gewählten Abschnitte mehrmals aufeinander folgen lassen; in einer Wiederholung eingeben, wie oft</translation>
     </message>
     <message>
@@ -14073,7 +14073,7 @@ in %4</translation>
         <translation>Stangen</translation>
     </message>
     <message>
-        <source>Hammer, in place of this one</source>
+        <source>Hammer, instead of this one</source>
         <translation>Hammer, anstelle des gegenwärtigen</translation>
     </message>
     <message>
@@ -14137,7 +14137,7 @@ in %4</translation>
         <translation>%1 zur Bohrkrone hin verschieben</translation>
     </message>
     <message>
-        <source>Sections of the hammer stay in the hammer, those of the string behind it.</source>
+        <source>Sections of the hammer stay in the hammer, sections of the string in the string.</source>
         <translation>Abschnitte des Hammers bleiben im Hammer, die des Strangs dahinter.</translation>
     </message>
     <message>
@@ -14149,7 +14149,7 @@ in %4</translation>
         <translation>%1 wiederholen</translation>
     </message>
     <message>
-        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; after the last section of a repeat it comes after the repeat; adapters go to the shank, bits to the rock</source>
+        <source>Adds a section after the selected one: a copy, a preset or a section of the example strings. Adapters go to the shank, bits to the rock.</source>
         <translation>Einen Abschnitt hinter den gewählten setzen: einen gleichen, eine Voreinstellung oder einen der Beispielstränge; hinter dem letzten einer Wiederholung kommt er nach der Wiederholung; Einsteckenden kommen an den Anfang, Bohrkronen ans Gestein</translation>
     </message>
     <message>
@@ -14168,8 +14168,8 @@ in %4</translation>
 <context>
     <name>drillwave::StringModel</name>
     <message>
-        <source>mass
-behind</source>
+        <source>mass at
+end</source>
         <translation>Masse
 dahinter</translation>
     </message>
@@ -14184,29 +14184,29 @@ fung</translation>
         <translation>%1, %2 vom hammerseitigen Ende, %3</translation>
     </message>
     <message>
-        <source>These sections come %1 times, one after another. Type another number; 1 takes the repeat away.</source>
+        <source>These sections are repeated %1 times. Type another number; 1 removes the repeat.</source>
         <translation>Diese Abschnitte kommen %1-mal hintereinander. Eine andere Zahl eingeben; 1 nimmt die Wiederholung weg.</translation>
     </message>
     <message>
-        <source>Name of the section; parameters go by it, too</source>
+        <source>Name of the section, also used in keys of parameters</source>
         <translation>Name des Abschnitts; auch Parameter gehen danach</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
+        <source>Share of the hammer energy reflected by the joint after %1</source>
         <translation>Anteil der Energie des Hammers, den die Verbindung hinter %1 von dem reflektiert, was vom Hammer kommt</translation>
     </message>
     <message>
         <source>
-of the waves that the blow leaves: %1</source>
+in the residual waves: %1</source>
         <translation>
 der Wellen, die der Schlag hinterlässt: %1</translation>
     </message>
     <message>
-        <source>The hammer loses nothing inside</source>
+        <source>The hammer has no internal losses</source>
         <translation>Der Hammer verliert innen nichts</translation>
     </message>
     <message>
-        <source>The section is given by its cross-section, not by diameters</source>
+        <source>The section has a cross-section instead of diameters</source>
         <translation>Der Abschnitt ist durch seinen Querschnitt gegeben, nicht durch Durchmesser</translation>
     </message>
     <message>
@@ -14214,15 +14214,15 @@ der Wellen, die der Schlag hinterlässt: %1</translation>
         <translation>H%1</translation>
     </message>
     <message>
-        <source>Largest compression of the section while the blow lasts</source>
+        <source>Largest compression of the section during the blow</source>
         <translation>Größter Druck im Abschnitt, solange der Schlag dauert</translation>
     </message>
     <message>
-        <source>Largest tension of the section while the blow lasts</source>
+        <source>Largest tension of the section during the blow</source>
         <translation>Größter Zug im Abschnitt, solange der Schlag dauert</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
+        <source>Share of the hammer energy reflected by the joint after the section; of a repeat, by the joint that reflects most</source>
         <translation>Anteil der Energie des Hammers, den die Verbindung hinter dem Abschnitt von dem reflektiert, was vom Hammer kommt; in einer Wiederholung der Verbindung, die am meisten reflektiert</translation>
     </message>
     <message>
@@ -14262,7 +14262,7 @@ flexion</translation>
         <translation>Eine Wiederholung ist eine ganze Zahl von 1 bis %1</translation>
     </message>
     <message>
-        <source>take the repeat of %1 away</source>
+        <source>remove the repeat of %1</source>
         <translation>die Wiederholung von %1 wegnehmen</translation>
     </message>
     <message>
@@ -14278,7 +14278,7 @@ flexion</translation>
         <translation>%1: %2, von der Streckgrenze von %3</translation>
     </message>
     <message>
-        <source>The preset that the section is from; the name goes when a number is changed</source>
+        <source>Preset of the section; the name is removed when a number changes</source>
         <translation>Die Voreinstellung, aus der der Abschnitt ist; der Name geht, wenn eine Zahl geändert wird</translation>
     </message>
     <message>
@@ -14290,11 +14290,11 @@ flexion</translation>
         <translation>Platz in Schlüsseln: %1</translation>
     </message>
     <message>
-        <source>Largest stress while the blow lasts as a share of the strength: tension of the fatigue strength, or either of the yield strength, whichever is more</source>
+        <source>Largest stress during the blow as a share of the strength: tension over fatigue strength, or any stress over yield strength, whichever is larger</source>
         <translation>Größte Spannung während des Schlags als Anteil der Festigkeit: Zug von der Dauerfestigkeit oder beides von der Streckgrenze, was mehr ist</translation>
     </message>
     <message>
-        <source>The preset that the section is from</source>
+        <source>Preset of the section</source>
         <translation>Die Voreinstellung, aus der der Abschnitt ist</translation>
     </message>
     <message>
@@ -14311,7 +14311,7 @@ Festigkeit</translation>
 <context>
     <name>drillwave::StringPage</name>
     <message>
-        <source>Of uniform sections: threads and shoulders raise stresses locally</source>
+        <source>Stresses of uniform sections: threads and shoulders raise them locally</source>
         <translation>Der gleichförmigen Abschnitte: Gewinde und Absätze erhöhen Spannungen örtlich</translation>
     </message>
     <message>
@@ -14323,7 +14323,7 @@ Festigkeit</translation>
         <translation>Alle Spalten</translation>
     </message>
     <message>
-        <source>Also cross-section, Young&apos;s modulus, density and strengths where no section has them of its own</source>
+        <source>Also shows cross-section, Young&apos;s modulus, density and strengths that no section gives itself</source>
         <translation>Auch Querschnitt, E-Modul, Dichte und Festigkeiten, wo kein Abschnitt eigene hat</translation>
     </message>
     <message>
@@ -14382,7 +14382,7 @@ Festigkeit</translation>
         <translation>Hammer: darf wieder schlagen</translation>
     </message>
     <message>
-        <source>The hammer stays where the string may meet it again; without it, it is withdrawn once they have parted</source>
+        <source>The hammer may be hit again by the string; otherwise it is withdrawn after the first separation</source>
         <translation>Der Hammer bleibt, wo der Strang ihn wieder treffen kann; sonst wird er zurückgezogen, sobald sie sich getrennt haben</translation>
     </message>
     <message>
@@ -14435,7 +14435,7 @@ Festigkeit</translation>
         <translation>Als Befehlszeile kopieren</translation>
     </message>
     <message>
-        <source>The command that writes the same numbers as CSV, for a terminal</source>
+        <source>Copies the command that writes the same numbers as CSV</source>
         <translation>Der Befehl, der dieselben Zahlen als CSV schreibt, für ein Terminal</translation>
     </message>
     <message>
@@ -14463,7 +14463,7 @@ Festigkeit</translation>
         <translation>Antwort kopieren</translation>
     </message>
     <message>
-        <source>The sentence below, as text</source>
+        <source>Copies the sentence below as text</source>
         <translation>Der Satz darunter, als Text</translation>
     </message>
 </context>
@@ -14490,7 +14490,7 @@ Festigkeit</translation>
         <translation>Fortschritt der Studie</translation>
     </message>
     <message>
-        <source>Stop the study; the points it has found stay</source>
+        <source>Stops the study; the points found so far stay</source>
         <translation>Die Studie anhalten; gefundene Punkte bleiben</translation>
     </message>
     <message>
@@ -14518,7 +14518,7 @@ Festigkeit</translation>
         <translation>Ganz lösen (%1)</translation>
     </message>
     <message>
-        <source>Run the study again to its end, however long it takes</source>
+        <source>Runs the study again to its end, whatever time it takes</source>
         <translation>Die Studie noch einmal bis zum Ende rechnen, wie lange es auch dauert</translation>
     </message>
     <message>
@@ -14548,7 +14548,7 @@ Festigkeit</translation>
         <translation>Trennzeichen</translation>
     </message>
     <message>
-        <source>What stands between the cells</source>
+        <source>Character between the cells</source>
         <translation>Was zwischen den Zellen steht</translation>
     </message>
     <message>
@@ -14572,7 +14572,7 @@ Festigkeit</translation>
         <translation>Dezimalzeichen</translation>
     </message>
     <message>
-        <source>What stands before the decimals of a number</source>
+        <source>Decimal sign of the numbers</source>
         <translation>Was vor den Dezimalen einer Zahl steht</translation>
     </message>
     <message>
@@ -14588,7 +14588,7 @@ Festigkeit</translation>
         <translation>Werte ab Zeile</translation>
     </message>
     <message>
-        <source>The first line of the file that is a sample</source>
+        <source>First line with a sample</source>
         <translation>Die erste Zeile der Datei, die ein Abtastwert ist</translation>
     </message>
     <message>
@@ -14604,7 +14604,7 @@ Festigkeit</translation>
         <translation>Einheit der Zeit</translation>
     </message>
     <message>
-        <source>In what the times are</source>
+        <source>Unit of the times</source>
         <translation>Worin die Zeiten angegeben sind</translation>
     </message>
     <message>
@@ -14612,7 +14612,7 @@ Festigkeit</translation>
         <translation>Abtastrate</translation>
     </message>
     <message>
-        <source>Samples in a second</source>
+        <source>Samples per second</source>
         <translation>Abtastwerte in einer Sekunde</translation>
     </message>
     <message>
@@ -14636,7 +14636,7 @@ Festigkeit</translation>
         <translation>Zeilen ohne Zahl</translation>
     </message>
     <message>
-        <source>Empty cells, NaN, words: whether they stop the import or are left out</source>
+        <source>Empty cells, NaN and words: refuse the file, or skip and count the rows</source>
         <translation>Leere Zellen, NaN, Wörter: ob sie den Import anhalten oder weggelassen werden</translation>
     </message>
     <message>
@@ -14664,7 +14664,7 @@ Festigkeit</translation>
         <translation>Die Datei ist leer, oder kein Text.</translation>
     </message>
     <message>
-        <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the line where the samples begin; a longer header is to be cut off the file.</source>
+        <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the first line with a sample. Remove a longer header from the file.</source>
         <translation>In den ersten %1 Zeilen findet sich mit diesem Trennzeichen und Dezimalzeichen keine Zeile mit Zahlen: andere wählen, oder die Zeile, in der die Abtastwerte beginnen; ein längerer Kopf ist von der Datei abzuschneiden.</translation>
     </message>
     <message>
@@ -14676,7 +14676,7 @@ Festigkeit</translation>
         <translation>Der zweite Messstreifen ist eine Spalte, die schon verwendet wird: eine andere wählen.</translation>
     </message>
     <message>
-        <source>unit of time: the table does not say it: choose one.</source>
+        <source>unit of time: not given in the table: choose one.</source>
         <translation>Einheit der Zeit: die Tabelle sagt sie nicht: eine wählen.</translation>
     </message>
     <message>
@@ -14700,15 +14700,15 @@ Festigkeit</translation>
         <translation>Jeder Kanal dieser Tabelle ist eine Zeile: Machen Sie in einer Tabellenkalkulation Spalten daraus, oder lesen Sie sie mit drillwave signal -o.</translation>
     </message>
     <message>
-        <source>decimal sign: 1,234 and 1.234 can be a number with decimals or a thousand: choose the sign.</source>
+        <source>decimal sign: 1,234 and 1.234 can be a decimal number or a thousand: choose the sign.</source>
         <translation>Dezimalzeichen: 1,234 und 1.234 können eine Zahl mit Dezimalen oder ein Tausender sein: Wählen Sie das Zeichen.</translation>
     </message>
     <message>
-        <source>sampling rate: the table says “%1”, without a unit: type the rate.</source>
+        <source>sampling rate: the table gives “%1” without a unit: type the rate.</source>
         <translation>Abtastrate: In der Tabelle steht „%1“ ohne Einheit: Geben Sie die Rate ein.</translation>
     </message>
     <message>
-        <source>sampling rate: the table does not state it: type it.</source>
+        <source>sampling rate: not given in the table: type it.</source>
         <translation>Abtastrate: Sie steht nicht in der Tabelle: Geben Sie sie ein.</translation>
     </message>
 </context>
@@ -14727,7 +14727,7 @@ Festigkeit</translation>
         <translation>&amp;Meines behalten</translation>
     </message>
     <message>
-        <source>Go on with the points that were read before</source>
+        <source>Continue with the points read before</source>
         <translation>Mit den Punkten weiterarbeiten, die zuvor gelesen wurden</translation>
     </message>
     <message>
@@ -14750,7 +14750,7 @@ Festigkeit</translation>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Take the value back</source>
+        <source>Undo this change</source>
         <translation>Den Wert zurücknehmen</translation>
     </message>
     <message>
@@ -14784,7 +14784,7 @@ Festigkeit</translation>
         <translation>wirksame Kraft, mit Gewicht entlang des Bohrlochs</translation>
     </message>
     <message>
-        <source>installed thrust</source>
+        <source>installed feed force</source>
         <translation>installierter Andruck</translation>
     </message>
     <message>
@@ -14894,7 +14894,7 @@ Festigkeit</translation>
         <translation>Einheiten der Felder, Ergebnisse und Diagramme</translation>
     </message>
     <message>
-        <source>as in the system chosen</source>
+        <source>as in the system selected</source>
         <translation>wie im gewählten System</translation>
     </message>
     <message>
@@ -14924,7 +14924,7 @@ Festigkeit</translation>
         <translation>Fronten</translation>
     </message>
     <message>
-        <source>The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 the bit.</source>
+        <source>Section shown by the dashed line, also used on the page Blow: 0 is the struck end, 1 the bit.</source>
         <translation>Die gestrichelte Linie: wo in der Stange die Wellen der Seite Schlag beobachtet werden; 0 ist das Schlagende, 1 die Bohrkrone.</translation>
     </message>
     <message>
@@ -14940,7 +14940,7 @@ Festigkeit</translation>
         <translation>Teilchengeschwindigkeit v</translation>
     </message>
     <message>
-        <source>What the colours show</source>
+        <source>Quantity shown by the colours</source>
         <translation>Was die Farben zeigen</translation>
     </message>
     <message>
@@ -14948,7 +14948,7 @@ Festigkeit</translation>
         <translation>Normalkraft (Zug positiv) oder Teilchengeschwindigkeit (zum Gestein positiv)</translation>
     </message>
     <message>
-        <source>Lines where the hammer force begins (solid), jumps or ends (dashed), running with the wave speed</source>
+        <source>Lines that start where the hammer force begins (solid), jumps or ends (dashed), and move at the wave speed</source>
         <translation>Linien, auf denen die Hammerkraft beginnt (durchgezogen), springt oder endet (gestrichelt), mit der Wellengeschwindigkeit laufend</translation>
     </message>
     <message>
@@ -14972,7 +14972,7 @@ Festigkeit</translation>
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>Nothing to show: there are too many waves to be kept.</source>
+        <source>Nothing to show: there are too many waves to keep.</source>
         <translation>Nichts zu zeigen: so viele Wellen, dass sie nicht behalten werden.</translation>
     </message>
     <message>
@@ -15011,7 +15011,7 @@ Festigkeit</translation>
         <translation>%1 in %2 · t = %3</translation>
     </message>
     <message>
-        <source> · later than the blow was followed</source>
+        <source> · after the computed time</source>
         <translation> · später, als der Schlag verfolgt wurde</translation>
     </message>
     <message>
@@ -15062,7 +15062,7 @@ Festigkeit</translation>
         <translation>die Längen runden</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept: this page shows those of a coarser string. Rounding lengths to 10 mm can show them in full: %1.</source>
+        <source>This blow has too many waves to keep, so this page shows those of a coarser string. Rounding lengths to 10 mm can show them in full: %1.</source>
         <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Diese Seite zeigt die eines gröber geteilten Strangs. Auf 10 mm gerundete Längen können sie alle zeigen: %1.</translation>
     </message>
 </context>
@@ -15105,7 +15105,7 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
         <translation>Optionen:</translation>
     </message>
     <message>
-        <source>this text</source>
+        <source>this help</source>
         <translation>dieser Text</translation>
     </message>
     <message>
@@ -15118,7 +15118,7 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
     </message>
     <message>
         <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. Of a drill string the histories hold the waves in the middle of its longest
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
 section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
         <translation>Mit -o bekommt DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: aus
 jeder der ersten vier Dateien lässt sich der Lauf wiederholen. Von einem Bohrstrang enthalten die
@@ -15130,15 +15130,15 @@ wave_picture.* und rod.*.</translation>
         <translation>Parameter ändern, zum Beispiel rod.length=4.27m beta=0.8</translation>
     </message>
     <message>
-        <source>take this rod; `drillwave presets` lists rods, hammers and rocks</source>
+        <source>use this rod; `drillwave presets` lists rods, hammers and rocks</source>
         <translation>diese Stange nehmen; `drillwave presets` zeigt Stangen, Hämmer, Gesteine</translation>
     </message>
     <message>
-        <source>take this hammer</source>
+        <source>use this hammer</source>
         <translation>diesen Hammer nehmen</translation>
     </message>
     <message>
-        <source>take this rock</source>
+        <source>use this rock</source>
         <translation>dieses Gestein nehmen</translation>
     </message>
     <message>
@@ -15150,11 +15150,11 @@ wave_picture.* und rod.*.</translation>
         <translation>mit -o auch Diagramme in diesen Formaten</translation>
     </message>
     <message>
-        <source>with -o, CSV columns in SI, as they are where the scenario has units</source>
+        <source>with -o, CSV columns in SI (default for scenarios with units)</source>
         <translation>mit -o CSV-Spalten in SI-Einheiten, wie ohnehin bei Szenarien mit Einheiten</translation>
     </message>
     <message>
-        <source>with -o, CSV columns dimensionless all the same</source>
+        <source>with -o, CSV columns dimensionless</source>
         <translation>mit -o CSV-Spalten trotzdem dimensionslos</translation>
     </message>
     <message>
@@ -15162,7 +15162,7 @@ wave_picture.* und rod.*.</translation>
         <translation>vorhandene Dateien überschreiben</translation>
     </message>
     <message>
-        <source>speak German (de), Swedish (sv) or English (en)</source>
+        <source>use German (de), Swedish (sv) or English (en)</source>
         <translation>Deutsch (de), Schwedisch (sv) oder Englisch (en) sprechen</translation>
     </message>
     <message>
@@ -15214,16 +15214,16 @@ Parameter sind, werden unverändert durchgereicht.
 CASES darf - oder eine Pipe sein. FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind.</translation>
     </message>
     <message>
-        <source>outputs along a parameter: extremes, kinks and crossings with places and errors</source>
+        <source>follow outputs along a parameter; print extremes, kinks and crossings with errors</source>
         <translation>Ergebnisse entlang eines Parameters: Extreme, Knicke und Schnittpunkte mit Stellen und Fehlern</translation>
     </message>
     <message>
         <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid to be chosen. Tells where each output is least and largest, its local
+of events changes; no grid to be chosen. Prints where each output is least and largest, its local
 extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
-smooth within the work permitted it is known by points alone, and the table says so.
---goal asks the other way round: where along KEY the output is X. Each place is solved for, with its
-error, and it is told whether there may be others; where there is none, what comes nearest.
+smooth within the work permitted, only points of it are known, and the table says so.
+--goal asks the other way round: where along KEY the output is X. Prints each place with its
+error and whether there may be others; where there is none, the nearest value.
 Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
         <translation>Verfolgt Ergebnisse entlang eines Parameters in glatten Stücken zwischen Knicken, die sich dort
 finden, wo die Reihenfolge der Ereignisse wechselt; ein Raster ist nicht zu wählen. Sagt, wo jedes
@@ -15236,11 +15236,11 @@ kommt.
 Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>the parameter to go along: START:STOP or START:STOP:log</source>
+        <source>parameter to vary: START:STOP or START:STOP:log</source>
         <translation>der Parameter, über dem verfolgt wird: START:STOP oder START:STOP:log</translation>
     </message>
     <message>
-        <source>a line for each value: A,B,C, or START:STOP:COUNT[:log]</source>
+        <source>one line per value: A,B,C, or START:STOP:COUNT[:log]</source>
         <translation>eine Kurve für jeden Wert: A,B,C oder START:STOP:COUNT[:log]</translation>
     </message>
     <message>
@@ -15248,7 +15248,7 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
         <translation>auch, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
     </message>
     <message>
-        <source>every value of KEY that gives the only output this value, in the unit of its column; exit code 6 where none does</source>
+        <source>find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there is none</source>
         <translation>alle Werte von KEY mit diesem Ergebnis, in der Einheit seiner Spalte; sonst Exit-Code 6</translation>
     </message>
     <message>
@@ -15273,12 +15273,12 @@ bestimmt, nicht durch Interpolation: FILE_contours.csv sagt, wie nahe er dem Wer
 Ergebnis dort springt.</translation>
     </message>
     <message>
-        <source>the first parameter and its values; :log behind for even ratios</source>
-        <translation>der erste Parameter und seine Werte; :log dahinter für gleiche Verhältnisse</translation>
+        <source>parameter across and its values; :log after the count for even ratios</source>
+        <translation>Parameter nach rechts und seine Werte; :log nach der Anzahl für gleiche Verhältnisse</translation>
     </message>
     <message>
-        <source>the second one likewise</source>
-        <translation>ebenso der zweite</translation>
+        <source>parameter upwards and its values; also :log</source>
+        <translation>Parameter nach oben und seine Werte; auch :log</translation>
     </message>
     <message>
         <source>place the contour of this value; may be given again</source>
@@ -15330,23 +15330,23 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>eine vorhandene Datei überschreiben</translation>
     </message>
     <message>
-        <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
+        <source>short for --set drill.settle=N: transient blows, excluded from statistics</source>
         <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, of the scatter of the intervals</source>
+        <source>short for --set drill.seed=N, seed of the scattered intervals</source>
         <translation>kurz für --set drill.seed=N: Startwert der Streuung der Schlagabstände</translation>
     </message>
     <message>
-        <source>over these values; :log behind it, or KEY=A,B,C</source>
+        <source>scan these values; :log after the count, or KEY=A,B,C</source>
         <translation>Durchlauf über diese Werte; auch mit :log dahinter, oder KEY=A,B,C</translation>
     </message>
     <message>
-        <source>with --scan, also write the gap of every blow that counts</source>
+        <source>with --scan, also write the gap of every counted blow</source>
         <translation>mit --scan auch den Spalt jedes Schlags schreiben, der zählt</translation>
     </message>
     <message>
-        <source>with -o DIR, also write what happens from blow A to blow B</source>
+        <source>with -o DIR, also write the histories from blow A to blow B</source>
         <translation>mit -o DIR auch schreiben, was von Schlag A bis Schlag B geschieht</translation>
     </message>
     <message>
@@ -15412,15 +15412,15 @@ Schlag und starres Gestein angegeben werden.</translation>
         <translation>auch die Tabelle von --along schreiben; - gibt sie stattdessen aus</translation>
     </message>
     <message>
-        <source>which choice is best over what is not known, what it costs, what to measure</source>
+        <source>find the best design for uncertain inputs, its cost, and what to measure</source>
         <translation>die beste Wahl bei unsicheren Größen, was sie kostet, was zu messen ist</translation>
     </message>
     <message>
-        <source>what is not known; see below</source>
+        <source>uncertain input; see below</source>
         <translation>was nicht bekannt ist; siehe unten</translation>
     </message>
     <message>
-        <source>rows of values that belong together, headed as for table</source>
+        <source>samples of uncertain inputs, one per row; header as for table</source>
         <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
     </message>
     <message>
@@ -15444,7 +15444,7 @@ Schlag und starres Gestein angegeben werden.</translation>
         <translation>auch Tabellen, die beste Auslegung und das JSON-Objekt nach DIR schreiben</translation>
     </message>
     <message>
-        <source>a page to hand over: inputs with sources, results, verdict, plots, the scenario</source>
+        <source>write a report: inputs with sources, results, verdict, plots, scenario</source>
         <translation>eine Seite zum Weitergeben: Eingaben mit Quellen, Ergebnisse, Urteil, Diagramme, das Szenario</translation>
     </message>
     <message>
@@ -15461,19 +15461,19 @@ der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, m
 Spannungen.</translation>
     </message>
     <message>
-        <source>below the title: what the report is for</source>
+        <source>project, shown below the title</source>
         <translation>unter dem Titel: wofür der Bericht ist</translation>
     </message>
     <message>
-        <source>who wrote it</source>
+        <source>author</source>
         <translation>wer ihn geschrieben hat</translation>
     </message>
     <message>
-        <source>whom it is for</source>
+        <source>customer</source>
         <translation>für wen er ist</translation>
     </message>
     <message>
-        <source>of when it is, as it is to be read; none unless given</source>
+        <source>date as text (default: none)</source>
         <translation>von wann er ist, so wie es dort stehen soll; ohne Angabe kein Datum</translation>
     </message>
     <message>
@@ -15481,7 +15481,7 @@ Spannungen.</translation>
         <translation>wohin geschrieben wird; - gibt das HTML aus</translation>
     </message>
     <message>
-        <source>the figures of the paper, and each number it prints beside the exact one</source>
+        <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
         <translation>die Abbildungen der Veröffentlichung, und jede dort gedruckte Zahl neben der exakten</translation>
     </message>
     <message>
@@ -15493,7 +15493,7 @@ und index.html mit allem. Die Kurven des Referenzfalls gibt es mit k0 = Z/(2T), 
 Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</translation>
     </message>
     <message>
-        <source>where to write; - prints discrepancies.csv alone</source>
+        <source>where to write; - prints only discrepancies.csv</source>
         <translation>wohin geschrieben wird; - gibt nur discrepancies.csv aus</translation>
     </message>
     <message>
@@ -15502,8 +15502,8 @@ Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</transl
     </message>
     <message>
         <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
-100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill
-string: polynomial cells of several sizes beside a plain lattice.</source>
+100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For drill
+strings: polynomial cells of several sizes beside a plain lattice.</source>
         <translation>Löst den Schlag exakt, in geschlossener Form, wo sie gilt, und mit dem Gitter der Veröffentlichung
 (100 bis 20000 Segmente), und vergleicht Fehler und Rechenzeiten. Dauert etwa zehn Sekunden. Bei
 einem Bohrstrang: polynomiale Zellen mehrerer Größen neben einem einfachen Gitter.</translation>
@@ -15544,11 +15544,11 @@ unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</tr
         <translation>stability.csv in diesen Ordner schreiben; - gibt sie anstelle der Zusammenfassung aus</translation>
     </message>
     <message>
-        <source>list the problems of scenarios, one a line</source>
+        <source>list the problems of scenarios, one per line</source>
         <translation>die Fehler von Szenarien auflisten, einen je Zeile</translation>
     </message>
     <message>
-        <source>Says nothing about a file without problems. Takes files of presets, too.</source>
+        <source>Prints nothing for a file without problems. Also checks files of presets.</source>
         <translation>Sagt nichts zu einer Datei ohne Fehler. Nimmt auch Dateien mit Voreinstellungen.</translation>
     </message>
     <message>
@@ -15560,7 +15560,7 @@ unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</tr
         <translation>Stangen, Hämmer, Gesteine und Teile von Bohrsträngen auflisten, mit ihren Quellen</translation>
     </message>
     <message>
-        <source>Those that are built in, or those of a file in the same format. A command takes them with --rod
+        <source>Lists the built-in presets, or those of a file in the same format. A command takes them with --rod
 NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
 adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
         <translation>Die eingebauten, oder die einer Datei im selben Format. Ein Befehl nimmt sie mit --rod NAME,
@@ -15581,15 +15581,15 @@ des Fensters eingesetzt werden.</translation>
         <translation>Standardabweichung dieses Spalts</translation>
     </message>
     <message>
-        <source>gap that 5 % of the blows are below</source>
+        <source>gap exceeded by 95 % of the blows</source>
         <translation>Spalt, unter dem 5&#xa0;% der Schläge liegen</translation>
     </message>
     <message>
-        <source>gap that half of the blows are below</source>
+        <source>median gap</source>
         <translation>Spalt, unter dem die Hälfte der Schläge liegt</translation>
     </message>
     <message>
-        <source>gap that 95 % of the blows are below</source>
+        <source>gap exceeded by 5 % of the blows</source>
         <translation>Spalt, unter dem 95&#xa0;% der Schläge liegen</translation>
     </message>
     <message>
@@ -15617,7 +15617,7 @@ des Fensters eingesetzt werden.</translation>
         <translation>größte Kraft des Dämpfers</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <source>contact share: blows that start within 0.05 d0 of the rock</source>
         <translation>Anteil der Schläge, die höchstens 0,05 d0 vom Gestein entfernt beginnen</translation>
     </message>
     <message>
@@ -15629,11 +15629,11 @@ des Fensters eingesetzt werden.</translation>
         <translation>Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wo sie das nicht tut</translation>
     </message>
     <message>
-        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
         <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 zählt nur die Statistik; braucht eine zweite Rechnung</translation>
     </message>
     <message>
-        <source>feed force over mean reaction of the blows, phi</source>
+        <source>feed force over mean force of the blows, phi</source>
         <translation>Andruck durch mittlere Reaktion der Schläge, phi</translation>
     </message>
     <message>
@@ -15641,11 +15641,11 @@ des Fensters eingesetzt werden.</translation>
         <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
     </message>
     <message>
-        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
         <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
     </message>
     <message>
-        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <source>error of the energy balance of all blows, over the hammer work</source>
         <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
@@ -15719,7 +15719,7 @@ fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
         <translation>eingebaute Szenarien auflisten, die von NAME ausgeben oder in einen Ordner schreiben</translation>
     </message>
     <message>
-        <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
+        <source>`drillwave examples t38_string &gt; my.yaml` writes a file to start from.</source>
         <translation>`drillwave examples t38_string &gt; my.yaml` ergibt eine Datei, die man ändern kann.</translation>
     </message>
     <message>
@@ -15827,7 +15827,7 @@ drilling.png.</translation>
         <translation>Abtastwerte nach dieser Zeit der Tabelle weglassen, 400us</translation>
     </message>
     <message>
-        <source>turn the sign: the largest value pulls</source>
+        <source>reverse the sign</source>
         <translation>Vorzeichen umkehren: Der größte Wert zieht</translation>
     </message>
     <message>
@@ -15867,7 +15867,7 @@ gilt für jede Option, die nicht angegeben ist. DIR bekommt designs.csv, pareto.
 worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
     </message>
     <message>
-        <source>what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME</source>
+        <source>design variable and its values; also :log, KEY=A,B,C or hammer=NAME</source>
         <translation>was gewählt werden kann; auch mit :log dahinter, KEY=A,B,C oder hammer=NAME</translation>
     </message>
     <message>

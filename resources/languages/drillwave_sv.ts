@@ -8,7 +8,7 @@
         <translation>givaren sitter på</translation>
     </message>
     <message>
-        <source>Whose E and area make a force of a strain</source>
+        <source>Bar used to convert strain to force</source>
         <translation>Vars E-modul och area gör en kraft av en töjning</translation>
     </message>
     <message>
@@ -32,7 +32,7 @@
         <translation>diameter</translation>
     </message>
     <message>
-        <source>Of the solid bar where the gauge is</source>
+        <source>Diameter of the solid bar at the gauge</source>
         <translation>På den massiva stången där givaren sitter</translation>
     </message>
     <message>
@@ -774,43 +774,43 @@ Ta bort ändå?</translation>
         <translation>återkomst</translation>
     </message>
     <message>
-        <source>Angle of the hole below the horizontal; where it is given, the weight of machine and rod along the hole adds to the thrust</source>
-        <translation>Hålets vinkel under horisontalen; där den är angiven läggs vikten av maskin och stång längs hålet till matningskraften</translation>
+        <source>Angle of the hole below the horizontal. With it, the weight of machine and rod along the hole adds to the feed force.</source>
+        <translation>Hålets vinkel under horisontalplanet. Med den läggs tyngden av maskin och stång längs hålet till matningskraften.</translation>
     </message>
     <message>
         <source>Blows per second of the rock drill</source>
         <translation>Borrmaskinens slag per sekund</translation>
     </message>
     <message>
-        <source>Blows that are followed, one after the other; 1000 where nothing is given</source>
-        <translation>Slag som följs, det ena efter det andra; 1000 där inget är angivet</translation>
+        <source>Number of consecutive blows (default: 1000)</source>
+        <translation>Antal slag i följd (standard: 1000)</translation>
     </message>
     <message>
-        <source>Cross-section at the end towards the rock of a cone, whose `area` is that of its rear end</source>
+        <source>Cross-section of a cone at the end towards the rock; `area` is that of the rear end</source>
         <translation>Tvärsnittsarea vid änden mot berget för en kon, vars `area` är bakändens</translation>
     </message>
     <message>
-        <source>Cross-section of the rod, in place of its diameter and bore</source>
+        <source>Cross-section of the rod, instead of diameter and bore</source>
         <translation>Stångens tvärsnittsarea, i stället för dess diameter och spolhål</translation>
     </message>
     <message>
-        <source>Cross-section, in place of diameter and bore</source>
+        <source>Cross-section, instead of diameter and bore</source>
         <translation>Tvärsnittsarea, i stället för diameter och spolhål</translation>
     </message>
     <message>
-        <source>Dashpot between machine and rear end, over many blows; needs a machine mass</source>
-        <translation>Dämpare mellan maskin och bakände, över många slag; kräver en maskinmassa</translation>
+        <source>Damping between machine and rear end of the string, for many blows; needs a machine mass</source>
+        <translation>Dämpning mellan maskin och strängens bakände, för många slag; kräver en maskinmassa</translation>
     </message>
     <message>
         <source>Decay of the amplitude of a wave per length</source>
         <translation>Avtagande av en vågs amplitud per längd</translation>
     </message>
     <message>
-        <source>Density of every section that has none of its own</source>
+        <source>Density of all sections without one of their own</source>
         <translation>Densitet hos varje sektion som inte har en egen</translation>
     </message>
     <message>
-        <source>Density of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Density of the elastic hammer (default: that of the rod)</source>
         <translation>Den elastiska hammarens densitet, stångens om inte angiven</translation>
     </message>
     <message>
@@ -818,7 +818,7 @@ Ta bort ändå?</translation>
         <translation>Stångens densitet</translation>
     </message>
     <message>
-        <source>Density, that of the material if not given</source>
+        <source>Density (default: that of the material)</source>
         <translation>Densitet, materialets om inte angiven</translation>
     </message>
     <message>
@@ -846,7 +846,7 @@ Ta bort ändå?</translation>
         <translation>Matningskraft som borriggen utövar</translation>
     </message>
     <message>
-        <source>Force from which on the loading curve has another slope</source>
+        <source>Force at which the slope of the loading curve changes</source>
         <translation>Kraft från vilken belastningskurvan har en annan lutning</translation>
     </message>
     <message>
@@ -854,11 +854,11 @@ Ta bort ändå?</translation>
         <translation>Spalt mellan borrkrona och berg när hammaren slår</translation>
     </message>
     <message>
-        <source>Gap over 2 I0/Z; in a dimensional scenario it moves the gap</source>
+        <source>Gap over 2 I0/Z; in a scenario with units it changes the gap</source>
         <translation>Spalt genom 2 I0/Z; i ett scenario med enheter ändrar talet spalten</translation>
     </message>
     <message>
-        <source>How often the sections of the first repeat of the string follow one another</source>
+        <source>Number of times the sections of the first repeat follow one another</source>
         <translation>Hur ofta sektionerna i strängens första upprepning följer på varandra</translation>
     </message>
     <message>
@@ -874,11 +874,11 @@ Ta bort ändå?</translation>
         <translation>Stötkraftens impuls på berget, (1 + e) gånger hammarens</translation>
     </message>
     <message>
-        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
-        <translation>Största tryckspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng över ett varv fram och åter; i modellen dämpar inget dem, det gör en verklig stång</translation>
+        <source>Largest compressive stress of the residual waves after the blow; for drill strings, over one round trip. The model does not damp them, a real rod does.</source>
+        <translation>Största tryckspänning i restvågorna efter slaget; för borrsträngar under ett varv fram och åter. Modellen dämpar dem inte, det gör en verklig stång.</translation>
     </message>
     <message>
-        <source>Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <source>Largest compressive stress of uniform sections during the blow, until one transit time after the last separation of bit and rock; threads and shoulders raise it locally</source>
         <translation>Största tryckspänning i likformiga sektioner medan slaget varar, till sista separationen av borrkrona och berg plus en gångtid; gängor och ansatser höjer den lokalt</translation>
     </message>
     <message>
@@ -890,15 +890,15 @@ Ta bort ändå?</translation>
         <translation>Borrkronans största inträngning under slaget</translation>
     </message>
     <message>
-        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
-        <translation>Största dragspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng över ett varv fram och åter; i modellen dämpar inget dem, det gör en verklig stång</translation>
+        <source>Largest tensile stress of the residual waves after the blow; for drill strings, over one round trip. The model does not damp them, a real rod does.</source>
+        <translation>Största dragspänning i restvågorna efter slaget; för borrsträngar under ett varv fram och åter. Modellen dämpar dem inte, det gör en verklig stång.</translation>
     </message>
     <message>
-        <source>Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <source>Largest tensile stress of uniform sections during the blow, until one transit time after the last separation of bit and rock; threads and shoulders raise it locally</source>
         <translation>Största dragspänning i likformiga sektioner medan slaget varar, till sista separationen av borrkrona och berg plus en gångtid; gängor och ansatser höjer den lokalt</translation>
     </message>
     <message>
-        <source>Length of the elastic hammer; its round trip is one step of the blow</source>
+        <source>Length of the elastic hammer; one step of the blow lasts one round trip in it</source>
         <translation>Den elastiska hammarens längd; dess varv fram och åter är ett steg i slaget</translation>
     </message>
     <message>
@@ -910,11 +910,11 @@ Ta bort ändå?</translation>
         <translation>Sektionens längd</translation>
     </message>
     <message>
-        <source>Mass lumped at the end towards the rock; of the last section of a string a mass of the bit</source>
+        <source>Lumped mass at the end towards the rock; for the last section of a string, the mass of the bit</source>
         <translation>Massa samlad vid änden mot berget; för en strängs sista sektion en massa hos borrkronan</translation>
     </message>
     <message>
-        <source>Mass that the feed carries besides the rod; counts where an inclination is given</source>
+        <source>Mass that the feed moves besides the rod; used only with an inclination</source>
         <translation>Massa som matningen bär utöver stången; räknas där en lutning är angiven</translation>
     </message>
     <message>
@@ -922,7 +922,7 @@ Ta bort ändå?</translation>
         <translation>Hammarens medelkraft, impuls genom varaktighet</translation>
     </message>
     <message>
-        <source>Normal deviation of the time between two blows, of its mean, cut at three deviations</source>
+        <source>Standard deviation of the time between two blows, as a share of its mean; cut off at three deviations</source>
         <translation>Standardavvikelse hos den (normalfördelade) tiden mellan två slag, som andel av dess medelvärde; avskuren vid tre standardavvikelser</translation>
     </message>
     <message>
@@ -930,11 +930,11 @@ Ta bort ändå?</translation>
         <translation>Antal toppar i stötkraften över 1 % av den största</translation>
     </message>
     <message>
-        <source>Of the scatter of the intervals</source>
-        <translation>För slumptalen i intervallens spridning</translation>
+        <source>Start of the random numbers for the scatter of the intervals</source>
+        <translation>Startvärde för slumptalen till spridningen i intervallen</translation>
     </message>
     <message>
-        <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
+        <source>Outer diameter of a cone at the end towards the rock; `diameter` is that of the rear end, and the bore is constant</source>
         <translation>Ytterdiameter vid änden mot berget för en kon, vars `diameter` är bakändens; spolhålet har konstant diameter</translation>
     </message>
     <message>
@@ -946,31 +946,31 @@ Ta bort ändå?</translation>
         <translation>Sektionens ytterdiameter</translation>
     </message>
     <message>
-        <source>Penetration that stays after the blow</source>
+        <source>Residual penetration after the blow</source>
         <translation>Inträngning som blir kvar efter slaget</translation>
     </message>
     <message>
-        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it (Drilling)</source>
-        <translation>Kvarstående inträngning gånger slagfrekvensen: en övre gräns, som indexering, spolning och en lyft borrkrona gör att man inte når, för slag som börjar med en stång i vila; kvarvarande vågor kan lägga till (Borrning)</translation>
+        <source>Residual penetration times blow frequency. It is an upper limit for blows from rest: indexing, flushing and lost contact reduce it. Residual waves may add to it (page Drilling).</source>
+        <translation>Kvarstående inträngning gånger slagfrekvens. Det är en övre gräns för slag från vila: indexering, spolning och förlorad kontakt minskar den. Restvågor kan öka den (sidan Borrning).</translation>
     </message>
     <message>
-        <source>Share of its energy that runs to and fro in the hammer</source>
+        <source>Share of the hammer energy that remains in the hammer as waves</source>
         <translation>Andel av hammarens energi som löper fram och åter i den</translation>
     </message>
     <message>
-        <source>Share of its energy with which the hammer moves after the blow</source>
+        <source>Share of the hammer energy that remains as motion of the hammer after the blow</source>
         <translation>Andel av hammarens energi som den rör sig med efter slaget</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
+        <source>Share of the hammer energy stored in the stiffness of the faces while they touch</source>
         <translation>Andel av hammarens energi i slagytornas styvhet, där de ännu rör vid varandra</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that joints take</source>
+        <source>Share of the hammer energy lost in joints</source>
         <translation>Andel av hammarens energi som skarvarna tar</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that waves lose on their way</source>
+        <source>Share of the hammer energy that waves lose along the sections</source>
         <translation>Andel av hammarens energi som vågor förlorar på vägen</translation>
     </message>
     <message>
@@ -978,27 +978,27 @@ Ta bort ändå?</translation>
         <translation>Andel av energin som för stången eller strängen tillbaka som helhet</translation>
     </message>
     <message>
-        <source>Share of the energy that runs to and fro in the rod or the string</source>
+        <source>Share of the energy that remains in the rod or string as waves</source>
         <translation>Andel av energin som löper fram och åter i stången eller strängen</translation>
     </message>
     <message>
-        <source>Share of the energy that stays in the rock: the efficiency</source>
+        <source>Share of the energy that remains in the rock: the efficiency</source>
         <translation>Andel av energin som stannar i berget: verkningsgraden</translation>
     </message>
     <message>
-        <source>Share that the waves lose of their deviation from what is steady in a round trip, over many blows</source>
-        <translation>Andel som vågorna under ett varv fram och åter förlorar av sin avvikelse från det stationära, över många slag</translation>
+        <source>Share of the residual waves lost per round trip, for many blows</source>
+        <translation>Andel av restvågorna som går förlorad per varv fram och åter, för många slag</translation>
     </message>
     <message>
-        <source>Slope of the loading curve from that corner on, as a multiple of the stiffness</source>
+        <source>Slope of the loading curve above that corner, as a multiple of the stiffness</source>
         <translation>Belastningskurvans lutning från detta hörn, som en multipel av styvheten</translation>
     </message>
     <message>
-        <source>Spring between machine and rear end, over many blows; needs a machine mass</source>
-        <translation>Fjäder mellan maskin och bakände, över många slag; kräver en maskinmassa</translation>
+        <source>Stiffness of the damper&apos;s spring between machine and rear end of the string, for many blows; needs a machine mass</source>
+        <translation>Styvhet hos dämparens fjäder mellan maskin och strängens bakände, för många slag; kräver en maskinmassa</translation>
     </message>
     <message>
-        <source>Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness</source>
+        <source>Stiffness group k t0/Z; in a scenario with units it changes the stiffness</source>
         <translation>Styvhetstal k t0/Z; i ett scenario med enheter ändrar talet styvheten</translation>
     </message>
     <message>
@@ -1006,15 +1006,15 @@ Ta bort ändå?</translation>
         <translation>Styvhet hos borrkrona och berg vid första belastning</translation>
     </message>
     <message>
-        <source>Stiffness of the contact of hammer and string; rigid if not given</source>
+        <source>Stiffness of the contact of hammer and string (default: rigid)</source>
         <translation>Styvhet i kontakten mellan hammare och sträng; stel om inte angiven</translation>
     </message>
     <message>
-        <source>Stress up to which the rod is elastic; a blow that exceeds it raises a warning</source>
+        <source>Stress up to which the rod stays elastic; a larger one gives a warning</source>
         <translation>Spänning upp till vilken stången är elastisk; ett slag däröver ger en varning</translation>
     </message>
     <message>
-        <source>Stress up to which the section is elastic; a blow that exceeds it raises a warning</source>
+        <source>Stress up to which the section stays elastic; a larger one gives a warning</source>
         <translation>Spänning upp till vilken sektionen är elastisk; ett slag däröver ger en varning</translation>
     </message>
     <message>
@@ -1022,19 +1022,19 @@ Ta bort ändå?</translation>
         <translation>Summerad över alla kontakter</translation>
     </message>
     <message>
-        <source>Tensile stress that the rod bears in blow after blow; more raises a warning</source>
+        <source>Tensile stress that the rod endures blow after blow; a larger one gives a warning</source>
         <translation>Dragspänning som stången tål slag efter slag; mer ger en varning</translation>
     </message>
     <message>
-        <source>Tensile stress that the section bears in blow after blow; more raises a warning</source>
+        <source>Tensile stress that the section endures blow after blow; a larger one gives a warning</source>
         <translation>Dragspänning som sektionen tål slag efter slag; mer ger en varning</translation>
     </message>
     <message>
-        <source>The first of the blows, which no statistic counts; a fifth of them where nothing is given</source>
-        <translation>De första av slagen, som ingen statistik räknar; en femtedel av dem där inget är angivet</translation>
+        <source>Transient blows at the start, excluded from statistics (default: a fifth of all)</source>
+        <translation>Slag för insvängning i början, som inte ingår i statistiken (standard: en femtedel av alla)</translation>
     </message>
     <message>
-        <source>Time at which hammer and string first part</source>
+        <source>Time of the first separation of hammer and string</source>
         <translation>Tid då hammare och sträng först skils åt</translation>
     </message>
     <message>
@@ -1054,11 +1054,11 @@ Ta bort ändå?</translation>
         <translation>Tid för den sista separationen</translation>
     </message>
     <message>
-        <source>Time until when the blow of a drill string is followed; to its end if not given</source>
+        <source>Time until when the blow on a drill string is followed (default: to its end)</source>
         <translation>Tid till vilken en borrsträngs slag följs; till slagets slut om inte angiven</translation>
     </message>
     <message>
-        <source>Transit time of the rod over t0; in a dimensional scenario it moves the rod length</source>
+        <source>Transit time of the rod over t0; in a scenario with units it changes the rod length</source>
         <translation>Stångens gångtid genom t0; i ett scenario med enheter ändrar talet stångens längd</translation>
     </message>
     <message>
@@ -1074,8 +1074,8 @@ Ta bort ändå?</translation>
         <translation>Hammarens hastighet när den träffar strängen</translation>
     </message>
     <message>
-        <source>What all the shares together miss</source>
-        <translation>Vad som fattas när alla andelar läggs ihop</translation>
+        <source>Difference of all shares together from 1</source>
+        <translation>Avvikelse från 1 för summan av alla andelar</translation>
     </message>
     <message>
         <source>Work of the hammer on the rod</source>
@@ -1090,11 +1090,11 @@ Ta bort ändå?</translation>
         <translation>E-modul</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of every section that has none of its own</source>
+        <source>Young&apos;s modulus of all sections without one of their own</source>
         <translation>E-modul hos varje sektion som inte har en egen</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Young&apos;s modulus of the elastic hammer (default: that of the rod)</source>
         <translation>Den elastiska hammarens E-modul, stångens om inte angiven</translation>
     </message>
     <message>
@@ -1102,7 +1102,7 @@ Ta bort ändå?</translation>
         <translation>Stångens E-modul; ger med densiteten dess våghastighet</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus, that of the material if not given</source>
+        <source>Young&apos;s modulus (default: that of the material)</source>
         <translation>E-modul, materialets om inte angiven</translation>
     </message>
     <message>
@@ -1126,7 +1126,7 @@ Ta bort ändå?</translation>
         <translation>slagfrekvens</translation>
     </message>
     <message>
-        <source>blow frequency times impulse, N, when the scenario has a frequency</source>
+        <source>blow frequency times impulse, N, if the scenario gives a frequency</source>
         <translation>slagfrekvens gånger impuls, N, när scenariot har en frekvens</translation>
     </message>
     <message>
@@ -1186,7 +1186,7 @@ Ta bort ändå?</translation>
         <translation>varaktighet</translation>
     </message>
     <message>
-        <source>effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has them; takes a study of all gaps</source>
+        <source>effective over the largest of the four required feed forces, less 1, if the scenario gives them; takes a study of all gaps</source>
         <translation>verksam matningskraft genom det största av de fyra behoven av matningskraft, minus 1, när scenariot har dem; kräver en studie av alla spalter</translation>
     </message>
     <message>
@@ -1202,7 +1202,7 @@ Ta bort ändå?</translation>
         <translation>med återvinning</translation>
     </message>
     <message>
-        <source>efficiency, and what the hammer takes back with it, of a drill string</source>
+        <source>efficiency plus the energy that returns with the hammer, for drill strings</source>
         <translation>verkningsgrad och det hammaren tar tillbaka, för en borrsträng</translation>
     </message>
     <message>
@@ -1222,31 +1222,31 @@ Ta bort ändå?</translation>
         <translation>sluttid</translation>
     </message>
     <message>
-        <source>energy in the stiffness of the faces, fraction of that of the hammer</source>
+        <source>energy stored in the stiffness of the faces, fraction of the hammer energy</source>
         <translation>energi i slagytornas styvhet, andel av hammarens</translation>
     </message>
     <message>
-        <source>energy left in the rock, fraction of the hammer work</source>
+        <source>energy remaining in the rock, fraction of the hammer work</source>
         <translation>energi kvar i berget, andel av hammarens arbete</translation>
     </message>
     <message>
-        <source>energy left in waves of the hammer, fraction of its own</source>
+        <source>energy remaining in waves of the hammer, fraction of the hammer energy</source>
         <translation>energi kvar i hammarens vågor, andel av dess egen</translation>
     </message>
     <message>
-        <source>energy left in waves, fraction of the hammer work</source>
+        <source>energy remaining in waves, fraction of the hammer work</source>
         <translation>energi kvar i vågor, andel av hammarens arbete</translation>
     </message>
     <message>
-        <source>energy lost in joints, fraction of that of the hammer</source>
+        <source>energy lost in joints, fraction of the hammer energy</source>
         <translation>energi förlorad i skarvar, andel av hammarens</translation>
     </message>
     <message>
-        <source>energy lost on the way through sections, fraction of that of the hammer</source>
+        <source>energy lost along the sections, fraction of the hammer energy</source>
         <translation>energi förlorad på vägen genom sektioner, andel av hammarens</translation>
     </message>
     <message>
-        <source>energy of the hammer moving back as a whole, fraction of that of impact</source>
+        <source>energy of the hammer&apos;s motion after the blow, fraction of that before it</source>
         <translation>energi hos hammaren som helhet på väg tillbaka, andel av den vid anslaget</translation>
     </message>
     <message>
@@ -1254,7 +1254,7 @@ Ta bort ändå?</translation>
         <translation>studsens energi, andel av hammarens arbete</translation>
     </message>
     <message>
-        <source>energy of the string after the blow, fraction of that of the hammer</source>
+        <source>energy of the string after the blow, fraction of the hammer energy</source>
         <translation>strängens energi efter slaget, andel av hammarens</translation>
     </message>
     <message>
@@ -1334,7 +1334,7 @@ Ta bort ändå?</translation>
         <translation>hammardiameter</translation>
     </message>
     <message>
-        <source>hammer leaves</source>
+        <source>hammer separates</source>
         <translation>hammaren släpper</translation>
     </message>
     <message>
@@ -1354,7 +1354,7 @@ Ta bort ändå?</translation>
         <translation>hammararbete W</translation>
     </message>
     <message>
-        <source>hammer work times blow frequency, W, when the scenario has a frequency</source>
+        <source>hammer work times blow frequency, W, if the scenario gives a frequency</source>
         <translation>hammarens arbete gånger slagfrekvensen, W, när scenariot har en frekvens</translation>
     </message>
     <message>
@@ -1378,7 +1378,7 @@ Ta bort ändå?</translation>
         <translation>lutning</translation>
     </message>
     <message>
-        <source>installed thrust</source>
+        <source>installed feed force</source>
         <translation>matningskraft</translation>
     </message>
     <message>
@@ -1394,11 +1394,11 @@ Ta bort ändå?</translation>
         <translation>till berget</translation>
     </message>
     <message>
-        <source>largest compression in the rod while the blow lasts</source>
+        <source>largest compression in the rod during the blow</source>
         <translation>största tryck i stången medan slaget varar</translation>
     </message>
     <message>
-        <source>largest compression of the waves left, undamped</source>
+        <source>largest compression of the residual waves, undamped</source>
         <translation>största tryck i de kvarvarande vågorna, odämpat</translation>
     </message>
     <message>
@@ -1414,11 +1414,11 @@ Ta bort ändå?</translation>
         <translation>borrkronans största inträngning</translation>
     </message>
     <message>
-        <source>largest tension in the rod while the blow lasts</source>
+        <source>largest tension in the rod during the blow</source>
         <translation>största drag i stången medan slaget varar</translation>
     </message>
     <message>
-        <source>largest tension of the waves left, undamped</source>
+        <source>largest tension of the residual waves, undamped</source>
         <translation>största drag i de kvarvarande vågorna, odämpat</translation>
     </message>
     <message>
@@ -1426,7 +1426,7 @@ Ta bort ändå?</translation>
         <translation>sista separation</translation>
     </message>
     <message>
-        <source>left in waves</source>
+        <source>remaining in waves</source>
         <translation>kvar i vågor</translation>
     </message>
     <message>
@@ -1510,11 +1510,11 @@ Ta bort ändå?</translation>
         <translation>borrsjunkning</translation>
     </message>
     <message>
-        <source>penetration that stays after the blow</source>
+        <source>residual penetration after the blow</source>
         <translation>inträngning som blir kvar efter slaget</translation>
     </message>
     <message>
-        <source>penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit</source>
+        <source>residual penetration times blow frequency, m/s, if the scenario gives a frequency: an upper limit</source>
         <translation>kvarstående inträngning gånger slagfrekvensen, m/s, när scenariot har en frekvens: en övre gräns</translation>
     </message>
     <message>
@@ -1562,11 +1562,11 @@ Ta bort ändå?</translation>
         <translation>startvärde</translation>
     </message>
     <message>
-        <source>settling</source>
+        <source>transient blows</source>
         <translation>insvängning</translation>
     </message>
     <message>
-        <source>share of the hammer work that stays in the rock</source>
+        <source>share of the hammer work that remains in the rock</source>
         <translation>andel av hammarens arbete som stannar i berget</translation>
     </message>
     <message>
@@ -1586,7 +1586,7 @@ Ta bort ändå?</translation>
         <translation>angivet</translation>
     </message>
     <message>
-        <source>stated error of the efficiency of a drill string</source>
+        <source>error bound of the efficiency, for drill strings</source>
         <translation>angivet fel i en borrsträngs verkningsgrad</translation>
     </message>
     <message>
@@ -1622,7 +1622,7 @@ Ta bort ändå?</translation>
         <translation>matningskraftens marginal</translation>
     </message>
     <message>
-        <source>time at which hammer and string first part</source>
+        <source>time of the first separation of hammer and string</source>
         <translation>tid då hammare och sträng först skils åt</translation>
     </message>
     <message>
@@ -1642,7 +1642,7 @@ Ta bort ändå?</translation>
         <translation>tid för den sista separationen</translation>
     </message>
     <message>
-        <source>time to which the blow was followed</source>
+        <source>end of the computed time of the blow</source>
         <translation>tid till vilken slaget följdes</translation>
     </message>
     <message>
@@ -1694,8 +1694,8 @@ Ta bort ändå?</translation>
         <translation>Inträngning vid vilken en potenslag ger F = k U1, i d0</translation>
     </message>
     <message>
-        <source>all that the string keeps</source>
-        <translation>allt som strängen behåller</translation>
+        <source>remaining in the string</source>
+        <translation>kvar i strängen</translation>
     </message>
     <message>
         <source>bound on the error of e</source>
@@ -1714,11 +1714,11 @@ Ta bort ändå?</translation>
         <translation>fel i rörelsemängdens balans</translation>
     </message>
     <message>
-        <source>followed to</source>
-        <translation>följt till</translation>
+        <source>computed until</source>
+        <translation>beräknad till</translation>
     </message>
     <message>
-        <source>margin of the thrust at every gap</source>
+        <source>feed force margin at every gap</source>
         <translation>matningskraftens marginal vid varje spalt</translation>
     </message>
     <message>
@@ -1730,11 +1730,11 @@ Ta bort ändå?</translation>
         <translation>studstal e</translation>
     </message>
     <message>
-        <source>rock and what the hammer takes back</source>
+        <source>rock, and energy returned with the hammer</source>
         <translation>berget och vad hammaren tar tillbaka</translation>
     </message>
     <message>
-        <source>thrust needed by this blow</source>
+        <source>feed force required by this blow</source>
         <translation>matningskraft som slaget kräver</translation>
     </message>
     <message>
@@ -1878,7 +1878,7 @@ Ta bort ändå?</translation>
         <translation>840 mm, 15,8 kg, spolhål 6,2 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
     </message>
     <message>
-        <source>A bench-drilling string in medium rock: the case to start from. Look at the energy and the thrust: three quarters of the blow stay in the rock, most of the rest runs to and fro in the rod as waves, and the rebound sets the feed force that the blows need. Drag the stiffness or the gap to see both change.</source>
+        <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
         <translation>En sträng för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slaget stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i styvheten eller spalten för att se båda ändras.</translation>
     </message>
     <message>
@@ -2538,7 +2538,7 @@ Ta bort ändå?</translation>
         <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 där den inte gör det</translation>
     </message>
     <message>
-        <source>blows that begin on the rock</source>
+        <source>contact share: blows that start with the bit on the rock</source>
         <translation>slag som börjar på berget</translation>
     </message>
     <message>
@@ -2554,11 +2554,11 @@ Ta bort ändå?</translation>
         <translation>spaltens standardavvikelse</translation>
     </message>
     <message>
-        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <source>error of the energy balance of all blows, over the hammer work</source>
         <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
     </message>
     <message>
-        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
         <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
     </message>
     <message>
@@ -2574,19 +2574,19 @@ Ta bort ändå?</translation>
         <translation>fel i rörelsemängden över många slag</translation>
     </message>
     <message>
-        <source>gap that 5 % of the blows are below</source>
+        <source>gap exceeded by 95 % of the blows</source>
         <translation>spalt som 5&#xa0;% av slagen ligger under</translation>
     </message>
     <message>
-        <source>gap that 95 % of the blows are below</source>
+        <source>gap exceeded by 5 % of the blows</source>
         <translation>spalt som 95&#xa0;% av slagen ligger under</translation>
     </message>
     <message>
-        <source>gap that half of the blows are below</source>
+        <source>median gap</source>
         <translation>spalt som hälften av slagen ligger under</translation>
     </message>
     <message>
-        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
         <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; två beräkningar</translation>
     </message>
     <message>
@@ -2650,7 +2650,7 @@ Ta bort ändå?</translation>
         <translation>rörelsens period</translation>
     </message>
     <message>
-        <source>feed force over mean reaction of the blows, phi</source>
+        <source>feed force over mean force of the blows, phi</source>
         <translation>matningskraft genom slagens medelreaktion, phi</translation>
     </message>
     <message>
@@ -2658,7 +2658,7 @@ Ta bort ändå?</translation>
         <translation>varv fram och åter från slag till slag</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <source>contact share: blows that start within 0.05 d0 of the rock</source>
         <translation>andel slag som börjar inom 0,05 d0 från berget</translation>
     </message>
     <message>
@@ -2674,7 +2674,7 @@ Ta bort ändå?</translation>
         <translation>gräns för felet i spänningarna</translation>
     </message>
     <message>
-        <source>stated error of the largest stresses of a drill string, fraction of each</source>
+        <source>error bound of the largest stresses of a drill string, fraction of each</source>
         <translation>angivet fel i en borrsträngs största spänningar, som andel av var och en</translation>
     </message>
     <message>
@@ -2849,7 +2849,7 @@ Ta bort ändå?</translation>
         <translation>med mindre än %1</translation>
     </message>
     <message>
-        <source>With the rod and the rock on show that changes e = %1 %2.</source>
+        <source>With the present rod and rock this changes e = %1 %2.</source>
         <translation>Med den stång och det berg som visas ändrar det e = %1 %2.</translation>
     </message>
     <message>
@@ -2861,7 +2861,7 @@ Ta bort ändå?</translation>
         <translation>Alla %1 mätvärden behålls, av %2 i inspelningen.</translation>
     </message>
     <message>
-        <source>%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of the peak) from the lines between them, the impulse changes by %6.</source>
+        <source>%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the lines between the points; the impulse changes by %6.</source>
         <translation>%1 av %2 mätvärden blir %3 punkter: inget använt mätvärde ligger längre än %4 (%5 av toppen) från linjerna mellan dem, impulsen ändras med %6.</translation>
     </message>
     <message>
@@ -2869,7 +2869,7 @@ Ta bort ändå?</translation>
         <translation>%1 negativa mätvärden klipps bort, vilket lägger %2 till impulsen.</translation>
     </message>
     <message>
-        <source>That is much: take less of the record.</source>
+        <source>This is a large change: use a shorter part of the record.</source>
         <translation>Det är mycket: ta en mindre del av inspelningen.</translation>
     </message>
     <message>
@@ -2913,7 +2913,7 @@ Ta bort ändå?</translation>
         <translation>gitter, ringbuffert</translation>
     </message>
     <message>
-        <source>The exact solution has no other to be compared with: %1</source>
+        <source>The exact solution has nothing to compare with: %1</source>
         <translation>Den exakta lösningen har ingen annan att jämföras med: %1</translation>
     </message>
     <message>
@@ -2965,7 +2965,7 @@ Ta bort ändå?</translation>
         <translation>styvhet genom elasticitet β/γ, den styvaste takten [1/t₀]</translation>
     </message>
     <message>
-        <source>worst measure over its mark</source>
+        <source>worst check over its limit</source>
         <translation>sämsta mått genom dess gräns</translation>
     </message>
     <message>
@@ -2985,7 +2985,7 @@ Ta bort ändå?</translation>
         <translation>; inte löst: %1</translation>
     </message>
     <message>
-        <source>; the worst: %1, %2 at %3 of its mark</source>
+        <source>; the worst: %1, %2 at %3 of its limit</source>
         <translation>; det sämsta: %1, %2 vid %3 av sin gräns</translation>
     </message>
     <message>
@@ -2997,7 +2997,7 @@ Ta bort ändå?</translation>
         <translation>elastisk hammare</translation>
     </message>
     <message>
-        <source>what differs</source>
+        <source>differences</source>
         <translation>skillnader</translation>
     </message>
     <message>
@@ -3073,7 +3073,7 @@ Ta bort ändå?</translation>
         <translation> · %1 punkter</translation>
     </message>
     <message>
-        <source> · known by points alone in a part of the range</source>
+        <source> · only points known in a part of the range</source>
         <translation> · i en del av området känt bara i enstaka punkter</translation>
     </message>
     <message>
@@ -3085,8 +3085,8 @@ Ta bort ändå?</translation>
         <translation>dragningar</translation>
     </message>
     <message>
-        <source>%1 of %2 designs, robust best %3</source>
-        <translation>%1, %2 konstruktioner, robustast %3</translation>
+        <source>%1 of %2 designs, best for uncertain rock %3</source>
+        <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
     </message>
     <message>
         <source>rock</source>
@@ -3097,19 +3097,19 @@ Ta bort ändå?</translation>
         <translation>dämpare</translation>
     </message>
     <message>
-        <source>waves, lost</source>
+        <source>lost waves</source>
         <translation>vågor, förlorat</translation>
     </message>
     <message>
-        <source>left behind</source>
+        <source>remaining behind</source>
         <translation>kvarlämnat</translation>
     </message>
     <message>
-        <source>still there</source>
-        <translation>ännu kvar</translation>
+        <source>remaining energy</source>
+        <translation>kvarvarande energi</translation>
     </message>
     <message>
-        <source>Gap and penetration of %1 of %2 blows; the first %3 settle and do not count.</source>
+        <source>Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.</source>
         <translation>Spalt och inträngning för %1 av %2 slag; de första %3 svänger in och räknas inte.</translation>
     </message>
     <message>
@@ -3349,7 +3349,7 @@ Ta bort ändå?</translation>
         <translation>%1 från hammaren, %2</translation>
     </message>
     <message>
-        <source>Where in the rod it is first that large, and when: a click leads there</source>
+        <source>Place and time where this value is first reached: a click leads there</source>
         <translation>Var i stången det först är så stort, och när: ett klick leder dit</translation>
     </message>
     <message>
@@ -3369,7 +3369,7 @@ Ta bort ändå?</translation>
         <translation>Studstal: rörelsemängd efter slaget genom rörelsemängd före, omvänd, e = −pf/p0</translation>
     </message>
     <message>
-        <source>Off %1 by so much</source>
+        <source>Difference from %1</source>
         <translation>Så mycket skiljer det från %1</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@ Ta bort ändå?</translation>
         <translation>har för många parenteser i varandra</translation>
     </message>
     <message>
-        <source>lacks a closing bracket; a unit stands behind it</source>
+        <source>lacks a closing bracket; a unit follows it</source>
         <translation>saknar en högerparentes; en enhet står efter den</translation>
     </message>
     <message>
@@ -3417,11 +3417,11 @@ Ta bort ändå?</translation>
         <translation>är inte ett tal: ta bort skiljetecknen mellan siffrorna</translation>
     </message>
     <message>
-        <source>is more than one line: one value is needed</source>
+        <source>has more than one line: give one value</source>
         <translation>är mer än en rad: ett värde behövs</translation>
     </message>
     <message>
-        <source>The program ended unexpectedly; the last change is of %1.</source>
+        <source>The program ended unexpectedly; the last change was at %1.</source>
         <translation>Programmet avslutades oväntat; den senaste ändringen är från %1.</translation>
     </message>
     <message>
@@ -3430,7 +3430,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>%1
-The file is kept as %2 and will not be offered again.</source>
+The file is kept as %2 and not offered again.</source>
         <translation>%1
 Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
@@ -3447,7 +3447,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>inget ger %1</translation>
     </message>
     <message>
-        <source>nothing that is known gives %1: the nearest is %2 at %3</source>
+        <source>no known value gives %1: the nearest is %2 at %3</source>
         <translation>inget känt ger %1: närmast kommer %2 vid %3</translation>
     </message>
     <message>
@@ -3515,7 +3515,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och stångens rörelsemängd över tiden.</translation>
     </message>
     <message>
-        <source>What was measured is dashed.</source>
+        <source>Measured signals are dashed.</source>
         <translation>Det uppmätta är streckat.</translation>
     </message>
     <message>
@@ -3523,27 +3523,27 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>Kraft över inträngning: den inneslutna ytan stannar som energi i berget.</translation>
     </message>
     <message>
-        <source>The force in the rod over place and time, tension positive; bars at the right show the contact of bit and rock. On the scale of colours a line is the least or largest force, a triangle one beyond the colours.</source>
+        <source>The force in the rod over place and time, tension positive; bars at the right show contact of bit and rock. On the colour scale, lines mark the smallest and largest force, triangles forces beyond the colours.</source>
         <translation>Kraften i stången över läge och tid, drag positivt; staplar till höger visar kontakten mellan krona och berg. På färgskalan är ett streck den minsta eller största kraften, en triangel en bortom färgerna.</translation>
     </message>
     <message>
-        <source>The largest tension and compression along hammer (below 0) and string while the blow lasts, with the strengths of the sections.</source>
+        <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
         <translation>Största drag och tryck längs hammare (under 0) och sträng medan slaget varar, med sektionernas hållfasthet.</translation>
     </message>
     <message>
-        <source>The largest tension and compression along the rod, while the blow lasts and of the waves left.</source>
+        <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
         <translation>Största drag och tryck längs stången, medan slaget varar och i de kvarvarande vågorna.</translation>
     </message>
     <message>
-        <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
+        <source>Hammer (dark) and string, lengths and diameters each to scale, with the numbers of the sections; the bore is dashed, the rock is at the right.</source>
         <translation>Hammare (mörk) och sträng skalenligt, längder och diametrar var för sig, med sektionernas nummer; spolhålet är streckat, berget till höger.</translation>
     </message>
     <message>
-        <source>Restitution over one period of the gap between bit and rock, and how it is distributed when all gaps are alike.</source>
+        <source>Restitution over one period of the gap between bit and rock, and its distribution when all gaps are equally likely.</source>
         <translation>Studstal över en period av spalten mellan krona och berg, och hur det är fördelat när alla spalter är lika sannolika.</translation>
     </message>
     <message>
-        <source>Needs of the thrust and the installed one over the blow frequency.</source>
+        <source>Required and installed feed force over the blow frequency.</source>
         <translation>Behov av matningskraft och den installerade över slagfrekvensen.</translation>
     </message>
     <message>
@@ -3551,15 +3551,15 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>sida %1 av %2</translation>
     </message>
     <message>
-        <source>thrust margin, this blow</source>
+        <source>feed force margin, this blow</source>
         <translation>matningskraftens marginal, detta slag</translation>
     </message>
     <message>
-        <source>thrust needed at every gap</source>
+        <source>feed force required at every gap</source>
         <translation>matningskraft som räcker vid varje spalt</translation>
     </message>
     <message>
-        <source>thrust margin at every gap</source>
+        <source>feed force margin at every gap</source>
         <translation>matningskraftens marginal vid varje spalt</translation>
     </message>
     <message>
@@ -3567,7 +3567,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>hammarenergi E₀</translation>
     </message>
     <message>
-        <source>Energy of the hammer before the blow; all shares are of it, its work on the string is less</source>
+        <source>Energy of the hammer before the blow; all shares refer to it. Its work on the string is smaller.</source>
         <translation>Hammarens energi före slaget; alla andelar är av den, dess arbete på strängen är mindre</translation>
     </message>
     <message>
@@ -3587,7 +3587,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>%1 ligger överallt under</translation>
     </message>
     <message>
-        <source>Effective feed force less what this blow requires, and as a share of that</source>
+        <source>Effective feed force minus the feed force required by this blow, also as a share of it</source>
         <translation>Verksam matningskraft minus vad detta slag kräver, och som andel av det</translation>
     </message>
     <message>
@@ -3615,11 +3615,11 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>Den största kraft som krävs: av detta slag, av 95 % av alla spalter, på stelt berg och av den sämsta spalten på elastiskt berg</translation>
     </message>
     <message>
-        <source>Effective feed force less the largest of the four, and as a share of that: thrust_margin of commands and files</source>
+        <source>Effective feed force minus the largest of the four, also as a share of it: thrust_margin in commands and files</source>
         <translation>Verksam matningskraft minus den största av de fyra, och som andel av den: thrust_margin i kommandon och filer</translation>
     </message>
     <message>
-        <source>They leave a gap of %1, which a straight line crosses.</source>
+        <source>They leave a gap of %1, which is filled by a straight line.</source>
         <translation>De lämnar ett gap på %1 som en rät linje korsar.</translation>
     </message>
     <message>
@@ -3631,7 +3631,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>Starta om &amp;nu</translation>
     </message>
     <message>
-        <source>They were made to %1, which does not change until you save.</source>
+        <source>The changes were made to %1, which stays as it is until you save.</source>
         <translation>De gjordes i %1, som inte ändras förrän du sparar.</translation>
     </message>
     <message>
@@ -3658,7 +3658,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
 <context>
     <name>drillwave::AccuracyPage</name>
     <message>
-        <source>Error against run time, or the hardest cases against their marks</source>
+        <source>Error against run time, or the hardest cases against their limits</source>
         <translation>Fel mot beräkningstid, eller de svåraste fallen mot sina gränser</translation>
     </message>
     <message>
@@ -3722,15 +3722,15 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Fall som knäcker lösare, vart och ett med alla kontroller, de sämsta först. Ett klick laddar ett fall.</translation>
     </message>
     <message>
-        <source>The efficiency of %1 is right to %2, the error that the method states.</source>
+        <source>The efficiency of %1 is right to within %2, the error bound of the method.</source>
         <translation>Verkningsgraden %1 är rätt på %2 när, det fel som metoden anger.</translation>
     </message>
     <message>
-        <source>How right the numbers are, and what other methods give.</source>
+        <source>Accuracy of the results, and the results of other methods.</source>
         <translation>Hur riktiga talen är, och vad andra metoder ger.</translation>
     </message>
     <message>
-        <source>e = %1 is right to %2, the bound that the exact solver states.</source>
+        <source>e = %1 is right to within %2, the error bound of the exact solver.</source>
         <translation>e = %1 är rätt på %2 när, den gräns som den exakta lösaren anger.</translation>
     </message>
     <message>
@@ -3761,16 +3761,16 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>i medeltal</translation>
     </message>
     <message>
-        <source>at the least sample</source>
+        <source>in the smallest sample</source>
         <translation>för det minsta stickprovet</translation>
     </message>
     <message>
-        <source>at the largest sample</source>
+        <source>in the largest sample</source>
         <translation>för det största stickprovet</translation>
     </message>
     <message>
-        <source>as the scenario is</source>
-        <translation>för scenariot som det är</translation>
+        <source>for the values entered</source>
+        <translation>för de angivna värdena</translation>
     </message>
     <message>
         <source>in the middle (median)</source>
@@ -3785,7 +3785,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>i de bästa %1 %</translation>
     </message>
     <message>
-        <source>Largest or least</source>
+        <source>Maximise or minimise</source>
         <translation>Störst eller minst</translation>
     </message>
     <message>
@@ -3797,7 +3797,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>minst</translation>
     </message>
     <message>
-        <source>By which statistic</source>
+        <source>Statistic</source>
         <translation>Efter vilken statistik</translation>
     </message>
     <message>
@@ -3820,8 +3820,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>+ mål</translation>
     </message>
     <message>
-        <source>One more aim, for what is best in all of them: the first decides</source>
-        <translation>Ett mål till, för det som är bäst i alla: det första avgör</translation>
+        <source>Adds an objective. The first one decides; the others show the trade-off.</source>
+        <translation>Lägger till ett mål. Det första avgör; de andra visar avvägningen.</translation>
     </message>
     <message>
         <source>for the</source>
@@ -3912,7 +3912,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>%1: logaritmisk</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Lika förhållanden i stället för lika steg</translation>
     </message>
     <message>
@@ -3947,7 +3947,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation> · eftersläpning %1</translation>
     </message>
     <message>
-        <source>Where in the rod or string the waves are observed: 0 is the struck end, 1 the bit.</source>
+        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.</source>
         <translation>Var i stången eller strängen vågorna betraktas: 0 är slagänden, 1 borrkronan.</translation>
     </message>
     <message>
@@ -3971,7 +3971,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
     </message>
     <message>
-        <source>%1 behind the face of the hammer</source>
+        <source>%1 from the face of the hammer</source>
         <translation>%1 bakom hammarens slagyta</translation>
     </message>
     <message>
@@ -3991,7 +3991,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</translation>
     </message>
     <message>
-        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <source>Nothing to show: this blow has too many waves to keep.</source>
         <translation>Inget att visa: detta slag har fler vågor än vad som kan sparas.</translation>
     </message>
     <message>
@@ -4082,9 +4082,9 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>No runs are pinned yet.
 
-F7 (or Pin, at the right of the tabs) keeps the present result with its scenario. Then change something and pin again: the runs stand here side by side, and lie over the plots of the other pages.
+F7 (or Pin, at the right of the tabs) keeps the present result with its scenario. Then change something and pin again: the runs are shown here side by side, and in the plots of the other pages.
 
-On the pages of studies, Shift and a click pin the point below the pointer.</source>
+On the pages of studies, Shift+click pins the point under the pointer.</source>
         <translation>Inga körningar är fästa ännu.
 
 F7 (eller Fäst, till höger om flikarna) behåller det aktuella resultatet med sitt scenario. Ändra sedan något och fäst igen: körningarna står här sida vid sida, och ligger över diagrammen på de andra sidorna.
@@ -4092,7 +4092,7 @@ F7 (eller Fäst, till höger om flikarna) behåller det aktuella resultatet med 
 På studiernas sidor fäster Skift och ett klick punkten under pekaren.</translation>
     </message>
     <message>
-        <source>What the differences are taken from: here, in the list of runs and in the result</source>
+        <source>Reference of all differences: here, in the list of runs and in the result</source>
         <translation>Vad skillnaderna räknas från: här, i listan över körningar och i resultatet</translation>
     </message>
     <message>
@@ -4104,7 +4104,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Återgå till denna körning</translation>
     </message>
     <message>
-        <source>Brings back the scenario of the run whose column is chosen, as one step that can be undone</source>
+        <source>Loads the scenario of the selected run; Undo takes it back</source>
         <translation>Tar tillbaka scenariot för den körning vars kolumn är vald, som ett steg som kan ångras</translation>
     </message>
     <message>
@@ -4170,11 +4170,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
 <context>
     <name>drillwave::CursorBar</name>
     <message>
-        <source>Curve that is read</source>
+        <source>Curve to read</source>
         <translation>Kurva som avläses</translation>
     </message>
     <message>
-        <source>The curve that is read; a click on a curve chooses it</source>
+        <source>Curve whose values are read; a click on a curve selects it</source>
         <translation>Kurvan som avläses; ett klick på en kurva väljer den</translation>
     </message>
     <message>
@@ -4182,7 +4182,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Kopiera</translation>
     </message>
     <message>
-        <source>Copy what is read</source>
+        <source>Copy the readings</source>
         <translation>Kopiera avläsningen</translation>
     </message>
     <message>
@@ -4240,7 +4240,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>sluten form</translation>
     </message>
     <message>
-        <source>The paper&apos;s analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)</source>
+        <source>The paper&apos;s analytical solution, drawn where it is valid: rectangular blow, elastic rock (γ = 1)</source>
         <translation>Artikelns analytiska lösning, streckad där den gäller: rektangulärt slag, elastiskt berg (γ = 1)</translation>
     </message>
     <message>
@@ -4248,7 +4248,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Stång utan vågor</translation>
     </message>
     <message>
-        <source>The rod that arrives without waves, dotted, over its stiffness in one of two units</source>
+        <source>A rod that arrives without waves, dotted, over its stiffness in one of two units</source>
         <translation>Stången som kommer fram utan vågor, prickad, över sin styvhet i en av två enheter</translation>
     </message>
     <message>
@@ -4268,7 +4268,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Punkter på en kurva</translation>
     </message>
     <message>
-        <source>How many blows are solved along a curve of a drill string</source>
+        <source>Number of blows solved along a curve of a drill string</source>
         <translation>Hur många slag som löses längs en kurva för en borrsträng</translation>
     </message>
     <message>
@@ -4295,7 +4295,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Täthet</translation>
     </message>
     <message>
-        <source>How often values come, from the least to the largest</source>
+        <source>Frequency of the values, from the smallest to the largest</source>
         <translation>Hur ofta värden förekommer, från det minsta till det största</translation>
     </message>
 </context>
@@ -4306,19 +4306,19 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not tell it apart from %1: any of them will do.</source>
+        <source>The samples do not distinguish it from %1: any of them will do.</source>
         <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
     </message>
     <message>
-        <source>Of them %1 has the %2: %3.</source>
+        <source>Among them, %1 has the %2: %3.</source>
         <translation>Av dem har %1 %2: %3.</translation>
     </message>
     <message>
-        <source>The nominal best, %1, would lose %2&#xa0;% of it %3.</source>
+        <source>The best design for the values entered, %1, would lose %2&#xa0;% of it %3.</source>
         <translation>Den nominellt bästa, %1, skulle förlora %2 % av det %3.</translation>
     </message>
     <message>
-        <source>The nominal best, %1, would have %2&#xa0;% more of it %3.</source>
+        <source>The best design for the values entered, %1, would have %2&#xa0;% more of it %3.</source>
         <translation>Den nominellt bästa, %1, skulle ha %2 % mer av det %3.</translation>
     </message>
     <message>
@@ -4330,32 +4330,32 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>För %1, mät &lt;b&gt;%2&lt;/b&gt; först: %3&#xa0;% av spridningen.</translation>
     </message>
     <message>
-        <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Minsta funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
-        <source>Largest %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Största funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
-        <source>The choices change the energy of the blow: machines of different power are compared. “keep the energy” keeps it.</source>
+        <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
         <translation>Valen ändrar slagets energi: maskiner med olika effekt jämförs. ”behåll energin” behåller den.</translation>
     </message>
     <message>
-        <source>The scatter of the efficiency is nearly all that of γ; work of loading shows what wave and machine can do.</source>
+        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of loading.</source>
         <translation>Verkningsgraden sprider nästan bara med γ; belastningsarbetet visar vad våg och maskin förmår.</translation>
     </message>
     <message>
-        <source>What the designs say</source>
+        <source>Answer of the study</source>
         <translation>Vad konstruktionerna säger</translation>
     </message>
     <message>
-        <source>Load the robust best</source>
-        <translation>Ladda den robustaste</translation>
+        <source>Load the best design for uncertain rock</source>
+        <translation>Ladda den bästa konstruktionen för osäkert berg</translation>
     </message>
     <message>
-        <source>Load the nominal best</source>
-        <translation>Ladda den nominellt bästa</translation>
+        <source>Load the best design for the values entered</source>
+        <translation>Ladda den bästa konstruktionen för de angivna värdena</translation>
     </message>
     <message>
         <source>Load</source>
@@ -4370,11 +4370,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Hittills %1 stickprov, %2 återstår.</translation>
     </message>
     <message>
-        <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
+        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
         <translation>Där allt är som i filen har den robustaste %1&#xa0;% mindre.</translation>
     </message>
     <message>
-        <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
+        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
         <translation>Där allt är som i filen har den robustaste %1&#xa0;% mer.</translation>
     </message>
     <message>
@@ -4414,7 +4414,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Ladda %1</translation>
     </message>
     <message>
-        <source>Least %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <source>Smallest %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Minsta funna värde (%1) med %4: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
@@ -4429,23 +4429,23 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>stickprov</translation>
     </message>
     <message>
-        <source>Designs over what is not known</source>
-        <translation>Konstruktioner över det som inte är känt</translation>
+        <source>Designs for uncertain inputs</source>
+        <translation>Konstruktioner för osäkra indata</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>inte känt</translation>
+        <source>uncertain</source>
+        <translation>osäkert</translation>
     </message>
     <message>
-        <source>to be chosen</source>
-        <translation>att välja</translation>
+        <source>design variables</source>
+        <translation>konstruktionsvariabler</translation>
     </message>
     <message>
         <source>keep the energy</source>
         <translation>behåll energin</translation>
     </message>
     <message>
-        <source>The blow of every design is scaled to the energy of this one: by its impulse, or by the velocity of the hammer</source>
+        <source>Scales the blow of every design to the present blow energy, by impulse or hammer velocity</source>
         <translation>Varje konstruktions slag skalas till det aktuella slagets energi: med dess impuls, eller med hammarens hastighet</translation>
     </message>
     <message>
@@ -4453,12 +4453,12 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Stickprov per konstruktion</translation>
     </message>
     <message>
-        <source>Too many of the samples have no answer: %1</source>
+        <source>Too many samples could not be solved: %1</source>
         <translation>För många av stickproven saknar svar: %1</translation>
     </message>
     <message>
         <source>⚠ %1
-What is shown is of the value before.</source>
+The page shows the answer for the value before.</source>
         <translation>⚠ %1
 Det som visas gäller värdet dessförinnan.</translation>
     </message>
@@ -4471,7 +4471,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Hittills %1 stickprov per konstruktion, förfinat till %2</translation>
     </message>
     <message>
-        <source>There is no design to be told of.</source>
+        <source>There is no design study to report.</source>
         <translation>Det finns ingen konstruktion att berätta om.</translation>
     </message>
     <message>
@@ -4491,7 +4491,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Förfina (%1 min)</translation>
     </message>
     <message>
-        <source>Nothing is solved yet: this study takes more than 10 s. The button Refine starts it.</source>
+        <source>Not solved yet: this study takes more than 10 s. Press Refine to start it.</source>
         <translation>Inget är beräknat ännu: studien tar mer än 10 s. Knappen ”Förfina” startar den.</translation>
     </message>
     <message>
@@ -4518,24 +4518,24 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>medel</translation>
     </message>
     <message>
-        <source>as it is</source>
+        <source>present</source>
         <translation>som det är</translation>
     </message>
     <message>
-        <source>ties</source>
-        <translation>lika bra</translation>
+        <source>equally good</source>
+        <translation>likvärdiga</translation>
     </message>
     <message>
-        <source>nominal best</source>
-        <translation>nominellt bästa</translation>
+        <source>best for the values entered</source>
+        <translation>bäst för de angivna värdena</translation>
     </message>
     <message>
-        <source>robust best</source>
-        <translation>robustast</translation>
+        <source>best for uncertain rock</source>
+        <translation>bäst för osäkert berg</translation>
     </message>
     <message>
         <source>share of the scatter
-(filled: alone)</source>
+(filled: by itself)</source>
         <translation>andel av spridningen
 (fylld: ensam)</translation>
     </message>
@@ -4544,7 +4544,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>detta scenario</translation>
     </message>
     <message>
-        <source>%1: does not scatter</source>
+        <source>%1: no scatter</source>
         <translation>%1: sprider inte</translation>
     </message>
 </context>
@@ -4611,7 +4611,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>följ slagets tabell</translation>
     </message>
     <message>
-        <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
+        <source>%1: cannot be saved: %2. Your changes are still here: save under another name or in another folder.</source>
         <translation>%1: kan inte sparas: %2. Inget är förlorat: spara under ett annat namn eller i en annan mapp.</translation>
     </message>
     <message>
@@ -4638,7 +4638,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Svep</translation>
     </message>
     <message>
-        <source>The statistics at values of this parameter, each from rest and from bouncing</source>
+        <source>Statistics at values of this parameter, each started at rest and started bouncing</source>
         <translation>Statistiken vid värden på denna parameter, var och en från vila och från studsande</translation>
     </message>
     <message>
@@ -4646,11 +4646,11 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>visa gränsfall</translation>
     </message>
     <message>
-        <source>Also under a constant force, and with a dashpot of half the impedance where there is a machine mass: no maker publishes its damper</source>
+        <source>Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: makers do not publish their dampers</source>
         <translation>Även under konstant kraft, och med en dämpare på halva impedansen där det finns en maskinmassa: ingen tillverkare publicerar sin dämpare</translation>
     </message>
     <message>
-        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust.</source>
+        <source>Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no blow frequency and no feed force.</source>
         <translation>Borrning gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: det har ingen slagfrekvens och ingen matningskraft.</translation>
     </message>
     <message>
@@ -4674,7 +4674,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Borrning</translation>
     </message>
     <message>
-        <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
+        <source>Blow %1 of %2 under the feed, with the waves and the motion it started with: gap %3, penetration %4. The panel Result shows a single blow from rest.</source>
         <translation>Slag %1 av %2 under matningen, med de vågor och den rörelse som det började med: spalt %3, inträngning %4. Det som resultatet säger gäller ett enstaka slag som börjar i vila.</translation>
     </message>
     <message>
@@ -4690,11 +4690,11 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Det finns inget svep av detta scenario än.</translation>
     </message>
     <message>
-        <source>Following the blows one after another …</source>
+        <source>Solving the blows one after another …</source>
         <translation>Slagen följs ett efter ett …</translation>
     </message>
     <message>
-        <source>; in contact is within %1 of the rock; %2</source>
+        <source>; in contact means within %1 of the rock; %2</source>
         <translation>; i kontakt är inom %1 från berget; %2</translation>
     </message>
 </context>
@@ -4724,7 +4724,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>median</translation>
     </message>
     <message>
-        <source>Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change</source>
+        <source>95 % error of the mean, from batches of blows and from longer and shorter time steps</source>
         <translation>Fel i medelvärdet, 95 %: ur grupper av slag, och vad större eller mindre celler ändrar</translation>
     </message>
 </context>
@@ -4735,7 +4735,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Gå dit</translation>
     </message>
     <message>
-        <source>To the page that has the answer</source>
+        <source>Opens the page that has the answer</source>
         <translation>Till sidan som har svaret</translation>
     </message>
 </context>
@@ -4804,7 +4804,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Händelser vid borrkronan</translation>
     </message>
     <message>
-        <source>Choose an event to move the time cursor there</source>
+        <source>Select an event to move the time cursor there</source>
         <translation>Välj en händelse för att flytta tidsmarkören dit</translation>
     </message>
 </context>
@@ -4815,11 +4815,11 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>O&amp;m detta exempel</translation>
     </message>
     <message>
-        <source>What to look at in the example that is open</source>
+        <source>Things to look at in the open example</source>
         <translation>Vad man ska titta på i exemplet som är öppet</translation>
     </message>
     <message>
-        <source>You have changed this example: what is said of its values may no longer hold. Undo brings them back.</source>
+        <source>You have changed this example: its description may no longer be right. Undo brings the values back.</source>
         <translation>Detta exempel är ändrat: det som sägs om dess värden gäller kanske inte längre. Ångra tar tillbaka dem.</translation>
     </message>
 </context>
@@ -4854,7 +4854,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>&amp;Kopiera bild</translation>
     </message>
     <message>
-        <source>As it is zoomed, to paste into a report</source>
+        <source>The present view, to paste into a report</source>
         <translation>Som den är zoomad, att klistra in i en rapport</translation>
     </message>
     <message>
@@ -4870,7 +4870,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Spara diagrammets data</translation>
     </message>
     <message>
-        <source>The waves of this blow are more than can be kept: there are no histories.</source>
+        <source>This blow has too many waves to keep: there are no histories.</source>
         <translation>Detta slag har fler vågor än vad som kan sparas: det finns inga förlopp.</translation>
     </message>
     <message>
@@ -4922,7 +4922,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>&amp;Siffrorna som tabell</translation>
     </message>
     <message>
-        <source>What this page draws, number by number, in a window of its own: to be read and copied</source>
+        <source>The numbers this page draws, in a window of their own, to read and copy</source>
         <translation>Det som sidan ritar, siffra för siffra, i ett eget fönster: för att läsas och kopieras</translation>
     </message>
     <message>
@@ -5056,7 +5056,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>ny</translation>
     </message>
     <message>
-        <source>A scenario given by its groups β, γ, τ and δ alone, without units</source>
+        <source>A scenario given only by its groups β, γ, τ and δ, without units</source>
         <translation>Ett scenario givet enbart av sina tal β, γ, τ och δ, utan enheter</translation>
     </message>
     <message>
@@ -5120,7 +5120,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Figur &amp;%1: %2</translation>
     </message>
     <message>
-        <source>Computed anew, beside the numbers that the paper prints</source>
+        <source>Computed again, beside the numbers that the paper prints</source>
         <translation>Beräknad på nytt, bredvid talen som artikeln trycker</translation>
     </message>
     <message>
@@ -5136,7 +5136,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>&amp;Töm listan</translation>
     </message>
     <message>
-        <source>Forget these names; the files stay</source>
+        <source>Clears this list; the files stay</source>
         <translation>Glöm dessa namn; filerna finns kvar</translation>
     </message>
     <message>
@@ -5145,12 +5145,12 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>%1
-It may be on a drive that is not connected. Shall it be taken off the list?</source>
+It may be on a drive that is not connected. Remove it from the list?</source>
         <translation>%1
 Den kan ligga på en enhet som inte är ansluten. Ska den tas bort från listan?</translation>
     </message>
     <message>
-        <source>Take it off</source>
+        <source>Remove</source>
         <translation>Ta bort den</translation>
     </message>
     <message>
@@ -5158,7 +5158,7 @@ Den kan ligga på en enhet som inte är ansluten. Ska den tas bort från listan?
         <translation>Scenariot kan inte öppnas.</translation>
     </message>
     <message>
-        <source>This cannot be taken.</source>
+        <source>This cannot be opened.</source>
         <translation>Detta kan inte tas emot.</translation>
     </message>
     <message>
@@ -5177,7 +5177,7 @@ Släpp ett scenario (.yaml), en fil från en körning (.csv, .json), en rapport 
     </message>
     <message>
         <source>%1
-Saving writes over what that program has written.</source>
+Saving overwrites the changes of that program.</source>
         <translation>%1
 Att spara skriver över det som det programmet har skrivit.</translation>
     </message>
@@ -5201,7 +5201,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>&amp;Läs om</translation>
     </message>
     <message>
-        <source>Take the scenario from the file; Undo brings the present one back</source>
+        <source>Load the scenario from the file; Undo brings the present one back</source>
         <translation>Ta scenariot från filen; Ångra tar tillbaka det aktuella</translation>
     </message>
     <message>
@@ -5209,7 +5209,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>&amp;Behåll mitt</translation>
     </message>
     <message>
-        <source>Go on with the present scenario; saving writes it over the file</source>
+        <source>Continue with the present scenario; saving overwrites the file</source>
         <translation>Fortsätt med det aktuella scenariot; att spara skriver det över filen</translation>
     </message>
     <message>
@@ -5236,11 +5236,11 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>Exportera</translation>
     </message>
     <message>
-        <source>There is no such folder yet. Make it?</source>
+        <source>This folder does not exist yet. Create it?</source>
         <translation>Det finns ingen sådan mapp ännu. Skapa den?</translation>
     </message>
     <message>
-        <source>Make it</source>
+        <source>Create</source>
         <translation>Skapa den</translation>
     </message>
 </context>
@@ -5255,7 +5255,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>&amp;Förenkla till en likformig stång</translation>
     </message>
     <message>
-        <source>Put a &amp;force in place of the hammer</source>
+        <source>Use a &amp;force instead of the hammer</source>
         <translation>Sätt en &amp;kraft i hammarens ställe</translation>
     </message>
     <message>
@@ -5263,7 +5263,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>Ångra</translation>
     </message>
     <message>
-        <source>Take the conversion back</source>
+        <source>Undo the conversion</source>
         <translation>Ta tillbaka omvandlingen</translation>
     </message>
     <message>
@@ -5279,11 +5279,11 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>förenkla till en likformig stång</translation>
     </message>
     <message>
-        <source>This is a uniform rod now, through which waves travel as long as through the string.</source>
+        <source>This is a uniform rod now, with the same travel time of waves as the string.</source>
         <translation>Detta är nu en likformig stång, genom vilken vågor går lika länge som genom strängen.</translation>
     </message>
     <message>
-        <source>put a force in place of the hammer</source>
+        <source>use a force instead of the hammer</source>
         <translation>sätt en kraft i hammarens ställe</translation>
     </message>
     <message>
@@ -5299,7 +5299,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>Förlorat eller ändrat:</translation>
     </message>
     <message>
-        <source>A hammer and a rod of the same blow, to add couplings, an adapter and a bit to</source>
+        <source>Makes a hammer and a rod with the same blow, to which couplings, an adapter and a bit can be added</source>
         <translation>En hammare och en stång med samma slag, att lägga skarvhylsor, en nackadapter och en borrkrona till</translation>
     </message>
     <message>
@@ -5307,7 +5307,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>Inte för detta scenario: %1</translation>
     </message>
     <message>
-        <source>The rod alone, as long for the waves as the string, struck by a uniform piston</source>
+        <source>Only the rod, as long for the waves as the string, struck by a uniform piston</source>
         <translation>Bara stången, lika lång för vågorna som strängen, slagen av en likformig kolv</translation>
     </message>
     <message>
@@ -5319,7 +5319,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>En kraft driver redan detta scenario</translation>
     </message>
     <message>
-        <source>A force that does not feel what comes back, as a measured blow is</source>
+        <source>A force that reflected waves do not change, as a measured blow is</source>
         <translation>En kraft som inte känner av det som kommer tillbaka, som ett uppmätt slag</translation>
     </message>
     <message>
@@ -5338,7 +5338,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
 <context>
     <name>drillwave::GoalField</name>
     <message>
-        <source>Goal: what the result is to be</source>
+        <source>Goal: wanted result</source>
         <translation>Mål: vad resultatet ska bli</translation>
     </message>
     <message>
@@ -5346,7 +5346,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>inget</translation>
     </message>
     <message>
-        <source>What the result is to be: the values of the parameter that give it are marked, and a click takes one</source>
+        <source>Wanted result: the values of the parameter that give it are marked, and a click takes one</source>
         <translation>Vad resultatet ska bli: de värden på parametern som ger det markeras, och ett klick tar ett av dem</translation>
     </message>
 </context>
@@ -5460,8 +5460,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>importera som</translation>
     </message>
     <message>
-        <source>What the signal is for</source>
-        <translation>Vad signalen ska användas till</translation>
+        <source>Use of the signal in the program</source>
+        <translation>Signalens användning i programmet</translation>
     </message>
     <message>
         <source>hammer blow</source>
@@ -5480,7 +5480,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>namn</translation>
     </message>
     <message>
-        <source>Under which the measured curve is listed</source>
+        <source>Name of the measured curve in the list</source>
         <translation>Vad den uppmätta kurvan kallas i listan</translation>
     </message>
     <message>
@@ -5492,7 +5492,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Signal</translation>
     </message>
     <message>
-        <source>The record, and what is taken of it</source>
+        <source>The record and the part that is used</source>
         <translation>Inspelningen, och vad som används av den</translation>
     </message>
     <message>
@@ -5524,7 +5524,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Bara formen används: detta scenario har inga fysikaliska enheter.</translation>
     </message>
     <message>
-        <source>The blow takes the place of the hammer; undo brings it back.</source>
+        <source>The blow replaces the hammer; Undo brings it back.</source>
         <translation>Slaget ersätter hammaren; ångra tar tillbaka den.</translation>
     </message>
     <message>
@@ -5532,7 +5532,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>mätinstrument</translation>
     </message>
     <message>
-        <source>Settings that are kept by name: columns, units, gauge and amplifier. Choose some, or type a name and keep the present ones.</source>
+        <source>Saved settings: columns, units, gauge and amplifier. Select one, or type a name and keep the present settings.</source>
         <translation>Inställningar som har sparats under ett namn: kolumner, enheter, givare och förstärkare. Välj några, eller skriv ett namn och spara de nuvarande.</translation>
     </message>
     <message>
@@ -5586,7 +5586,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Hammarslaget är taget från %1.</translation>
     </message>
     <message>
-        <source>%1 is laid over the page Blow.</source>
+        <source>%1 is shown on the page Blow.</source>
         <translation>%1 ligger nu över sidan Slag.</translation>
     </message>
     <message>
@@ -5613,7 +5613,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Maskin: berg</translation>
     </message>
     <message>
-        <source>Whether the bit is turned onto new rock for every blow, or strikes the same crater again</source>
+        <source>Whether each blow meets new rock, or the crater of the blow before</source>
         <translation>Om borrkronan vrids till nytt berg för varje slag, eller träffar samma krater igen</translation>
     </message>
     <message>
@@ -5625,7 +5625,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>samma krater</translation>
     </message>
     <message>
-        <source>change which rock the blows meet</source>
+        <source>change the rock of the next blow</source>
         <translation>ändra vilket berg slagen träffar</translation>
     </message>
 </context>
@@ -5666,7 +5666,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Borrkrona och berg: kraft–inträngning</translation>
     </message>
     <message>
-        <source>How the force rises with the penetration: along one line, along lines with corners, or with a power of it; it falls along one slope in all of them</source>
+        <source>Rise of the force with penetration: along a line, along lines with corners, or as a power; unloading always follows one slope</source>
         <translation>Hur kraften växer med inträngningen: längs en rät linje, längs en bruten linje eller med en potens av den; den faller alltid med samma lutning</translation>
     </message>
     <message>
@@ -5741,7 +5741,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>högst %1 nivåer</translation>
     </message>
     <message>
-        <source>The values of which the map has contours, in the units on show: 0.95; 1; 1.05</source>
+        <source>Values of the contours, in the present units: 0.95; 1; 1.05</source>
         <translation>De värden som kartan har nivåkurvor för, i de visade enheterna: 0.95; 1; 1.05</translation>
     </message>
 </context>
@@ -5827,7 +5827,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::ManualHelp</name>
     <message>
-        <source>Menus, as they are now</source>
+        <source>Menus and their keys</source>
         <translation>Menyerna, som de är nu</translation>
     </message>
     <message>
@@ -5835,7 +5835,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>tangent</translation>
     </message>
     <message>
-        <source>what it does</source>
+        <source>action</source>
         <translation>vad den gör</translation>
     </message>
 </context>
@@ -5870,7 +5870,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Kartans punkter</translation>
     </message>
     <message>
-        <source>How many values each of the two parameters takes</source>
+        <source>Number of values of each of the two parameters</source>
         <translation>Hur många värden var och en av de två parametrarna tar</translation>
     </message>
     <message>
@@ -5886,7 +5886,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Karta</translation>
     </message>
     <message>
-        <source>A click on a line or a preset takes over the point there, with Shift it pins it; the crosshair can be dragged.</source>
+        <source>Click on a line or preset to use that point; Shift+click pins it. The crosshair can be dragged.</source>
         <translation>Ett klick på en linje eller ett förval tar över punkten där, med Skift fäster det den; hårkorset kan dras.</translation>
     </message>
 </context>
@@ -5920,7 +5920,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::MarchRects</name>
     <message>
-        <source>blow (shaded: used for statistics)</source>
+        <source>blow (shaded: counted)</source>
         <translation>slag (skuggat: ingår i statistiken)</translation>
     </message>
     <message>
@@ -5932,11 +5932,11 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>slag [%]</translation>
     </message>
     <message>
-        <source>e of this gap</source>
+        <source>e at this gap</source>
         <translation>e för denna spalt</translation>
     </message>
     <message>
-        <source>of the energy [%]</source>
+        <source>share of the energy [%]</source>
         <translation>av energin [%]</translation>
     </message>
     <message>
@@ -5953,7 +5953,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>
-a projection of more dimensions</source>
+a projection from more dimensions</source>
         <translation>
 en projektion av fler dimensioner</translation>
     </message>
@@ -5969,7 +5969,7 @@ en projektion av fler dimensioner</translation>
         <translation>Enstaka slag</translation>
     </message>
     <message>
-        <source>Show the blow again that begins at rest, as in Result</source>
+        <source>Shows the blow from rest again, as in Result</source>
         <translation>Visa åter slaget som börjar i vila, som i resultatet</translation>
     </message>
 </context>
@@ -5996,7 +5996,7 @@ en projektion av fler dimensioner</translation>
         <translation>Uppmätt kurva</translation>
     </message>
     <message>
-        <source>Show the waves at the section where this was measured</source>
+        <source>Shows the waves at the section of this gauge</source>
         <translation>Visa vågorna i det tvärsnitt där detta mättes</translation>
     </message>
     <message>
@@ -6004,11 +6004,11 @@ en projektion av fler dimensioner</translation>
         <translation>Den uppmätta kurvans förskjutning i tid</translation>
     </message>
     <message>
-        <source>Added to the times of the measured curve; Up and Down move it</source>
+        <source>Time added to the measured curve; Up and Down change it</source>
         <translation>Läggs till den uppmätta kurvans tider; Upp och Ned flyttar den</translation>
     </message>
     <message>
-        <source>Shift it to where it fits the computed curve best</source>
+        <source>Shifts the curve to the best fit with the computed one</source>
         <translation>Förskjut den dit där den passar bäst med den beräknade kurvan</translation>
     </message>
     <message>
@@ -6016,11 +6016,11 @@ en projektion av fler dimensioner</translation>
         <translation>Ta bort den uppmätta kurvan</translation>
     </message>
     <message>
-        <source>Take this measured curve away; Undo brings it back</source>
+        <source>Removes this measured curve; Undo brings it back</source>
         <translation>Ta bort denna uppmätta kurva; Ångra tar tillbaka den</translation>
     </message>
     <message>
-        <source>Over the time that both have: root of the mean square of their difference; size of the largest force, measured less computed; how much later the measured curve comes than where it fits best</source>
+        <source>Over the common time: root mean square of the difference; measured minus computed peak; delay of the measured curve from the best fit</source>
         <translation>Över den tid som båda har: roten ur medelkvadraten av deras skillnad; storleken på den största kraften, uppmätt minus beräknad; hur mycket senare den uppmätta kurvan kommer än där den passar bäst</translation>
     </message>
     <message>
@@ -6040,7 +6040,7 @@ en projektion av fler dimensioner</translation>
         <translation>vid %1</translation>
     </message>
     <message>
-        <source>%1 points; no sample of what is taken is further than %2 from them</source>
+        <source>%1 points; no sample is further than %2 from the lines between them</source>
         <translation>%1 punkter; inget använt mätvärde ligger längre än %2 från dem</translation>
     </message>
 </context>
@@ -6094,47 +6094,47 @@ en projektion av fler dimensioner</translation>
         <translation>%1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
     </message>
     <message>
-        <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
-        <translation>Den första reflexionen är tillbaka medan %1&#xa0;% av slaget återstår; en verklig hammare skulle känna den, här är dess kraft given.</translation>
+        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Den första reflexionen kommer tillbaka före de sista %1 % av slaget. En verklig hammare skulle känna den, men här är kraften given. En borrsträng med hammare tar hänsyn till den.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
-        <translation>Hammarens impedans är stångens, det värde som antas där inget anges: dess slag är ett steg.</translation>
+        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
+        <translation>Hammaren har stångens impedans, som är standardvärdet: dess slag är ett steg. Ange kolvens data.</translation>
     </message>
     <message>
-        <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
-        <translation>Hammaren är den som antas där ingen anges (%1, stångens material): ange data för borrmaskinens kolv.</translation>
+        <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
+        <translation>Hammaren är standardhammaren (%1, stångens material). Ange data för borrmaskinens kolv.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
+        <source>The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and the rod receives more than its momentum.</source>
         <translation>Hammarens impedans är lägre än stångens: den studsar tillbaka efter ett steg, så att stången tar över mer än dess rörelsemängd.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
-        <translation>Hammarens impedans är högre än stångens: den trycker i en trappa av allt mindre steg, som antas fortsätta som om stången vore lång.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
+        <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg, beräknade för en lång stång.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; %2 följer det.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3. Inträngningen kan ändras med upp till 10 % med slagfrekvens och stränglängd; %2 beräknar det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; %3 följer det.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2). Inträngningen kan ändras med upp till 10 %; %3 beräknar det.</translation>
     </message>
     <message>
-        <source>share but a cell of time of %1, which would take more work than is permitted</source>
-        <translation>har bara en gemensam tidscell på %1, som skulle kräva mer arbete än vad som är tillåtet</translation>
+        <source>only share a time step of %1, which takes more work than is permitted</source>
+        <translation>har bara ett gemensamt tidssteg på %1, som kräver mer arbete än vad som är tillåtet</translation>
     </message>
     <message>
-        <source>share no cell of time</source>
-        <translation>har ingen gemensam tidscell</translation>
+        <source>share no time step</source>
+        <translation>har inget gemensamt tidssteg</translation>
     </message>
     <message>
-        <source>the force on the rock and the rebound are off: e by up to %1</source>
+        <source>force on the rock and rebound have errors: e by up to %1</source>
         <translation>kraften på berget och studsen avviker: e med upp till %1</translation>
     </message>
     <message>
-        <source>the efficiency may be off by %1</source>
+        <source>the efficiency may have an error of %1</source>
         <translation>verkningsgraden kan avvika med %1</translation>
     </message>
     <message>
@@ -6142,12 +6142,12 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer one.</source>
-        <translation>Längder med en större gemensam delare får en längre gemensam cell.</translation>
+        <source>Lengths with a larger common divisor share a longer time step.</source>
+        <translation>Längder med en större gemensam delare har ett längre gemensamt tidssteg.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share one and are exact.</source>
-        <translation>Längder i hela millimeter av ett och samma stål får en gemensam cell och är exakta.</translation>
+        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
+        <translation>Längder i hela millimeter av ett och samma stål har ett gemensamt tidssteg och är exakta.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6158,7 +6158,7 @@ en projektion av fler dimensioner</translation>
         <translation>borrkronan träffar berget mitt i en våg (delta = %1 är inget heltal)</translation>
     </message>
     <message>
-        <source>the loading curve of the rock is no straight line</source>
+        <source>the loading curve of the rock is not a straight line</source>
         <translation>bergets belastningskurva inte är en rät linje</translation>
     </message>
     <message>
@@ -6166,12 +6166,12 @@ en projektion av fler dimensioner</translation>
         <translation>borrkronan ännu är på berget när nästa reflexion kommer</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3.</source>
+        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
         <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1: dess e = %2 avviker med %3.</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so that e depends on the last digits of the input: it is known to %2 only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock chatters less.</source>
-        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e hänger på indatas sista siffror: det är bara känt på %2 när, och ingen beräkning känner det bättre. En längre stång, ett kortare slag eller mjukare berg skallrar mindre.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input: no calculation can know it better than to %2. A longer rod, a shorter blow or a softer rock chatters less.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror: ingen beräkning kan känna det bättre än på %2 när. En längre stång, ett kortare slag eller mjukare berg skallrar mindre.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6186,12 +6186,12 @@ en projektion av fler dimensioner</translation>
         <translation>Spalten har ingen verkan på en rörelse som stel kropp: den flyttar bara tiden för kontakten.</translation>
     </message>
     <message>
-        <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
-        <translation>Stången lämnar berget med mer rörelsemängd än den kom med (e = %1): stelt berg, e = 1, skulle underskatta matningskraften.</translation>
+        <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
+        <translation>Stången studsar med mer rörelsemängd än den hade före anslaget (e = %1). En uppskattning för stelt berg (e = 1) ger för liten matningskraft.</translation>
     </message>
     <message>
-        <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
-        <translation>Borrkronan träffar berget %1 gånger i detta slag: vågorna på väg för den tillbaka.</translation>
+        <source>The bit hits the rock %1 times in this blow: reflected waves push it back to the rock.</source>
+        <translation>Borrkronan träffar berget %1 gånger i detta slag: reflekterade vågor trycker den tillbaka mot berget.</translation>
     </message>
     <message>
         <source>The numerical error of e may be as large as %1.</source>
@@ -6202,60 +6202,60 @@ en projektion av fler dimensioner</translation>
         <translation>skulle flyta</translation>
     </message>
     <message>
-        <source>is fatigued by every blow</source>
+        <source>suffers fatigue at every blow</source>
         <translation>överskrider utmattningsgränsen vid varje slag</translation>
     </message>
     <message>
-        <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Efter %1 kan borrkronan eller hammaren ännu få kontakt igen: detta är talen vid nästa slag, inte slutliga.</translation>
+        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
+        <translation>Efter %1 kan borrkrona och berg, eller hammare och sträng, träffas igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
-        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet: de utelämnades och ingen hållfasthet kontrollerades. En kortare sluttid kan ge rum för dem.</translation>
+        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
+        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet. De beräknades inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
+        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
         <translation>Kraften stannar under belastningskurvans första hörn (%1 av %2): lagen verkar som den bilinjära.</translation>
     </message>
     <message>
-        <source>The feed, %1, is less than the mean reaction of the blows, %2, or so near to it that gaps grow without bound.</source>
-        <translation>Matningen, %1, är mindre än slagens medelreaktion, %2, eller så nära den att spalter växer utan gräns.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
+        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den: spalter växer utan gräns. Öka matningskraften.</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Inget dämpar vågorna: språng klingar aldrig av. En vågförlust på 1 till 30&#xa0;% under ett varv fram och åter är vanlig.</translation>
+        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Inget dämpar vågorna: språng klingar aldrig av. Ange en vågförlust; 1 till 30 % per varv fram och åter är vanlig.</translation>
     </message>
     <message>
-        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; “may strike again” switched off (restrike: false in the file) says so.</source>
-        <translation>Sedan kolven har skilts från strängen avger den ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; ”får slå flera gånger” avstängt (restrike: false i filen) anger det.</translation>
+        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Efter separationen avger kolven ännu upp till %1 % av sin rörelsemängd: den är i vägen för den studsande strängen. Om maskinen då har dragit den tillbaka, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; the spring of the damper brings it back.</source>
-        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; dämparens fjäder för den tillbaka.</translation>
+        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
+        <translation>Vid ett slag är nacken upp till %1 från sitt medelläge i maskinen: slaglängd och slag skulle bli andra. Med bara en dämpare kryper den; ge dämparen en fjäder.</translation>
     </message>
     <message>
-        <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
-        <translation>Slagfrekvensen räknas som %1, så att slag kommer i slutet av en cell.</translation>
+        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
+        <translation>Slagfrekvensen räknas som %1, så att varje slag faller på ett tidssteg.</translation>
     </message>
     <message>
-        <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
-        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet: det behövs fler slag eller längre insvängning.</translation>
+        <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
+        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet. Öka antalet slag eller slag för insvängning.</translation>
     </message>
     <message>
-        <source>Two motions coexist. The start or the time step decides which one is computed; which one a machine takes is not known.</source>
-        <translation>Två rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; vilken av dem en maskin utför är inte känt.</translation>
+        <source>Two steady motions are possible. The start or the time step decides which one is computed; a real drill may settle into either.</source>
+        <translation>Två jämna rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; en verklig maskin kan hamna i vilken som helst av dem.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: means are results, single blows are none.</source>
-        <translation>Rörelsen upprepar sig inte: medelvärden är resultat, enstaka slag är det inte.</translation>
+        <source>The motion does not repeat: use the means, not the values of single blows.</source>
+        <translation>Rörelsen upprepar sig inte: använd medelvärdena, inte värden för enstaka slag.</translation>
     </message>
     <message>
-        <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Energin för alla slag stämmer bara på %1&#xa0;% när: cellerna är långa för dessa kontakter; kortare minskar det med sin längd.</translation>
+        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
+        <translation>Energibalansen för alla slag har ett fel på %1 %: tidssteget är långt för dessa kontakter. Ett kortare minskar felet i samma mån.</translation>
     </message>
     <message>
-        <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
-        <translation>Ingen tillverkare offentliggör sin dämpare: prova dämpare från 0,05 till 0,5 av stångens impedans.</translation>
+        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Dämparen är antagen, eftersom tillverkare inte offentliggör sin. Prova dämpare från 0,05 till 0,5 gånger stångens impedans.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6282,7 +6282,7 @@ en projektion av fler dimensioner</translation>
         <translation>i vila före varje slag</translation>
     </message>
     <message>
-        <source>irregular: single blows are no result</source>
+        <source>irregular: use means only</source>
         <translation>oregelbunden: enstaka slag är inget resultat</translation>
     </message>
     <message>
@@ -6314,11 +6314,11 @@ en projektion av fler dimensioner</translation>
         <translation>vid varje spalt</translation>
     </message>
     <message>
-        <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
+        <source>The feed cannot be judged: the scenario has dimensionless groups, not physical units.</source>
         <translation>Matningen bedöms inte: scenariot ges av sina dimensionslösa tal, inte i fysikaliska enheter.</translation>
     </message>
     <message>
-        <source>The feed is not judged: no blow frequency is given.</source>
+        <source>The feed cannot be judged: no blow frequency is given.</source>
         <translation>Matningen bedöms inte: ingen slagfrekvens är angiven.</translation>
     </message>
     <message>
@@ -6438,7 +6438,7 @@ en projektion av fler dimensioner</translation>
         <translation>polynomceller</translation>
     </message>
     <message>
-        <source>the thrust</source>
+        <source>the feed force</source>
         <translation>matningskraften</translation>
     </message>
     <message>
@@ -6450,7 +6450,7 @@ en projektion av fler dimensioner</translation>
         <translation>%1 förutsätter drill.blow_frequency; ange den i scenariot eller med --set</translation>
     </message>
     <message>
-        <source>This blow has %1 pieces, too many to be followed over all gaps in a report: `drillwave %2` does that, and takes its time.</source>
+        <source>This blow has %1 wave pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
         <translation>Detta slag har %1 bitar, för många för att följas över alla spalter i en rapport: `drillwave %2` gör det, och tar tid på sig.</translation>
     </message>
     <message>
@@ -6458,11 +6458,11 @@ en projektion av fler dimensioner</translation>
         <translation>Slaget kunde inte lösas vid alla spalter: %1</translation>
     </message>
     <message>
-        <source>The reference case does not depend on the gap: it only shifts the time of contact.</source>
+        <source>The reference case does not depend on the gap, which only shifts the time of contact.</source>
         <translation>Referensfallet beror inte på spalten: den flyttar bara kontaktens tid.</translation>
     </message>
     <message>
-        <source>The hammer still pushes when its first reflection is back: results have a period in the gap only from a gap of %1 d0 on, and the statistics are over the period that begins there.</source>
+        <source>The hammer still pushes when its first reflection returns: results are periodic only for gaps above %1 d0, and the statistics cover the first period above it.</source>
         <translation>Hammaren trycker fortfarande när dess första reflexion är tillbaka: resultaten har en period i spalten först från en spalt på %1 d0, och statistiken gäller perioden som börjar där.</translation>
     </message>
     <message>
@@ -6502,7 +6502,7 @@ en projektion av fler dimensioner</translation>
         <translation>medelvärde</translation>
     </message>
     <message>
-        <source>all gaps alike</source>
+        <source>all gaps equally likely</source>
         <translation>alla spalter lika sannolika</translation>
     </message>
     <message>
@@ -6542,7 +6542,7 @@ en projektion av fler dimensioner</translation>
         <translation>Knäckar i e vid en spalt på %1</translation>
     </message>
     <message>
-        <source>The scattered gap is a normal distribution cut off at no gap: mean and deviation are those before the cut.</source>
+        <source>The scattered gap is a normal distribution cut off at zero; mean and deviation are those before the cut.</source>
         <translation>Den spridda spalten är en normalfördelning avskuren vid noll: medelvärde och standardavvikelse är de före snittet.</translation>
     </message>
     <message>
@@ -6650,11 +6650,11 @@ en projektion av fler dimensioner</translation>
         <translation>resultat</translation>
     </message>
     <message>
-        <source>as a multiple</source>
+        <source>scaled</source>
         <translation>som multipel</translation>
     </message>
     <message>
-        <source>where and when</source>
+        <source>place and time</source>
         <translation>var och när</translation>
     </message>
     <message>
@@ -6662,7 +6662,7 @@ en projektion av fler dimensioner</translation>
         <translation>Resultat</translation>
     </message>
     <message>
-        <source>E₀ and p₀ are energy and momentum of the hammer.</source>
+        <source>E₀ and p₀ are the energy and momentum of the hammer.</source>
         <translation>E₀ och p₀ är hammarens energi och rörelsemängd.</translation>
     </message>
     <message>
@@ -6670,7 +6670,7 @@ en projektion av fler dimensioner</translation>
         <translation>W är hammarens arbete.</translation>
     </message>
     <message>
-        <source>Beside other runs</source>
+        <source>Comparison with other runs</source>
         <translation>Jämförelse med andra körningar</translation>
     </message>
     <message>
@@ -6678,7 +6678,7 @@ en projektion av fler dimensioner</translation>
         <translation>storhet</translation>
     </message>
     <message>
-        <source>Beside what was measured</source>
+        <source>Comparison with measurements</source>
         <translation>Jämförelse med mätningen</translation>
     </message>
     <message>
@@ -6686,11 +6686,11 @@ en projektion av fler dimensioner</translation>
         <translation>signal</translation>
     </message>
     <message>
-        <source>Over the time that both have: the root of the mean square of their difference, the size of the largest force, measured less computed, and how much later the measured signal comes than where it fits best.</source>
+        <source>Over the common time: root mean square of the difference, measured minus computed peak force, and delay of the measured signal from the best fit.</source>
         <translation>Över den tid som båda har: roten ur medelkvadraten av skillnaden, storleken på den största kraften, uppmätt minus beräknad, och hur mycket senare den uppmätta signalen kommer än där den passar bäst.</translation>
     </message>
     <message>
-        <source>How well it is solved</source>
+        <source>Numerical error</source>
         <translation>Lösningens noggrannhet</translation>
     </message>
     <message>
@@ -6702,15 +6702,15 @@ en projektion av fler dimensioner</translation>
         <translation>storlek</translation>
     </message>
     <message>
-        <source>The error of the efficiency and the errors of the balances are numerical; what is known of rock and string is far coarser.</source>
+        <source>The errors of the efficiency and of the balances are numerical; rock and string are known far less well.</source>
         <translation>Felet i verkningsgraden och felen i balanserna är numeriska; vad man vet om berg och sträng är långt grövre.</translation>
     </message>
     <message>
-        <source>The bound on e and the errors of the balances are numerical; what is known of rock and rod is far coarser.</source>
+        <source>The error bound of e and the errors of the balances are numerical; rock and rod are known far less well.</source>
         <translation>Gränsen för e och felen i balanserna är numeriska; vad man vet om berg och stång är långt grövre.</translation>
     </message>
     <message>
-        <source>Where the energy went</source>
+        <source>Energy balance</source>
         <translation>Vart energin tog vägen</translation>
     </message>
     <message>
@@ -6726,11 +6726,11 @@ en projektion av fler dimensioner</translation>
         <translation>Största spänningar i varje sektion</translation>
     </message>
     <message>
-        <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
+        <source>Places are from the rear end of a section. Reflected at a joint: the energy that the far end of the section reflects of the waves from the hammer, as a share of the hammer energy.</source>
         <translation>Lägen räknas från sektionens bakände. Reflexionen i skarven är den andel av hammarens energi som skarven vid änden mot berget reflekterar av det som kommer från hammaren.</translation>
     </message>
     <message>
-        <source>Needs of the thrust</source>
+        <source>Required feed force</source>
         <translation>Behov av matningskraft</translation>
     </message>
     <message>
@@ -7002,12 +7002,12 @@ en projektion av fler dimensioner</translation>
         <translation>draget når %1</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i de vågor som är kvar (som inget dämpar här), mot en hållfasthet på %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
+        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i restvågorna (odämpade här); dess hållfasthet är %5.</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget, mot en hållfasthet på %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
+        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget; dess hållfasthet är %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -7038,11 +7038,11 @@ en projektion av fler dimensioner</translation>
         <translation>måste vara ett heltal</translation>
     </message>
     <message>
-        <source>cannot be kept: the values that it follows from are at the end of double precision, it reads back as %1</source>
+        <source>cannot be stored: its values are at the limit of double precision, it reads back as %1</source>
         <translation>går inte att behålla: värdena som det följer av ligger vid gränsen för dubbel precision, det läses tillbaka som %1</translation>
     </message>
     <message>
-        <source>in a larger one the numbers of double precision are too coarse to place a wave</source>
+        <source>in a larger one, double precision is too coarse to place a wave</source>
         <translation>vid större värden är talen i dubbel precision för grova för att placera en våg</translation>
     </message>
     <message>
@@ -7074,7 +7074,7 @@ en projektion av fler dimensioner</translation>
         <translation>varje del måste vara en sektion, eller en upprepning av minst en</translation>
     </message>
     <message>
-        <source>only a repeat has it</source>
+        <source>only for a repeat</source>
         <translation>bara en upprepning har det</translation>
     </message>
     <message>
@@ -7082,15 +7082,15 @@ en projektion av fler dimensioner</translation>
         <translation>har %1 sektioner, upprepningar utskrivna; högst %2 följs</translation>
     </message>
     <message>
-        <source>losses inside the hammer are not part of the model: give them to sections of the string</source>
+        <source>losses inside the hammer are not modelled: give them to sections of the string</source>
         <translation>förluster inne i hammaren ingår inte i modellen: ange dem för sektioner i strängen</translation>
     </message>
     <message>
-        <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
+        <source>is so narrow that its face only covers the bore of %1 of the section it strikes</source>
         <translation>är så smal att slagytan bara träffar spolhålet på %1 i den sektion den slår mot</translation>
     </message>
     <message>
-        <source>the values are so large or small that its impedance, transit time or mass overflows</source>
+        <source>the values are too large or too small: impedance, transit time or mass overflows</source>
         <translation>värdena är så stora eller små att impedans, gångtid eller massa hamnar utanför talområdet</translation>
     </message>
     <message>
@@ -7106,7 +7106,7 @@ en projektion av fler dimensioner</translation>
         <translation>måste vara större än kraften i hörnet före, %1</translation>
     </message>
     <message>
-        <source>must be at most 1/gamma = %1: loading steeper than unloading would create energy</source>
+        <source>must be at most 1/gamma = %1, because loading steeper than unloading would create energy</source>
         <translation>får vara högst 1/gamma = %1: belastning brantare än avlastning skulle skapa energi</translation>
     </message>
     <message>
@@ -7126,11 +7126,11 @@ en projektion av fler dimensioner</translation>
         <translation>hammarens impedans är %1 gånger stångens, för många steg att följa; använd formen exponential, en stel hammare</translation>
     </message>
     <message>
-        <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to tell what happens within one t0 (at most %3)%4</source>
+        <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to resolve one t0 (at most %3)%4</source>
         <translation>med tau = %1 möter borrkronan berget efter %2 t0, för sent för att dubbel precision ska kunna säga vad som händer inom ett t0 (högst %3)%4</translation>
     </message>
     <message>
-        <source>the values are so large or small that the force or energy of the blow overflows</source>
+        <source>the values are too large or too small: the force or energy of the blow overflows</source>
         <translation>värdena är så stora eller små att slagets kraft eller energi hamnar utanför talområdet</translation>
     </message>
     <message>
@@ -7166,7 +7166,7 @@ en projektion av fler dimensioner</translation>
         <translation>varar för länge</translation>
     </message>
     <message>
-        <source>has no unit: write for example `%1 %2`; units that would do: %3</source>
+        <source>has no unit: write for example `%1 %2`; allowed units: %3</source>
         <translation>har ingen enhet: skriv till exempel `%1 %2`; möjliga enheter: %3</translation>
     </message>
     <message>
@@ -7174,11 +7174,11 @@ en projektion av fler dimensioner</translation>
         <translation>decimalkomma godtas inte här: skriv decimalpunkt</translation>
     </message>
     <message>
-        <source>must be a plain number, %1 is too much</source>
+        <source>must be a plain number: remove %1</source>
         <translation>måste vara ett rent tal, %1 är för mycket</translation>
     </message>
     <message>
-        <source>unit %1 is not known here; units that would do: %2</source>
+        <source>unit %1 is not known here; allowed units: %2</source>
         <translation>enheten %1 är okänd här; möjliga enheter: %2</translation>
     </message>
     <message>
@@ -7206,7 +7206,7 @@ en projektion av fler dimensioner</translation>
         <translation>saknas: skriv till exempel `corners: [{force: 90 kN, slope: 0.35}]`</translation>
     </message>
     <message>
-        <source>only a law with corners has it; write `law: corners`</source>
+        <source>only for a law with corners; write `law: corners`</source>
         <translation>bara en lag med hörn har det; skriv `law: corners`</translation>
     </message>
     <message>
@@ -7246,7 +7246,7 @@ en projektion av fler dimensioner</translation>
         <translation>källan %1</translation>
     </message>
     <message>
-        <source>must be [value, source], the source being `assumed` where there is none</source>
+        <source>must be [value, source]; write `assumed` if there is no source</source>
         <translation>måste vara [värde, källa], med källan `assumed` där det inte finns någon</translation>
     </message>
     <message>
@@ -7262,7 +7262,7 @@ en projektion av fler dimensioner</translation>
         <translation>och %1 fel till</translation>
     </message>
     <message>
-        <source>only a table has it, the shape is %1</source>
+        <source>only for a table; the shape is %1</source>
         <translation>bara en tabell har det, formen är %1</translation>
     </message>
     <message>
@@ -7302,7 +7302,7 @@ en projektion av fler dimensioner</translation>
         <translation>scenariot är större än 1 MiB</translation>
     </message>
     <message>
-        <source>the scenario is larger than 1 MiB, which no file may be; keep the points of a table in a CSV file</source>
+        <source>the scenario is larger than 1 MiB, the limit for files; keep the points of a table in a CSV file</source>
         <translation>scenariot är större än 1 MiB, vilket ingen fil får vara; lägg tabellens punkter i en CSV-fil</translation>
     </message>
     <message>
@@ -7326,11 +7326,11 @@ en projektion av fler dimensioner</translation>
         <translation>hör till en borrsträng: en fil som har det börjar med `drillwave: 2`</translation>
     </message>
     <message>
-        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` in place of `rod`, and `hammer` or `pulse`</source>
+        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` instead of `rod`, and `hammer` or `pulse`</source>
         <translation>hör till en likformig stång: en fil som har det börjar med `drillwave: 1`; en borrsträng har `string` i stället för `rod`, och `hammer` eller `pulse`</translation>
     </message>
     <message>
-        <source>cannot stand beside `dimensionless`: give one or the other</source>
+        <source>cannot be combined with `dimensionless`: give one or the other</source>
         <translation>kan inte stå bredvid `dimensionless`: ange det ena eller det andra</translation>
     </message>
     <message>
@@ -7382,7 +7382,7 @@ en projektion av fler dimensioner</translation>
         <translation>saknas: ange det eller %1</translation>
     </message>
     <message>
-        <source>cannot stand beside %1: give one or the other</source>
+        <source>cannot be combined with %1: give one or the other</source>
         <translation>kan inte stå bredvid %1: ange det ena eller det andra</translation>
     </message>
     <message>
@@ -7394,7 +7394,7 @@ en projektion av fler dimensioner</translation>
         <translation>måste vara en sektion: `{length: 300 mm, diameter: 50 mm}`</translation>
     </message>
     <message>
-        <source>is empty; a section without a name is written without it</source>
+        <source>is empty; leave it out for a section without a name</source>
         <translation>är tomt; en sektion utan namn skrivs utan det</translation>
     </message>
     <message>
@@ -7418,7 +7418,7 @@ en projektion av fler dimensioner</translation>
         <translation>en hammare har inga upprepningar; skriv ut dess sektioner</translation>
     </message>
     <message>
-        <source>a repeat cannot stand inside another one</source>
+        <source>a repeat cannot contain another one</source>
         <translation>en upprepning kan inte stå inne i en annan</translation>
     </message>
     <message>
@@ -7434,7 +7434,7 @@ en projektion av fler dimensioner</translation>
         <translation>måste vara en sektion, `{name: rod, length: 3660 mm, diameter: 39 mm}`, eller `{repeat: 3, of: […]}`</translation>
     </message>
     <message>
-        <source>is missing: the list of the sections that come again</source>
+        <source>is missing: give the list of the sections to repeat</source>
         <translation>saknas: listan över de sektioner som upprepas</translation>
     </message>
     <message>
@@ -7446,23 +7446,23 @@ en projektion av fler dimensioner</translation>
         <translation>saknas: skriv till exempel `repeat: 3`</translation>
     </message>
     <message>
-        <source>stands beside `hammer`: keep one, a hammer of sections or a force in its place</source>
+        <source>cannot be combined with `hammer`: keep one, a hammer of sections or a force instead of it</source>
         <translation>står bredvid `hammer`: behåll ett, en hammare av sektioner eller en kraft i dess ställe</translation>
     </message>
     <message>
-        <source>only a drill string has it (`drillwave: 2`), this is a uniform rod</source>
+        <source>only for drill strings (`drillwave: 2`); this is a uniform rod</source>
         <translation>bara en borrsträng har det (`drillwave: 2`), detta är en likformig stång</translation>
     </message>
     <message>
-        <source>only a uniform rod has it (`drillwave: 1`), this is a drill string</source>
+        <source>only for uniform rods (`drillwave: 1`); this is a drill string</source>
         <translation>bara en likformig stång har det (`drillwave: 1`), detta är en borrsträng</translation>
     </message>
     <message>
-        <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
+        <source>only for a force instead of the hammer (`pulse`); this string is struck by a hammer</source>
         <translation>bara en kraft i hammarens ställe har det (`pulse`), denna sträng slås av en hammare</translation>
     </message>
     <message>
-        <source>only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)</source>
+        <source>only for a hammer of sections (`hammer`); this string is driven by a force (`pulse`)</source>
         <translation>bara en hammare av sektioner har det (`hammer`), denna sträng drivs av en kraft (`pulse`)</translation>
     </message>
     <message>
@@ -7482,11 +7482,11 @@ en projektion av fler dimensioner</translation>
         <translation>%1; sätt dess sektioner, t.ex. `string.1.length`</translation>
     </message>
     <message>
-        <source>only %1 has it; set `%2=%3` too</source>
+        <source>only for %1; set `%2=%3` too</source>
         <translation>bara %1 har det; sätt även `%2=%3`</translation>
     </message>
     <message>
-        <source>needs a unit, as this scenario is in physical quantities</source>
+        <source>needs a unit, because this scenario has physical units</source>
         <translation>behöver en enhet, eftersom scenariot är i fysikaliska storheter</translation>
     </message>
     <message>
@@ -7494,7 +7494,7 @@ en projektion av fler dimensioner</translation>
         <translation>har ingen enhet i ett dimensionslöst scenario</translation>
     </message>
     <message>
-        <source>only a trapezoid has it, the shape is %1</source>
+        <source>only for a trapezoid; the shape is %1</source>
         <translation>bara en trapets har det, formen är %1</translation>
     </message>
     <message>
@@ -7502,7 +7502,7 @@ en projektion av fler dimensioner</translation>
         <translation>följer av diametrar och material hos hammare och stång</translation>
     </message>
     <message>
-        <source>only a piston has it, the shape is %1</source>
+        <source>only for a piston; the shape is %1</source>
         <translation>bara en kolv har det, formen är %1</translation>
     </message>
     <message>
@@ -7550,7 +7550,7 @@ en projektion av fler dimensioner</translation>
         <translation>ett ankare (&amp;) godtas inte här: skriv själva värdet</translation>
     </message>
     <message>
-        <source>a tag (!) is not accepted here: write the value alone</source>
+        <source>a tag (!) is not accepted here: write only the value</source>
         <translation>en tagg (!) godtas inte här: skriv bara värdet</translation>
     </message>
     <message>
@@ -7566,11 +7566,11 @@ en projektion av fler dimensioner</translation>
         <translation>inte YAML: %1</translation>
     </message>
     <message>
-        <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
+        <source>The force is no longer prescribed: reflected waves can separate the hammer from the rod.</source>
         <translation>Slaget är ingen föreskriven kraft längre: vågor som kommer tillbaka till hammaren medan den ännu trycker skiljer den från stången.</translation>
     </message>
     <message>
-        <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
+        <source>%1 of %2 sections have another impedance (couplings, adapter, bit): they became rod, which reflects nothing.</source>
         <translation>%1 av %2 sektioner har en annan impedans (skarvhylsor, nackadapter, krona): de har blivit stång, som inte reflekterar något.</translation>
     </message>
     <message>
@@ -7582,7 +7582,7 @@ en projektion av fler dimensioner</translation>
         <translation>Förlusterna i skarvar och längs stängerna.</translation>
     </message>
     <message>
-        <source>The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel time.</source>
+        <source>The steps of the hammer: it became uniform, with the same mass, velocity and travel time of waves.</source>
         <translation>Hammarens steg: den har blivit likformig, med samma massa, hastighet och gångtid.</translation>
     </message>
     <message>
@@ -7590,7 +7590,7 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens elastiska slagyta: den är stel.</translation>
     </message>
     <message>
-        <source>The hammer is not hit again once it has separated: it is withdrawn.</source>
+        <source>After separation the hammer is withdrawn: it does not strike again.</source>
         <translation>Hammaren träffas inte igen efter separationen: den är tillbakadragen.</translation>
     </message>
     <message>
@@ -7606,7 +7606,7 @@ en projektion av fler dimensioner</translation>
         <translation>referensfallet med en stång som kommer fram utan vågor har ingen hammare</translation>
     </message>
     <message>
-        <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
+        <source>Waves reflected to the hammer are left out: the force is that of the hammer on an endless rod.</source>
         <translation>Det som kommer tillbaka till hammaren: kraften är hammarens på en oändligt lång stång.</translation>
     </message>
     <message>
@@ -7614,23 +7614,23 @@ en projektion av fler dimensioner</translation>
         <translation>Tiden till vilken slaget följs.</translation>
     </message>
     <message>
-        <source>the waves of such a blow are too many to be kept</source>
+        <source>such a blow has too many waves to keep</source>
         <translation>vågorna i ett sådant slag är för många för att sparas</translation>
     </message>
     <message>
-        <source>it has no number of some output</source>
+        <source>some output has no value</source>
         <translation>det saknar tal för ett av resultaten</translation>
     </message>
     <message>
-        <source>its waves are more than can be kept</source>
+        <source>it has too many waves to keep</source>
         <translation>dess vågor är fler än som kan sparas</translation>
     </message>
     <message>
-        <source>the hammer still pushes when its wave has returned more often than is followed</source>
+        <source>the hammer pushes longer than the reflections that are computed</source>
         <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
     </message>
     <message>
-        <source>its blows over all gaps have more wave pieces than are followed in passing</source>
+        <source>its blows over all gaps need more wave pieces than a quick study permits</source>
         <translation>dess slag över alla spalter har fler vågbitar än som följs i förbigående</translation>
     </message>
     <message>
@@ -7638,11 +7638,11 @@ en projektion av fler dimensioner</translation>
         <translation>det har inget sådant resultat</translation>
     </message>
     <message>
-        <source>the damper, or the face of the hammer, is too stiff for the cells of the march</source>
+        <source>the damper, or the face of the hammer, is too stiff for the time step</source>
         <translation>dämparen, eller hammarens slagyta, är för styv för beräkningens celler</translation>
     </message>
     <message>
-        <source>the damper, or the hammer, meets and leaves the rear end without end</source>
+        <source>the contact of damper or hammer with the rear end changes without end</source>
         <translation>dämparen, eller hammaren, möter och lämnar bakänden utan slut</translation>
     </message>
     <message>
@@ -7666,11 +7666,11 @@ en projektion av fler dimensioner</translation>
         <translation>ordningen mellan två händelser hänger på avrundningen</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <source>its histories need more than 4 million wave pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
         <translation>dess förlopp behöver mer än 4 miljoner vågbitar: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
     </message>
     <message>
-        <source>it needs more wave pieces than permitted: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <source>it needs more wave pieces than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
         <translation>det behöver fler vågbitar än tillåtet: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
     </message>
     <message>
@@ -7686,11 +7686,11 @@ en projektion av fler dimensioner</translation>
         <translation>en händelse vid berget går inte att placera</translation>
     </message>
     <message>
-        <source>bit and rock meet and part, or a small bit mass swings, faster than can be followed</source>
+        <source>bit and rock change contact, or a small bit mass oscillates, faster than can be computed</source>
         <translation>krona och berg möts och skiljs, eller en liten kronmassa svänger, fortare än som kan följas</translation>
     </message>
     <message>
-        <source>the faces of hammer and string meet and part without end</source>
+        <source>the contact of hammer and string changes without end</source>
         <translation>hammarens och strängens slagytor möts och skiljs utan slut</translation>
     </message>
     <message>
@@ -7698,23 +7698,23 @@ en projektion av fler dimensioner</translation>
         <translation>en kontakt mellan hammare och sträng går inte att placera</translation>
     </message>
     <message>
-        <source>bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less</source>
+        <source>contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, no bit mass or a shorter end_time</source>
         <translation>krona och berg, eller hammare och sträng, möts och skiljs för ofta, eller en kronmassa svänger för fort, för att följas: ett mjukare berg, ett större gamma, ingen kronmassa eller ett tidigare end_time behöver mindre</translation>
     </message>
     <message>
-        <source>it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier end_time need fewer</source>
+        <source>it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a shorter end_time</source>
         <translation>det tar fler vågceller än tillåtet: färre sektioner, längder med en gemensam delare eller ett tidigare end_time behöver färre</translation>
     </message>
     <message>
-        <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
+        <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
         <translation>en stång som i sin helhet rör sig mot berget är inget för polynomceller, som följer en kraft eller en hammare</translation>
     </message>
     <message>
-        <source>losses inside the hammer are not part of the model: give loss and attenuation to the string only</source>
+        <source>losses inside the hammer are not modelled: give loss and attenuation only to the string</source>
         <translation>förluster inne i hammaren ingår inte i modellen: ange loss och attenuation bara för strängen</translation>
     </message>
     <message>
-        <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
+        <source>the bit mass oscillates too fast on this rock: leave it out (it is too small to matter), or give a softer rock</source>
         <translation>kronmassan svänger för fort på detta berg för att följas: utelämna den, den är för liten för att spela roll, eller ange ett mjukare berg</translation>
     </message>
     <message>
@@ -7726,7 +7726,7 @@ en projektion av fler dimensioner</translation>
         <translation>är angivet %1 gånger; behåll ett av dem</translation>
     </message>
     <message>
-        <source>is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)</source>
+        <source>ends in .csv and holds no scenario; only CSV files of run, gap, thrust and accuracy do (for a sweep or table it is in the .yaml file beside it)</source>
         <translation>antas vara ett resultat, eftersom namnet slutar på .csv, men innehåller inget scenario; bara CSV-filerna från run, gap, thrust och accuracy börjar med ett (sweep och table har det i .yaml-filen bredvid)</translation>
     </message>
     <message>
@@ -7734,15 +7734,15 @@ en projektion av fler dimensioner</translation>
         <translation>är en webbsida men innehåller inget scenario; bara HTML-filerna från `drillwave report` börjar med ett</translation>
     </message>
     <message>
-        <source>is larger than 4 MiB, too large to be meant</source>
+        <source>is larger than 4 MiB, the limit for this kind of file</source>
         <translation>är större än 4 MiB, för stor för att vara avsedd</translation>
     </message>
     <message>
-        <source>is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario file</source>
+        <source>ends in .json and holds no `scenario`; give the scenario file</source>
         <translation>antas vara ett resultat, eftersom namnet slutar på .json, men innehåller inget `scenario`; ange scenariofilen</translation>
     </message>
     <message>
-        <source>the scenario file is larger than 1024 KiB, too large to be meant</source>
+        <source>the scenario file is larger than 1024 KiB, the limit for scenario files</source>
         <translation>scenariofilen är större än 1024 KiB, för stor för att vara avsedd</translation>
     </message>
     <message>
@@ -7754,7 +7754,7 @@ en projektion av fler dimensioner</translation>
         <translation>reflexionerna överlappar, vilket den slutna formen försummar: kontakten är inte över när den tredje vågen kommer; använd den exakta metoden eller gittret</translation>
     </message>
     <message>
-        <source>the momentum after a separation is zero within rounding: whether the rod returns is undecided</source>
+        <source>the momentum after a separation is zero within rounding: it cannot be decided whether the rod returns</source>
         <translation>rörelsemängden efter en separation är noll inom avrundningen: om stången återvänder är oavgjort</translation>
     </message>
     <message>
@@ -7766,11 +7766,11 @@ en projektion av fler dimensioner</translation>
         <translation>gittret fann fler händelser än tillåtet; använd den exakta metoden</translation>
     </message>
     <message>
-        <source>lattices of other step lengths find no solution, so that its error cannot be estimated; use more segments or the exact method</source>
+        <source>lattices with other step lengths have no solution, so the error cannot be estimated; use more segments or the exact method</source>
         <translation>gitter med andra steglängder finner ingen lösning, så att felet inte kan uppskattas; använd fler segment eller den exakta metoden</translation>
     </message>
     <message>
-        <source>%1; parts are joined by the records that were written with them</source>
+        <source>%1; joining needs the records written with the parts</source>
         <translation>%1; delar sätts ihop efter de .yaml-filer som skrevs tillsammans med dem</translation>
     </message>
     <message>
@@ -7782,7 +7782,7 @@ en projektion av fler dimensioner</translation>
         <translation>%1 till %2</translation>
     </message>
     <message>
-        <source>is no record of rows</source>
+        <source>is not a record of rows</source>
         <translation>är ingen .yaml-fil till rader</translation>
     </message>
     <message>
@@ -7806,15 +7806,15 @@ en projektion av fler dimensioner</translation>
         <translation>%1: är %2, liksom %3; ange varje del en gång</translation>
     </message>
     <message>
-        <source>part %1 of %2 is missing; run what is missing, or name it</source>
+        <source>part %1 of %2 is missing; run it, or name its file</source>
         <translation>del %1 av %2 saknas; kör den, eller ange dess fil</translation>
     </message>
     <message>
-        <source>parts %1 of %2 are missing; run what is missing, or name it</source>
+        <source>parts %1 of %2 are missing; run them, or name their files</source>
         <translation>delarna %1 av %2 saknas; kör dem, eller ange deras filer</translation>
     </message>
     <message>
-        <source>%1: has %2 rows, but %3 of all %4 has %5; it is of another run</source>
+        <source>%1: has %2 rows, but %3 of all %4 has %5; it belongs to another run</source>
         <translation>%1: har %2 rader, men %3, av totalt %4 rader, har %5; filen hör till en annan körning</translation>
     </message>
     <message>
@@ -7822,7 +7822,7 @@ en projektion av fler dimensioner</translation>
         <translation>ett dimensionslöst scenario har ingen borrmaskin; ange stången och borrmaskinen med enheter</translation>
     </message>
     <message>
-        <source>is missing: many blows need it</source>
+        <source>is missing: many blows require it</source>
         <translation>saknas: många slag kräver det</translation>
     </message>
     <message>
@@ -7838,7 +7838,7 @@ en projektion av fler dimensioner</translation>
         <translation>%1 måste vara mindre än antalet slag, som är %2</translation>
     </message>
     <message>
-        <source>a blow lasts %1 s, which is no less than the interval of the blows; lower the frequency or make the blow shorter</source>
+        <source>a blow lasts %1 s, not less than the interval of the blows; lower the frequency or shorten the blow</source>
         <translation>ett slag varar %1 s, vilket inte är kortare än tiden mellan slagen; sänk frekvensen eller gör slaget kortare</translation>
     </message>
     <message>
@@ -7850,19 +7850,19 @@ en projektion av fler dimensioner</translation>
         <translation>måste vara %1 eller %2</translation>
     </message>
     <message>
-        <source>only a uniform rod has it (`drillwave: 1`)</source>
+        <source>only for uniform rods (`drillwave: 1`)</source>
         <translation>bara en likformig stång har det (`drillwave: 1`)</translation>
     </message>
     <message>
-        <source>only a drill string has it (`drillwave: 2`)</source>
+        <source>only for drill strings (`drillwave: 2`)</source>
         <translation>bara en borrsträng har det (`drillwave: 2`)</translation>
     </message>
     <message>
-        <source>only a hammer of sections has it (`hammer`), this string is driven by a force</source>
+        <source>only for a hammer of sections (`hammer`); this string is driven by a force</source>
         <translation>bara en hammare av sektioner har det (`hammer`), denna sträng drivs av en kraft</translation>
     </message>
     <message>
-        <source>only faces with a stiffness have it (`hammer.face_stiffness`)</source>
+        <source>only for faces with a stiffness (`hammer.face_stiffness`)</source>
         <translation>bara slagytor med styvhet har det (`hammer.face_stiffness`)</translation>
     </message>
     <message>
@@ -7882,11 +7882,11 @@ en projektion av fler dimensioner</translation>
         <translation>%1 steg</translation>
     </message>
     <message>
-        <source>the margin of the thrust is known of uniform rods alone (`drillwave: 1`)</source>
+        <source>the feed force margin is known only for uniform rods (`drillwave: 1`)</source>
         <translation>matningskraftens marginal är känd bara för likformiga stänger (`drillwave: 1`)</translation>
     </message>
     <message>
-        <source>the margin of the thrust needs drill.thrust; give it in the scenario or with --set</source>
+        <source>the feed force margin needs drill.thrust; give it in the scenario or with --set</source>
         <translation>matningskraftens marginal förutsätter drill.thrust; ange den i scenariot eller med --set</translation>
     </message>
     <message>
@@ -7906,7 +7906,7 @@ en projektion av fler dimensioner</translation>
         <translation>är ingen vanlig fil</translation>
     </message>
     <message>
-        <source>is larger than %1 KiB, too large to be meant</source>
+        <source>is larger than the limit of %1 KiB</source>
         <translation>är större än %1 KiB, för stor för att kunna vara avsedd</translation>
     </message>
     <message>
@@ -7914,11 +7914,11 @@ en projektion av fler dimensioner</translation>
         <translation>sätter samma sak</translation>
     </message>
     <message>
-        <source>`%1` is no number; write it into the scenario file</source>
+        <source>`%1` is not a number; write it into the scenario file</source>
         <translation>`%1` är inget tal; skriv det i scenariofilen</translation>
     </message>
     <message>
-        <source>has no meaning here: %1</source>
+        <source>does not apply here: %1</source>
         <translation>har ingen betydelse här: %1</translation>
     </message>
     <message>
@@ -7970,7 +7970,7 @@ en projektion av fler dimensioner</translation>
         <translation>strängen har bara %1 sektioner</translation>
     </message>
     <message>
-        <source>set one section, which a repeat brings to both places</source>
+        <source>both are the same section of a repeat; set one of them</source>
         <translation>sätter samma sektion, som en upprepning för till båda ställena</translation>
     </message>
     <message>
@@ -8010,7 +8010,7 @@ en projektion av fler dimensioner</translation>
         <translation>RINGBUFFERTEN GER INTE DE FLYTTADE VÅGORNAS TAL vid %1 segment: rapportera gärna detta.</translation>
     </message>
     <message>
-        <source>The ring buffer gives every number of the moved waves, to the last bit.</source>
+        <source>The ring buffer gives the same numbers as the moved waves, to the last bit.</source>
         <translation>Ringbufferten ger exakt samma tal som de flyttade vågorna, till sista biten.</translation>
     </message>
     <message>
@@ -8018,17 +8018,17 @@ en projektion av fler dimensioner</translation>
         <translation>Tabellen</translation>
     </message>
     <message>
-        <source>Errors are absolute, forces in F0; those of lattice and closed form against the exact solution.
-estimate: what the method itself says about its error of e. order: observed, from the row above.
+        <source>Errors are absolute, forces in F0; lattice and closed form are compared with the exact solution.
+estimate: error of e estimated by the method itself. order: observed, from the row above.
 force: largest difference of the force history, at ends and middles of all steps; mid-step: at the
-middles. A force that is constant in each step cannot come closer than half its change in a step.</source>
+middles. A force that is constant in each step cannot be closer than half its change in a step.</source>
         <translation>Felen är absoluta, krafter i F0; gittrets och den slutna formens är mot den exakta lösningen.
 uppskattning: vad metoden själv säger om sitt fel i e. ordning: observerad, från raden ovanför.
 kraft: största skillnad i kraftförloppet, i alla stegs ändar och mitt; mitt i steget: bara i mitten.
 En kraft som är konstant i varje steg kan inte komma närmare än halva sin ändring i ett steg.</translation>
     </message>
     <message>
-        <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
+        <source>Times: processor time of a solve for e only. speed: how many times faster than the paper&apos;s choice,
 the lattice of %1 segments with moved waves.</source>
         <translation>Tider: processortid för att lösa enbart e. fart: hur många gånger snabbare än artikelns val,
 gittret med %1 segment och flyttade vågor.</translation>
@@ -8038,13 +8038,13 @@ gittret med %1 segment och flyttade vågor.</translation>
         <translation>%1 Rader på över en sekund har färre körningar.</translation>
     </message>
     <message>
-        <source>In long double it was not solved: %1.</source>
+        <source>It could not be solved in long double: %1.</source>
         <translation>I long double löstes det inte: %1.</translation>
     </message>
     <message>
-        <source>Its errors are differences to a solution in long double (%1 bits, %2),
-whose own error is below %3 and counted in: they show
-rounding and truncation, but not a mistaken event: both march with the same code for events.</source>
+        <source>Its errors are differences from a solution in long double (%1 bits, %2),
+whose own error is below %3 and included: they show
+rounding and truncation, but not a wrong event, as both solutions share the code for events.</source>
         <translation>Dess fel är skillnader mot en lösning i long double (%1 bitar, %2),
 vars eget fel är under %3 och medräknat: de visar
 avrundning och trunkering, men inte en felaktig händelse: båda behandlar händelser med samma kod.</translation>
@@ -8054,7 +8054,7 @@ avrundning och trunkering, men inte en felaktig händelse: båda behandlar händ
         <translation>Den exakta lösningen</translation>
     </message>
     <message>
-        <source>So its histories were put back into the equations at %1 points, without that code.
+        <source>Therefore the histories were inserted into the equations at %1 points, without that code.
 Largest residuals, in F0 (1 + beta/gamma):</source>
         <translation>Därför har dess förlopp satts in i ekvationerna igen i %1 punkter, utan den koden.
 Största residualer, i F0 (1 + beta/gamma):</translation>
@@ -8088,17 +8088,17 @@ Största residualer, i F0 (1 + beta/gamma):</translation>
         <translation>Över hela serien avtar felet i e med antalet segment upphöjt till %1.</translation>
     </message>
     <message>
-        <source>error: of the efficiency, against %1 (cut cells half as large again, stated error %2)
-stated: what the method says of it; impulse: error of the impulse on the rock, of the hammer&apos;s
+        <source>error: error of the efficiency, against %1 (cut cells of half the length, error bound %2)
+stated: error bound of the method; impulse: error of the impulse on the rock, over the hammer&apos;s
 cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every corner of a wave (run);
-plain: a lattice of constant cells, as others have it</source>
+plain: a lattice of constant cells, the usual method</source>
         <translation>fel: i verkningsgraden, mot %1 (delade celler av halva storleken, angivet fel %2)
 angivet: vad metoden säger om felet; impuls: fel i impulsen på berget, som andel av hammarens
 cells: polynomceller delade vid språng (sweep, map); cells_cut: delade vid alla hörn i en våg (run);
 plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
-        <source>and what the hammer takes back</source>
+        <source>and returned with the hammer</source>
         <translation>och det hammaren tar tillbaka</translation>
     </message>
     <message>
@@ -8134,7 +8134,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kvarstående inträngning</translation>
     </message>
     <message>
-        <source>penetration that stays</source>
+        <source>residual penetration</source>
         <translation>kvarstående inträngning</translation>
     </message>
     <message>
@@ -8170,7 +8170,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>tid i kontakt</translation>
     </message>
     <message>
-        <source>hammer leaves</source>
+        <source>hammer separates</source>
         <translation>hammaren släpper</translation>
     </message>
     <message>
@@ -8310,7 +8310,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>och %1 till; --json ger alla</translation>
     </message>
     <message>
-        <source>known by points alone from %1 to %2: %3</source>
+        <source>only points known from %1 to %2: %3</source>
         <translation>känt bara i enstaka punkter från %1 till %2: %3</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>inget svar från %1 till %2: %3</translation>
     </message>
     <message>
-        <source>From %1 blows in %2.</source>
+        <source>%1 blows solved in %2.</source>
         <translation>Beräknat ur %1 slag på %2.</translation>
     </message>
     <message>
@@ -8334,15 +8334,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 (%2 värden)</translation>
     </message>
     <message>
-        <source>nothing, the design of FILE alone</source>
+        <source>nothing, only the design of FILE</source>
         <translation>inget, bara konstruktionen i FILE</translation>
     </message>
     <message>
-        <source>Chosen: %1; every blow has the energy of FILE&apos;s.</source>
+        <source>Design variables: %1; every blow has the energy of FILE.</source>
         <translation>Val: %1; varje slag har samma energi som det i FILE.</translation>
     </message>
     <message>
-        <source>Chosen: %1.</source>
+        <source>Design variables: %1.</source>
         <translation>Val: %1.</translation>
     </message>
     <message>
@@ -8366,19 +8366,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>på gränsen</translation>
     </message>
     <message>
-        <source>robust best</source>
-        <translation>robustast</translation>
+        <source>best for uncertain rock</source>
+        <translation>bäst för osäkert berg</translation>
     </message>
     <message>
-        <source>nominal best</source>
-        <translation>nominellt bästa</translation>
+        <source>best for the values entered</source>
+        <translation>bäst för de angivna värdena</translation>
     </message>
     <message>
-        <source>%1 in place of %2: %3 %4, where all is as in FILE %5.</source>
+        <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
         <translation>%1 i stället för %2: %3 %4; där allt är som i FILE %5.</translation>
     </message>
     <message>
-        <source>none is better in all aims</source>
+        <source>no design is better in all aims</source>
         <translation>ingen är bättre i alla mål</translation>
     </message>
     <message>
@@ -8394,11 +8394,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>dragningar</translation>
     </message>
     <message>
-        <source>acts in combination</source>
+        <source>acts with others</source>
         <translation>verkar i kombination</translation>
     </message>
     <message>
-        <source>What is worth measuring: share of the scatter, # alone, - with others</source>
+        <source>Worth measuring: share of the scatter, # by itself, - with others</source>
         <translation>Vad som är värt att mäta: andel av spridningen, # ensam, - med andra</translation>
     </message>
     <message>
@@ -8406,11 +8406,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>rad %1 i dragningarna</translation>
     </message>
     <message>
-        <source>Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
         <translation>Minsta funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
-        <source>Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
         <translation>Största funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
@@ -8430,8 +8430,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 konstruktioner med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
     </message>
     <message>
-        <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
-        <translation>För upp till %1&#xa0;% av stickproven i en konstruktion är det egna felet större än statistikens: slag som skallrar.</translation>
+        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
+        <translation>För upp till %1 % av stickproven i en konstruktion är det numeriska felet större än statistikens: borrkronan skallrar i dessa slag.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8442,23 +8442,23 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 eller %2 andra</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1.</source>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the largest %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 störst %3, %4.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the least %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 minst %3, %4.</translation>
     </message>
     <message>
-        <source>The robust best is at the upper end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
         <translation>Den robustaste konstruktionen ligger vid övre änden av %1: vidga valet.</translation>
     </message>
     <message>
-        <source>The robust best is at the lower end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
         <translation>Den robustaste konstruktionen ligger vid nedre änden av %1: vidga valet.</translation>
     </message>
     <message>
@@ -8466,7 +8466,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
     </message>
     <message>
-        <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
         <translation>Spridningen i verkningsgraden kommer nästan helt från gamma; loading_work visar vad våg och maskin kan åstadkomma: --aim max:loading_work@q05.</translation>
     </message>
     <message>
@@ -8534,15 +8534,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>impuls på berget</translation>
     </message>
     <message>
-        <source>up to %1: an upper limit, all rock under the bit gives way and cuttings vanish</source>
+        <source>up to %1: an upper limit (all rock under the bit breaks, cuttings are removed)</source>
         <translation>upp till %1: en övre gräns, allt berg under borrkronan ger efter och borrkaxet försvinner</translation>
     </message>
     <message>
-        <source>%1 of the blows begin within %2 of the rock</source>
+        <source>%1 of the blows start within %2 of the rock</source>
         <translation>%1 av slagen börjar inom %2 från berget</translation>
     </message>
     <message>
-        <source>rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring</source>
+        <source>rock %1, damper %2, waves %3, new faces %4 of the energy from hammer and feed</source>
         <translation>berg %1, dämpare %2, vågor %3, nya bergytor %4 av det som hammare och matning tillför</translation>
     </message>
     <message>
@@ -8550,7 +8550,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>rörelsemängd på %1 när, energi på %2 när</translation>
     </message>
     <message>
-        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow</source>
+        <source>phi = %1 (feed force over mean force of the blows), n_b = %2 round trips per blow</source>
         <translation>φ = %1 (matningskraft genom medelreaktion), %2 varv fram och åter per slag</translation>
     </message>
     <message>
@@ -8594,7 +8594,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>mellan punkter, från %1 till %2</translation>
     </message>
     <message>
-        <source>where it is known by points alone</source>
+        <source>where only points of it are known</source>
         <translation>där det är känt bara i enstaka punkter</translation>
     </message>
     <message>
@@ -8602,7 +8602,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>där det saknar svar</translation>
     </message>
     <message>
-        <source>where it is known by points alone or has no answer</source>
+        <source>where only points of it are known or it has no answer</source>
         <translation>där det är känt bara i enstaka punkter eller saknar svar</translation>
     </message>
     <message>
@@ -8670,7 +8670,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 kurvor</translation>
     </message>
     <message>
-        <source>%1, but for %2 where it jumps across</source>
+        <source>%1, except %2 where it jumps across</source>
         <translation>%1, utom %2 där resultatet gör ett språng</translation>
     </message>
     <message>
@@ -8774,11 +8774,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>fel i energibalansen</translation>
     </message>
     <message>
-        <source>pull of the rock</source>
+        <source>tension on the rock</source>
         <translation>drag från berget</translation>
     </message>
     <message>
-        <source>return after the end</source>
+        <source>return after the computed end</source>
         <translation>återkomst efter slutet</translation>
     </message>
     <message>
@@ -8822,7 +8822,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>gräns</translation>
     </message>
     <message>
-        <source>where</source>
+        <source>place</source>
         <translation>var</translation>
     </message>
     <message>
@@ -8850,7 +8850,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>området för %1 måste sluta på ett högre värde än det börjar</translation>
     </message>
     <message>
-        <source>a scenario given by its groups has no energy to keep; leave it out</source>
+        <source>a dimensionless scenario has no energy to keep; leave it out</source>
         <translation>ett scenario givet av sina dimensionslösa tal har ingen energi att behålla; utelämna det</translation>
     </message>
     <message>
@@ -8874,7 +8874,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>högst %1 mål, här är det %2</translation>
     </message>
     <message>
-        <source>at most %1 designs, the choices make more than can be counted; give fewer values</source>
+        <source>at most %1 designs, and the choices make too many to count; give fewer values</source>
         <translation>högst %1 konstruktioner, valen ger fler än som går att räkna; ange färre värden</translation>
     </message>
     <message>
@@ -8894,7 +8894,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 är angivet två gånger; ange det en gång</translation>
     </message>
     <message>
-        <source>%1 is chosen and uncertain: only +-P% about the choice can be both</source>
+        <source>%1 is both design variable and uncertain: only +-P% about its value can be both</source>
         <translation>%1 är både vald och osäker: bara +-P% kring valet är möjligt</translation>
     </message>
     <message>
@@ -8902,11 +8902,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>att behålla energin sätter %1, och det gör valet av %2 också; utelämna ett av dem</translation>
     </message>
     <message>
-        <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>
+        <source>thrust_margin needs a study of all gaps; aim at thrust instead</source>
         <translation>thrust_margin är i sig en studie av alla spalter; ta thrust som mål</translation>
     </message>
     <message>
-        <source>%1 is a march of many blows by itself; `drillwave drill` and sweeps have it</source>
+        <source>%1 needs many blows for each value; use `drillwave drill` or a sweep</source>
         <translation>%1 kräver en egen beräkning av många slag; `drillwave drill` och sweep har det</translation>
     </message>
     <message>
@@ -8918,11 +8918,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kolumn %1 %2</translation>
     </message>
     <message>
-        <source>column `%1` is no number that can be uncertain; leave it out of the draws</source>
+        <source>column `%1` is not a number that can be uncertain; leave it out</source>
         <translation>kolumn `%1` är inget tal som kan vara osäkert; utelämna den ur dragningarna</translation>
     </message>
     <message>
-        <source>column `%1` is not a parameter; leave it out of the draws</source>
+        <source>column `%1` is not a parameter; leave it out</source>
         <translation>kolumn `%1` är ingen parameter; utelämna den ur dragningarna</translation>
     </message>
     <message>
@@ -8946,7 +8946,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>har ingen bredd; ange LOW mindre än HIGH</translation>
     </message>
     <message>
-        <source>is upside down; give LOW below HIGH</source>
+        <source>has LOW above HIGH; exchange them</source>
         <translation>är omvänt; ange LOW mindre än HIGH</translation>
     </message>
     <message>
@@ -8958,7 +8958,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>måste börja över 0 med `lognormal`</translation>
     </message>
     <message>
-        <source>reaches %1, where there is no answer; use lognormal</source>
+        <source>the distribution extends to %1, outside the allowed range; use lognormal</source>
         <translation>når %1, där det inte finns något svar; använd lognormal</translation>
     </message>
     <message>
@@ -8970,23 +8970,23 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 behöver LOW:HIGH, LOW:HIGH:log, :normal eller :lognormal, eller +-P%</translation>
     </message>
     <message>
-        <source>`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal</source>
+        <source>unknown suffix `%1` after the range of %2; choose from uniform, log, normal, lognormal</source>
         <translation>`%1` efter området för %2 är inte känt; välj bland uniform, log, normal, lognormal</translation>
     </message>
     <message>
-        <source>`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%</source>
+        <source>`%1` is not a range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%</source>
         <translation>`%1` är inget område: skriv KEY=LOW:HIGH, KEY=LOW:HIGH:log eller KEY=+-P%</translation>
     </message>
     <message>
-        <source>%1 is no number and cannot be uncertain; choose among several by --choose</source>
+        <source>%1 is not a number and cannot be uncertain; list values with --choose</source>
         <translation>%1 är inget tal och kan inte vara osäkert; välj bland flera med --choose</translation>
     </message>
     <message>
-        <source>%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose</source>
+        <source>%1 takes only whole numbers and cannot be uncertain; list values with --choose</source>
         <translation>%1 tar bara heltal och kan inte vara osäkert; välj bland flera med --choose</translation>
     </message>
     <message>
-        <source>%1 has no meaning here: %2</source>
+        <source>%1 does not apply here: %2</source>
         <translation>%1 har ingen betydelse här: %2</translation>
     </message>
     <message>
@@ -9002,7 +9002,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 = +-%2% av %3 (%4)</translation>
     </message>
     <message>
-        <source>the machine is pushed back: no motion that is bounded</source>
+        <source>the machine is pushed back without limit</source>
         <translation>maskinen trycks tillbaka: ingen begränsad rörelse</translation>
     </message>
     <message>
@@ -9014,7 +9014,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>axeln %1 i en karta behöver START:STOP:COUNT eller START:STOP:COUNT:log</translation>
     </message>
     <message>
-        <source>the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none</source>
+        <source>the map has more than %1 points; take fewer, or use `drillwave sweep`, which has no limit</source>
         <translation>kartan har fler än %1 punkter; ta färre, eller `drillwave sweep`, som inte håller några i minnet</translation>
     </message>
     <message>
@@ -9026,11 +9026,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>fel i energibalansen %1</translation>
     </message>
     <message>
-        <source>the rock pulls: F/Fmax %1</source>
+        <source>tension on the rock: F/Fmax %1</source>
         <translation>berget drar: F/Fmax %1</translation>
     </message>
     <message>
-        <source>not at its end: the front end returns by %1</source>
+        <source>not at its end: the bit returns by %1</source>
         <translation>inte vid sitt slut: framänden återvänder med %1</translation>
     </message>
     <message>
@@ -9042,11 +9042,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>för långt från gränsvärdet: faktor %1</translation>
     </message>
     <message>
-        <source>the lattice differs by estimates: %1</source>
+        <source>the lattice differs, in units of its error estimate: %1</source>
         <translation>gittret avviker med %1 gånger de uppskattade felen</translation>
     </message>
     <message>
-        <source>the stated error is exceeded by a factor %1</source>
+        <source>the error bound is exceeded by a factor of %1</source>
         <translation>det angivna felet överskrids med en faktor %1</translation>
     </message>
     <message>
@@ -9054,7 +9054,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 och %2 %3; variera en av dem</translation>
     </message>
     <message>
-        <source>`all` are all outputs already; give it alone</source>
+        <source>`all` are all outputs already; give nothing else</source>
         <translation>`all` är redan alla resultat; ange det ensamt</translation>
     </message>
     <message>
@@ -9078,11 +9078,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>antalet `%1` för %2 måste vara ett heltal från 1 till %3</translation>
     </message>
     <message>
-        <source>`%1` behind the end of %2 is not known; only `log` may follow</source>
+        <source>unknown suffix `%1` after the range of %2; only `log` is allowed</source>
         <translation>`%1` efter slutet för %2 är inte känt; bara `log` får följa</translation>
     </message>
     <message>
-        <source>`%1` behind the count of %2 is not known; only `log` may follow</source>
+        <source>unknown suffix `%1` after the count of %2; only `log` is allowed</source>
         <translation>`%1` efter antalet för %2 är inte känt; bara `log` får följa</translation>
     </message>
     <message>
@@ -9090,7 +9090,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en logaritmisk axel för %1 måste börja och sluta över 0</translation>
     </message>
     <message>
-        <source>%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C</source>
+        <source>%1 takes only whole numbers; give a COUNT that hits them, or a list A,B,C</source>
         <translation>%1 tar bara heltal; ange ett COUNT som träffar dem, eller en lista A,B,C</translation>
     </message>
     <message>
@@ -9102,23 +9102,23 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 behöver START:STOP eller START:STOP:log</translation>
     </message>
     <message>
-        <source>%1 has no numbers to go along; make a family of shapes</source>
+        <source>%1 has no numeric values; use a family of shapes</source>
         <translation>%1 har inga tal att följa; gör en skara av former</translation>
     </message>
     <message>
-        <source>%1 has no numbers to go along; make a family of words</source>
+        <source>%1 has no numeric values; use a family of words</source>
         <translation>%1 har inga tal att följa; gör en skara av ord</translation>
     </message>
     <message>
-        <source>`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
+        <source>`%1` is not an axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
         <translation>`%1` är ingen axel: skriv KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log eller KEY=A,B,C</translation>
     </message>
     <message>
-        <source>`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log</source>
+        <source>`%1` is not an axis: write KEY=START:STOP or KEY=START:STOP:log</source>
         <translation>`%1` är ingen axel: skriv KEY=START:STOP eller KEY=START:STOP:log</translation>
     </message>
     <message>
-        <source>%1 has whole numbers alone; make a family of them, or sweep it</source>
+        <source>%1 has only whole numbers; make a family of them, or sweep it</source>
         <translation>%1 har bara heltal; gör en skara av dem, eller använd sweep</translation>
     </message>
     <message>
@@ -9146,11 +9146,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>bilder visar en axel eller två, inte %1; variera färre eller utelämna --plots</translation>
     </message>
     <message>
-        <source>no axis has two numbers or more to draw a curve along</source>
+        <source>no axis has two or more numeric values to draw a curve along</source>
         <translation>ingen axel har två tal eller fler att rita en kurva längs</translation>
     </message>
     <message>
-        <source>a part of the rows cannot be drawn; leave out --shard</source>
+        <source>pictures need all rows; leave out --shard</source>
         <translation>en enskild del av raderna kan inte ritas; utelämna --shard</translation>
     </message>
     <message>
@@ -9158,7 +9158,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>högst %1 rader kan ritas, inte %2; ta färre</translation>
     </message>
     <message>
-        <source>at most %1 curves can be told apart, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
+        <source>at most %1 curves can be distinguished, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
         <translation>högst %1 kurvor går att skilja åt, och %2 har %3 värden; ta färre, eller rita en karta (drillwave map)</translation>
     </message>
     <message>
@@ -9178,11 +9178,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>cellerna skiljs åt av `;`, inte av `,`; spara tabellen med `,` mellan dem och `.` i talen</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; write a key that there is, or another name than `%2` for a column that is only to be passed through</source>
+        <source>`%1` is not a parameter; write a known key, or another name than `%2` for a column that is only passed through</source>
         <translation>`%1` är ingen parameter; skriv en nyckel som finns, eller ett annat namn än `%2` för en kolumn som bara ska föras över</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column that is only to be passed through?</source>
+        <source>`%1` is not a parameter; did you mean `%2`? A column that is only passed through needs another name than `%3`</source>
         <translation>`%1` är ingen parameter; menade du `%2`, eller ett annat namn än `%3` för en kolumn som bara ska föras över?</translation>
     </message>
     <message>
@@ -9194,11 +9194,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>`%1` är inget tal; ange värdet med --set för alla rader</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; write `%2`, with its unit in square brackets, or another name for a column that is only to be passed through</source>
+        <source>`%1` is not a parameter; write `%2`, with its unit in square brackets, or another name for a column that is only passed through</source>
         <translation>`%1` är ingen parameter; skriv `%2`, med enhet inom hakparentes, eller ett annat namn för en kolumn som bara ska föras över</translation>
     </message>
     <message>
-        <source>`%1` is not a parameter; write `%2`, or another name for a column that is only to be passed through</source>
+        <source>`%1` is not a parameter; write `%2`, or another name for a column that is only passed through</source>
         <translation>`%1` är ingen parameter; skriv `%2`, eller ett annat namn för en kolumn som bara ska föras över</translation>
     </message>
     <message>
@@ -9214,19 +9214,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 har ingen enhet; skriv utan `[%2]`</translation>
     </message>
     <message>
-        <source>%1: unit `%2` is not known here; units that would do: %3</source>
+        <source>%1: unit `%2` is not known here; allowed units: %3</source>
         <translation>%1: enheten `%2` är okänd här; möjliga enheter: %3</translation>
     </message>
     <message>
-        <source>sets %1 again, column %2 does already; keep one of them</source>
+        <source>sets %1, which column %2 also sets; keep one of them</source>
         <translation>sätter %1 igen, kolumn %2 gör det redan; behåll en av dem</translation>
     </message>
     <message>
-        <source>`%1` is passed through as it is; the column that is computed follows with the same name</source>
+        <source>`%1` is passed through unchanged; the computed column with the same name follows</source>
         <translation>`%1` förs över som den är; den beräknade kolumnen följer med samma namn</translation>
     </message>
     <message>
-        <source>no column names a parameter, so that every row would be the same blow; name some in the first row, as `beta` or `rod.length [m]`</source>
+        <source>no column is a parameter, so every row would be the same blow; name parameters in the first row, such as `beta` or `rod.length [m]`</source>
         <translation>ingen kolumn namnger en parameter, så att varje rad vore samma slag; namnge några i första raden, t.ex. `beta` eller `rod.length [m]`</translation>
     </message>
     <message>
@@ -9278,7 +9278,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>får inte ha några styrtecken</translation>
     </message>
     <message>
-        <source>must have no characters that turn the direction of reading</source>
+        <source>must have no characters that change the reading direction</source>
         <translation>får inte ha tecken som vänder läsriktningen</translation>
     </message>
     <message>
@@ -9318,11 +9318,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>`%1` behöver ett värde: %2</translation>
     </message>
     <message>
-        <source>%1; `%2` behind it is an option, a file of that name is ./%2</source>
+        <source>%1; `%2` after it is an option; write ./%2 for a file of that name</source>
         <translation>%1; `%2` efter den är en flagga, en fil med det namnet skrivs ./%2</translation>
     </message>
     <message>
-        <source>%1; `%2` behind it is an option</source>
+        <source>%1; `%2` after it is an option</source>
         <translation>%1; `%2` efter den är en flagga</translation>
     </message>
     <message>
@@ -9342,15 +9342,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>behöver %1; se drillwave %2 --help</translation>
     </message>
     <message>
-        <source>`%1` is too much; takes none, see drillwave %2 --help</source>
+        <source>unexpected argument `%1`; the command takes none, see drillwave %2 --help</source>
         <translation>`%1` är för mycket; kommandot tar inget argument, se drillwave %2 --help</translation>
     </message>
     <message>
-        <source>`%1` is too much; takes %2, see drillwave %3 --help</source>
+        <source>unexpected argument `%1`; the command takes %2, see drillwave %3 --help</source>
         <translation>`%1` är för mycket; kommandot tar bara %2, se drillwave %3 --help</translation>
     </message>
     <message>
-        <source>--goal is about one output; --outputs names %1</source>
+        <source>--goal needs one output; --outputs names %1</source>
         <translation>--goal gäller ett enda resultat; --outputs anger %1</translation>
     </message>
     <message>
@@ -9362,7 +9362,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>behöver --along KEY=START:STOP eller KEY=START:STOP:log</translation>
     </message>
     <message>
-        <source>--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv</source>
+        <source>--goal cannot be used with -o -, which prints the curve; leave out -o, or give -o FILE.csv</source>
         <translation>--goal har ingen plats när -o - skriver ut kurvan; utelämna -o, eller ange -o FILE.csv</translation>
     </message>
     <message>
@@ -9370,7 +9370,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: kunde inte lösas överallt: från %2 = %3 till %4: %5</translation>
     </message>
     <message>
-        <source>--force is about the file of -o; add -o FILE.csv</source>
+        <source>--force applies to the file of -o; add -o FILE.csv</source>
         <translation>--force gäller filen från -o; lägg till -o FILE.csv</translation>
     </message>
     <message>
@@ -9378,7 +9378,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--json och -o - skulle båda skriva till standard ut; välj en av dem</translation>
     </message>
     <message>
-        <source>takes one FILE; `%1` is a second one</source>
+        <source>takes one FILE; remove `%1`</source>
         <translation>tar bara en FILE; `%1` är en andra</translation>
     </message>
     <message>
@@ -9390,7 +9390,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>slag</translation>
     </message>
     <message>
-        <source>%1: of too many samples there is no answer, so that designs have no statistics: %2 of %3; the first: %4</source>
+        <source>%1: too many samples could not be solved, so designs have no statistics: %2 of %3; the first: %4</source>
         <translation>%1: för många stickprov saknar svar, så att konstruktioner inte har någon statistik: %2 av %3; det första: %4</translation>
     </message>
     <message>
@@ -9398,11 +9398,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>ingen konstruktion uppfyller alla gränser; lätta på någon eller vidga valen</translation>
     </message>
     <message>
-        <source>the scenario as it is could not be solved</source>
+        <source>the scenario could not be solved with the values entered</source>
         <translation>scenariot som det är kunde inte lösas</translation>
     </message>
     <message>
-        <source>--force is about the files of -o; add -o DIR</source>
+        <source>--force applies to the files of -o; add -o DIR</source>
         <translation>--force gäller filerna från -o; lägg till -o DIR</translation>
     </message>
     <message>
@@ -9414,7 +9414,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>`%1` behöver OUTPUT@STATISTIC, t.ex. efficiency@q05</translation>
     </message>
     <message>
-        <source>`all` are several outputs; name one</source>
+        <source>`all` means several outputs; name one</source>
         <translation>`all` är flera resultat; ange ett</translation>
     </message>
     <message>
@@ -9438,7 +9438,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>ingen bildskärm att öppna fönstret på; använd `drillwave run FILE` (se --help) eller `drillwave -platform offscreen`</translation>
     </message>
     <message>
-        <source>--gaps is about a scan; add --scan KEY=START:STOP:COUNT</source>
+        <source>--gaps needs a scan; add --scan KEY=START:STOP:COUNT</source>
         <translation>--gaps gäller ett svep; lägg till --scan KEY=START:STOP:COUNT</translation>
     </message>
     <message>
@@ -9446,11 +9446,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--histories: dessa slag har fler än %1 tidpunkter; ta färre slag eller färre --cells</translation>
     </message>
     <message>
-        <source>--work-limit %1 must be a number of at least 1</source>
+        <source>--work-limit %1: must be at least 1</source>
         <translation>--work-limit %1 måste vara ett tal som är minst 1</translation>
     </message>
     <message>
-        <source>--si and --dimensionless exclude each other</source>
+        <source>--si and --dimensionless cannot be combined</source>
         <translation>--si och --dimensionless utesluter varandra</translation>
     </message>
     <message>
@@ -9466,7 +9466,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>det krävs %1 celler gånger noder, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
     </message>
     <message>
-        <source>end_time counts for single blows, not here</source>
+        <source>end_time applies only to single blows, not here</source>
         <translation>end_time gäller enstaka slag, inte här</translation>
     </message>
     <message>
@@ -9482,7 +9482,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--plots: ett svep över %1 har ord på sin axel och ingen bild; svep över ett tal</translation>
     </message>
     <message>
-        <source>-o and --gaps name one file; give two</source>
+        <source>-o and --gaps name the same file; give two</source>
         <translation>-o och --gaps anger samma fil; ange två</translation>
     </message>
     <message>
@@ -9502,7 +9502,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Fig. %1 kunde inte ritas</translation>
     </message>
     <message>
-        <source>%1 is about files; add -o %2 to say where they go</source>
+        <source>%1 applies to files; add -o %2</source>
         <translation>%1 gäller filer; lägg till -o %2 för att säga vart de skrivs</translation>
     </message>
     <message>
@@ -9548,11 +9548,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>`%1` är inget avsnitt i %2, som har %3</translation>
     </message>
     <message>
-        <source>`%1` is neither a command nor a chapter, parameter or output; `drillwave help` says what there is</source>
+        <source>`%1` is not a command, chapter, parameter or output; see `drillwave help`</source>
         <translation>`%1` är varken kommando eller kapitel, parameter eller resultat; `drillwave help` säger vad som finns</translation>
     </message>
     <message>
-        <source>`%1` is neither a command nor a chapter, parameter or output; near it %2; `drillwave help` says what there is</source>
+        <source>`%1` is not a command, chapter, parameter or output; did you mean %2? See `drillwave help`</source>
         <translation>`%1` är varken kommando eller kapitel, parameter eller resultat; nära ligger %2; `drillwave help` säger vad som finns</translation>
     </message>
     <message>
@@ -9560,11 +9560,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>läser standard in; avsluta med Ctrl-D</translation>
     </message>
     <message>
-        <source>%1: cannot be read: %2; copy it to another disk, or get it anew</source>
+        <source>%1: cannot be read: %2; copy it to another disk, or get it again</source>
         <translation>%1: kan inte läsas: %2; kopiera till en annan disk, eller hämta på nytt</translation>
     </message>
     <message>
-        <source>is not a regular file; write the rows to a file first</source>
+        <source>is not a regular file; save the rows to a file first</source>
         <translation>är ingen vanlig fil; skriv först raderna till en fil</translation>
     </message>
     <message>
@@ -9572,11 +9572,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kan inte öppnas för läsning; kontrollera behörigheterna</translation>
     </message>
     <message>
-        <source>%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room</source>
+        <source>%1: cannot be stored in %2: %3; set TMPDIR to a folder with more space</source>
         <translation>%1: kan inte mellanlagras i %2: %3; sätt TMPDIR till en mapp med mer utrymme</translation>
     </message>
     <message>
-        <source>%1: is longer than %2 MiB, the most that is kept of what is not a file; write its rows to a file first</source>
+        <source>%1: is longer than %2 MiB, the limit for input that is not a file; save its rows to a file first</source>
         <translation>%1: är längre än %2 MiB, det mesta som mellanlagras av det som inte är en fil; skriv först raderna till en fil</translation>
     </message>
     <message>
@@ -9588,19 +9588,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avbrutet; inga utdata lämnades kvar</translation>
     </message>
     <message>
-        <source>its command is none of this version: %1</source>
+        <source>its command does not exist in this version: %1</source>
         <translation>dess kommando finns inte i denna version: %1</translation>
     </message>
     <message>
-        <source>is no file of rows</source>
+        <source>is not a file of rows</source>
         <translation>är ingen fil med rader</translation>
     </message>
     <message>
-        <source>the part is not there</source>
+        <source>the part does not exist</source>
         <translation>delen finns inte</translation>
     </message>
     <message>
-        <source>%1; a part needs the record that was written with it</source>
+        <source>%1; a part needs the record written with it</source>
         <translation>%1; en del behöver den .yaml-fil som skrevs med den</translation>
     </message>
     <message>
@@ -9612,7 +9612,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kommando</translation>
     </message>
     <message>
-        <source>%1: is a part of another run than %2: its %3 differs; leave it out or run it again</source>
+        <source>%1: belongs to another run than %2: its %3 differs; leave it out or run it again</source>
         <translation>%1: är en del av en annan körning än %2: skillnad i %3; utelämna den eller kör den igen</translation>
     </message>
     <message>
@@ -9640,7 +9640,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>standard ut: kan inte skrivas: %1</translation>
     </message>
     <message>
-        <source>`%1` is too much; `drillwave help` says what there is</source>
+        <source>unexpected argument `%1`; see `drillwave help`</source>
         <translation>`%1` är för mycket; `drillwave help` säger vad som finns</translation>
     </message>
     <message>
@@ -9652,7 +9652,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>internt fel: %1; rapportera det, med kommandot som ledde till det</translation>
     </message>
     <message>
-        <source>needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing</source>
+        <source>needs --x KEY=START:STOP:COUNT[:log] and --y KEY=START:STOP:COUNT[:log]; %1 is missing</source>
         <translation>behöver --x KEY=START:STOP:COUNT[:log] och --y likaså; %1 saknas</translation>
     </message>
     <message>
@@ -9660,7 +9660,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--output: en karta har ett resultat; för flera finns `drillwave sweep`</translation>
     </message>
     <message>
-        <source>%1 has no place where -o - prints the map; give -o FILE.csv</source>
+        <source>%1 cannot be used with -o -, which prints the map; give -o FILE.csv</source>
         <translation>%1 har ingen plats när -o - skriver ut kartan; ange -o FILE.csv</translation>
     </message>
     <message>
@@ -9680,7 +9680,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 av %2 punkter kunde inte lösas och saknar resultat; %3</translation>
     </message>
     <message>
-        <source>--shard: a part of a map has rows alone; add -o FILE.csv</source>
+        <source>--shard: a part of a map has only rows; add -o FILE.csv</source>
         <translation>--shard: en del av en karta har bara rader; lägg till -o FILE.csv</translation>
     </message>
     <message>
@@ -9692,7 +9692,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--method %1: är inte känd; välj bland %2</translation>
     </message>
     <message>
-        <source>--segments is about the lattice; add --method lattice</source>
+        <source>--segments applies to the lattice; add --method lattice</source>
         <translation>--segments gäller gittret; lägg till --method lattice</translation>
     </message>
     <message>
@@ -9712,7 +9712,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>är stängd; skicka den till en fil eller till /dev/null</translation>
     </message>
     <message>
-        <source>the name has bytes that are not UTF-8; choose another one</source>
+        <source>the name is not UTF-8; choose another one</source>
         <translation>namnet har byte som inte är UTF-8; välj ett annat</translation>
     </message>
     <message>
@@ -9748,11 +9748,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>filen med förval har ett tomt namn; utan fil tas de inbyggda</translation>
     </message>
     <message>
-        <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
+        <source>%1: the file of presets is larger than the limit of %2 KiB</source>
         <translation>%1: filen med förval är större än %2 KiB, för stor för att vara avsedd</translation>
     </message>
     <message>
-        <source>%1 is a drill string, whose sections are given one by one</source>
+        <source>%1 is a drill string: its sections are given one by one</source>
         <translation>%1 är en borrsträng, vars sektioner anges en för en</translation>
     </message>
     <message>
@@ -9760,7 +9760,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 är givet av sina dimensionslösa tal; förval kräver ett scenario i fysikaliska enheter</translation>
     </message>
     <message>
-        <source>--presets is about --rod, --hammer and --rock; add one of them</source>
+        <source>--presets applies to --rod, --hammer and --rock; add one of them</source>
         <translation>--presets gäller --rod, --hammer och --rock; lägg till någon av dem</translation>
     </message>
     <message>
@@ -9816,7 +9816,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>behöver -o DIR, -o FILE.html eller -o FILE.pdf, som anger vart rapporten skrivs</translation>
     </message>
     <message>
-        <source>a report is FILE.html or FILE.pdf; for a folder of that name put / behind it</source>
+        <source>a report is FILE.html or FILE.pdf; for a folder of that name, end it with /</source>
         <translation>en rapport är FILE.html eller FILE.pdf; för en mapp med det namnet sätts / efter</translation>
     </message>
     <message>
@@ -9856,7 +9856,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>alla som FILE har: några kräver slagfrekvens, thrust_margin även matningskraft</translation>
     </message>
     <message>
-        <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
+        <source>Results of many blows, only by name (each takes a march); FILE needs drill.blow_frequency and drill.thrust:</source>
         <translation>Över många slag, bara vid namn (en egen beräkning var); FILE behöver drill.blow_frequency, drill.thrust:</translation>
     </message>
     <message>
@@ -9880,7 +9880,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: anmärkning: skriven av Drillwave %2, som är nyare än denna %3: resultaten kan skilja sig</translation>
     </message>
     <message>
-        <source>-o %1 is read as input (%2); choose another name for the output</source>
+        <source>-o %1 is also the input (%2); choose another name for the output</source>
         <translation>-o %1 läses som indata (%2); välj ett annat namn för utdata</translation>
     </message>
     <message>
@@ -9904,7 +9904,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--plots %1: `%2` är inget diagramformat; välj bland %3</translation>
     </message>
     <message>
-        <source>--plots: there is no place for pictures beside %1; give -o FILE.csv</source>
+        <source>--plots needs a file to store pictures beside, not %1; give -o FILE.csv</source>
         <translation>--plots: det finns ingen plats för bilder bredvid %1; ange -o FILE.csv</translation>
     </message>
     <message>
@@ -9920,7 +9920,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--frequency VALUES är --along drill.blow_frequency=VALUES; ange en av dem</translation>
     </message>
     <message>
-        <source>pulse.shape is no number; sweep takes it</source>
+        <source>pulse.shape is not a number; use sweep for it</source>
         <translation>pulse.shape är inget tal; använd sweep</translation>
     </message>
     <message>
@@ -9940,7 +9940,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>okänd flagga `%1`; se drillwave --help</translation>
     </message>
     <message>
-        <source>`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?</source>
+        <source>`%1` is not a command, file or example; did you mean `drillwave %2`?</source>
         <translation>`%1` är varken kommando, fil eller exempel; menade du `drillwave %2`?</translation>
     </message>
     <message>
@@ -9948,15 +9948,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>finns varken som fil eller kommando; se drillwave --help</translation>
     </message>
     <message>
-        <source>`%1` is too much; the window opens one file</source>
+        <source>unexpected argument `%1`; the window opens one file</source>
         <translation>`%1` är för mycket; fönstret öppnar en fil</translation>
     </message>
     <message>
-        <source>what loses all of it carries no wave</source>
+        <source>a section that loses everything carries no wave</source>
         <translation>det som förlorar allt bär ingen våg</translation>
     </message>
     <message>
-        <source>no design has it</source>
+        <source>no design reaches it</source>
         <translation>ingen konstruktion uppfyller det</translation>
     </message>
     <message>
@@ -9964,7 +9964,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>närmast kommer %1 för %2</translation>
     </message>
     <message>
-        <source>its blows under a feed need more wave cells than permitted</source>
+        <source>its sequence of blows needs more wave cells than permitted</source>
         <translation>dess slag under en matning kräver fler vågceller än vad som är tillåtet</translation>
     </message>
     <message>
@@ -9980,11 +9980,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>inte jämn inom det tillåtna arbetet</translation>
     </message>
     <message>
-        <source>an error, which has no smooth course</source>
+        <source>errors do not vary smoothly</source>
         <translation>ett fel, som inte har något jämnt förlopp</translation>
     </message>
     <message>
-        <source>of many blows, which need not be smooth: straight between points</source>
+        <source>result of many blows, not necessarily smooth: straight lines between points</source>
         <translation>av många slag, som inte behöver vara jämnt: rakt mellan punkterna</translation>
     </message>
     <message>
@@ -10044,7 +10044,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>krävs</translation>
     </message>
     <message>
-        <source>required, or what stands in its place</source>
+        <source>required, or its alternative</source>
         <translation>krävs, eller det som står i dess ställe</translation>
     </message>
     <message>
@@ -10052,11 +10052,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>krävs, eller `%1`</translation>
     </message>
     <message>
-        <source>may be left out: the program then assumes a value</source>
+        <source>optional; default value assumed</source>
         <translation>får utelämnas: programmet antar då ett värde</translation>
     </message>
     <message>
-        <source>may be left out</source>
+        <source>optional</source>
         <translation>får utelämnas</translation>
     </message>
     <message>
@@ -10068,7 +10068,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>dimensionslösa scenarier</translation>
     </message>
     <message>
-        <source>scenarios in physical units, for many blows: one alone does not depend on it</source>
+        <source>scenarios in physical units; only for many blows</source>
         <translation>scenarier i fysikaliska enheter, vid många slag: ett enstaka slag beror inte på det</translation>
     </message>
     <message>
@@ -10076,7 +10076,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>borrsträngar</translation>
     </message>
     <message>
-        <source>drill strings that a hammer strikes</source>
+        <source>drill strings struck by a hammer</source>
         <translation>borrsträngar som en hammare slår på</translation>
     </message>
     <message>
@@ -10092,7 +10092,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>likformiga stänger i fysikaliska enheter, givna av sin diameter</translation>
     </message>
     <message>
-        <source>hammer forces in physical units, but those of a piston or a table</source>
+        <source>hammer forces in physical units, except piston and table</source>
         <translation>hammarkrafter i fysikaliska enheter, utom en kolvs eller en tabells</translation>
     </message>
     <message>
@@ -10216,7 +10216,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>I fönstret: %1.</translation>
     </message>
     <message>
-        <source>nothing: it is there in SI only</source>
+        <source>none: only in SI</source>
         <translation>inget: det finns bara i SI</translation>
     </message>
     <message>
@@ -10232,7 +10232,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Parametrar</translation>
     </message>
     <message>
-        <source>Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the window. This chapter is written by the program from the table it works with. Outside its range a value is refused, outside the usual one it is remarked on; what presets give is a starting point, with its source. How files are written: files §1.</source>
+        <source>All parameters of a scenario: in files, after `--set`, as axis of a study, as a field of the window. The program writes this chapter from its own table. A value outside its range is refused; outside the usual range it gives a warning. Presets are starting points with a source. Format of files: files §1.</source>
         <translation>Alla tal i ett scenario: i filer, efter `--set`, som axel i en studie, som fält i fönstret. Programmet skriver detta kapitel ur den tabell som det arbetar med. Utanför sitt område avvisas ett värde, utanför det vanliga påpekas det; vad förval ger är en utgångspunkt, med sin källa. Hur filer skrivs: files §1.</translation>
     </message>
     <message>
@@ -10240,7 +10240,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Belastningskurvans hörn</translation>
     </message>
     <message>
-        <source>Up to 64 of them, by their place.</source>
+        <source>Up to 64, by number.</source>
         <translation>Upp till 64 av dem, numrerade efter sin plats.</translation>
     </message>
     <message>
@@ -10248,7 +10248,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En borrsträngs sektioner</translation>
     </message>
     <message>
-        <source>NAME is the name of sections, or the place of one from 1; of the hammer `hammer.1.length` (files §1.3).</source>
+        <source>NAME is the name of sections, or the number of one, from 1; for the hammer, `hammer.1.length` (files §1.3).</source>
         <translation>NAME är namnet på sektioner, eller numret på en av dem, från 1; för hammaren `hammer.1.length` (files §1.3).</translation>
     </message>
     <message>
@@ -10256,7 +10256,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ord</translation>
     </message>
     <message>
-        <source>Whether the hammer stays there to be hit again; without it the hammer is withdrawn after the first separation</source>
+        <source>Whether the hammer may strike again; otherwise it is withdrawn after the first separation</source>
         <translation>Om hammaren stannar kvar och kan träffas igen; annars tas den bort efter den första separationen</translation>
     </message>
     <message>
@@ -10264,7 +10264,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Resultat</translation>
     </message>
     <message>
-        <source>Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the window. This chapter is written by the program from the table it works with. Scales are those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the momentum p0.</source>
+        <source>All results: keys of JSON, columns of CSV files, names for `--outputs`, rows of the window. The program writes this chapter from its own table. Scales are those of theory §2; for drill strings, W0 and W are the hammer energy E0 and I0 is the momentum p0.</source>
         <translation>Alla resultat: en nyckel i JSON, en kolumn i CSV-filer, ett namn för `--outputs`, en rad i fönstret. Programmet skriver detta kapitel ur den tabell som det arbetar med. Referensstorheterna är de i theory §2; för en borrsträng är W0 och W energin E0, I0 rörelsemängden p0.</translation>
     </message>
     <message>
@@ -10284,7 +10284,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 punkter på %2.</translation>
     </message>
     <message>
-        <source>a section is shorter than a cell of the march: take more cells (--cells), or leave the section out and give its mass to the section in front of it</source>
+        <source>a section is shorter than a time step: take more (--cells), or leave the section out and add its mass to the section before it</source>
         <translation>ett avsnitt är kortare än en cell i beräkningen: använd fler celler (--cells), eller utelämna avsnittet och ge dess massa till avsnittet framför</translation>
     </message>
     <message>
@@ -10308,7 +10308,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 måste vara från %2 till %3, inte %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and part very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <source>its blows would take %1 wave cells, more than the %2 permitted, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
         <translation>slagen skulle ta %1 vågceller, tillåtna är %2: borrkrona och berg möts och skiljs mycket ofta; ett större gamma, färre slag eller en högre frekvens tar mindre</translation>
     </message>
     <message>
@@ -10336,11 +10336,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>ett svep kräver minst en axel och en utdata</translation>
     </message>
     <message>
-        <source>has no meaning in this scenario</source>
+        <source>does not apply to this scenario</source>
         <translation>har ingen betydelse i detta scenario</translation>
     </message>
     <message>
-        <source>is a uniform rod (`drillwave: 1`) and no string</source>
+        <source>is a uniform rod (`drillwave: 1`), not a string</source>
         <translation>är en likformig stång (`drillwave: 1`) och ingen borrsträng</translation>
     </message>
     <message>
@@ -10348,11 +10348,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>-o - anger ingen mapp för filerna; ange -o DIR, eller --json, som skriver till standard ut</translation>
     </message>
     <message>
-        <source>--histories is about the blows of one march, and --scan makes one of each value; take one of them</source>
+        <source>--histories and --scan cannot be combined: a scan has many sequences; take one of them</source>
         <translation>--histories gäller slagen i en följd, och --scan räknar en för varje värde; välj en av dem</translation>
     </message>
     <message>
-        <source>must have no sections in a uniform rod: they belong to `drillwave: 2`</source>
+        <source>a uniform rod has no sections; they belong to `drillwave: 2`</source>
         <translation>får inte ha sektioner i en likformig stång: de hör till `drillwave: 2`</translation>
     </message>
     <message>
@@ -10360,7 +10360,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: en annan process skriver dessa rader; vänta på den, eller avsluta den</translation>
     </message>
     <message>
-        <source>%1: is of another run (other options, inputs or build); use --force to begin again, or choose another name</source>
+        <source>%1: belongs to another run (other options, inputs or build); use --force to start again, or choose another name</source>
         <translation>%1: hör till en annan körning (andra val, indata eller annat program); börja om med --force, eller välj ett annat namn</translation>
     </message>
     <message>
@@ -10384,7 +10384,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: mappens lås kan inte öppnas: %2; ta bort det eller välj en annan mapp</translation>
     </message>
     <message>
-        <source>The plots are left out because this report was written with --no-plots. Write it again without that option to get them.</source>
+        <source>This report was written with --no-plots, so it has no plots. Write it again without that option to get them.</source>
         <translation>Diagrammen är utelämnade eftersom rapporten skrevs med --no-plots. Skriv den igen utan flaggan för att få dem.</translation>
     </message>
     <message>
@@ -10392,11 +10392,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>vågorna på väg genom den tar %1 vågceller samtidigt, tillåtna är %2; ett längre slag, en kortare sträng eller färre --cells tar mindre</translation>
     </message>
     <message>
-        <source>%1 is true or false, which is no axis; give it with --set</source>
+        <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
         <translation>%1 är sant eller falskt (true, false) och därmed ingen axel; ange det med --set</translation>
     </message>
     <message>
-        <source>--samples %1: takes %2, a power of two</source>
+        <source>--samples %1: rounded up to %2, a power of two</source>
         <translation>--samples %1: tar %2, en tvåpotens</translation>
     </message>
     <message>
@@ -10416,7 +10416,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>fönstret kan inte öppnas på plattformen från -platform eller QT_QPA_PLATFORM; använd `drillwave run FILE` eller `-platform offscreen`</translation>
     </message>
     <message>
-        <source>display %1 cannot be reached; set DISPLAY to one that is there, use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
+        <source>display %1 cannot be reached; set DISPLAY to an available one, use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
         <translation>skärmen %1 kan inte nås; sätt DISPLAY till en som finns, använd `drillwave run FILE` (se --help) eller `drillwave -platform offscreen`</translation>
     </message>
     <message>
@@ -10434,11 +10434,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>flagga</translation>
     </message>
     <message>
-        <source>does</source>
+        <source>meaning</source>
         <translation>gör</translation>
     </message>
     <message>
-        <source>of the commands</source>
+        <source>of commands</source>
         <translation>till kommandona</translation>
     </message>
     <message>
@@ -10446,7 +10446,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>alla</translation>
     </message>
     <message>
-        <source>what is there</source>
+        <source>topics</source>
         <translation>vad som står där</translation>
     </message>
     <message>
@@ -10462,7 +10462,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Se även %1.</translation>
     </message>
     <message>
-        <source>%1: is not what its record says: it has %2 bytes with checksum %3, and was written with %4 and %5; it was changed or is another part, run it again</source>
+        <source>%1: differs from its record: it has %2 bytes with checksum %3, written were %4 and %5; it was changed or is another part, so run it again</source>
         <translation>%1: är inte vad dess protokoll säger: har %2 byte med kontrollsumman %3, skrivna blev %4 med %5; filen har ändrats eller är en annan del, kör den igen</translation>
     </message>
     <message>
@@ -10474,7 +10474,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en karta behöver KEY=START:STOP:COUNT eller KEY=START:STOP:COUNT:log; `drillwave sweep` tar en lista</translation>
     </message>
     <message>
-        <source>waiting for another run of drillwave, which holds the lock %1; Ctrl-C gives up</source>
+        <source>waiting for another run of drillwave, which holds the lock %1; Ctrl-C stops waiting</source>
         <translation>väntar på en annan körning av drillwave, som håller låset %1; Ctrl-C avbryter</translation>
     </message>
     <message>
@@ -10482,7 +10482,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--no-plots: en PDF ritas med sina diagram; ange -o FILE.html</translation>
     </message>
     <message>
-        <source>--resume is about the file of -o; add -o FILE.csv</source>
+        <source>--resume applies to the file of -o; add -o FILE.csv</source>
         <translation>--resume gäller filen i -o; ange -o FILE.csv</translation>
     </message>
     <message>
@@ -10490,7 +10490,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 kräver raderna från en enda körning; utelämna --resume</translation>
     </message>
     <message>
-        <source>%1 rows take about %2 and %3. A run that ends before its time leaves no rows, but with --resume those that are done, and with --shard I/N the parts that are done</source>
+        <source>%1 rows take about %2 and %3. An interrupted run keeps no rows; with --resume it keeps finished rows, with --shard I/N finished parts</source>
         <translation>%1 rader tar ungefär %2 och %3. En körning som slutar i förtid lämnar inga rader, men med --resume de färdiga och med --shard I/N de färdiga delarna</translation>
     </message>
     <message>
@@ -10506,7 +10506,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: har redan alla dessa rader</translation>
     </message>
     <message>
-        <source>interrupted; %1 of %2 rows are kept in %3, and the same command goes on behind them</source>
+        <source>interrupted; %1 of %2 rows are kept in %3; the same command continues after them</source>
         <translation>avbruten; %1 av %2 rader finns i %3, och samma kommando fortsätter efter dem</translation>
     </message>
     <message>
@@ -10542,11 +10542,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>matningskraft som krävs</translation>
     </message>
     <message>
-        <source>+- contains the scatter of the blows and three times what half or twice the cells change. Penetrations are upper limits: all rock under the bit gives way and cuttings vanish.</source>
+        <source>+- is the 95 % error: the scatter of the blows plus three times the change with half or twice the time step. Penetrations are upper limits: all rock under the bit breaks and cuttings are removed.</source>
         <translation>+- innehåller slagens spridning och tre gånger det som hälften eller dubbelt så många celler ändrar. Inträngningar är övre gränser: allt berg under borrkronan ger vika, och borrkaxet försvinner.</translation>
     </message>
     <message>
-        <source>The single-blow estimate does not apply: the waves of a blow are still in the string when the next one comes.</source>
+        <source>The single-blow estimate does not apply: the waves of a blow are still in the string at the next blow.</source>
         <translation>Uppskattningen från ett slag gäller inte: vågorna från ett slag är kvar i strängen när nästa kommer.</translation>
     </message>
     <message>
@@ -10594,7 +10594,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3); spalter undersöktes inte.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole alone covers this blow and rigid rock.</source>
+        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
         <translation>Ingen matningskraft är angiven: vid %1 täcker enbart tyngden längs hålet detta slag och stelt berg.</translation>
     </message>
     <message>
@@ -10610,11 +10610,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, stelt berg minst %3.</translation>
     </message>
     <message>
-        <source>The feed is not judged: neither blow frequency nor feed force is given.</source>
+        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
         <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <source>Estimate from single blows; %1 solves consecutive blows.</source>
         <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
     <message>
@@ -10650,8 +10650,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>bara få slag följdes</translation>
     </message>
     <message>
-        <source>the lengths are no whole number of cells</source>
-        <translation>längderna inte är ett helt antal celler</translation>
+        <source>the lengths are not whole numbers of time steps</source>
+        <translation>längderna inte är ett helt antal tidssteg</translation>
     </message>
     <message>
         <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
@@ -10662,8 +10662,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Fler slag (%1) minskar felet.</translation>
     </message>
     <message>
-        <source>Smaller cells, or lengths with a common step, lower it.</source>
-        <translation>Mindre celler, eller längder med ett gemensamt steg, minskar det.</translation>
+        <source>Shorter time steps, or lengths with a common step, lower it.</source>
+        <translation>Kortare tidssteg, eller längder med ett gemensamt steg, minskar det.</translation>
     </message>
     <message>
         <source>%1 per blow, %2.</source>
@@ -10674,8 +10674,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 per slag, %2: %3 av ett enstaka slag från vila.</translation>
     </message>
     <message>
-        <source>The machine is pushed back: its motion has no bound.</source>
-        <translation>Maskinen trycks tillbaka: dess rörelse har ingen gräns.</translation>
+        <source>The machine is pushed back without limit.</source>
+        <translation>Maskinen trycks tillbaka utan gräns.</translation>
     </message>
     <message>
         <source>A feed of %1</source>
@@ -10714,8 +10714,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Alla värden ger samma borrsjunkning inom felen, %1.</translation>
     </message>
     <message>
-        <source>%1 gives the most, %2%3.</source>
-        <translation>%1 ger mest, %2%3.</translation>
+        <source>%1 gives the highest rate, %2%3.</source>
+        <translation>%1 ger den högsta takten, %2%3.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -10754,11 +10754,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>slagföljder</translation>
     </message>
     <message>
-        <source>all results, by its cones</source>
+        <source>all results: cones are solved more exactly</source>
         <translation>alla resultat, genom dess koner</translation>
     </message>
     <message>
-        <source>cor and the required feed, by its losses</source>
+        <source>cor and required feed: losses are counted</source>
         <translation>cor och den matningskraft som krävs, genom dess förluster</translation>
     </message>
     <message>
@@ -10774,7 +10774,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energier, som är i J bredvid SI</translation>
     </message>
     <message>
-        <source>Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading).</source>
+        <source>Written by Drillwave %1. Since then these results have changed: %2 (manual, Upgrading).</source>
         <translation>Skriven av Drillwave %1. Sedan dess har ändrats: %2 (handboken, kapitlet Upgrading).</translation>
     </message>
     <message>
@@ -10786,7 +10786,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>förval kräver fysikaliska enheter, och detta scenario ges av sina dimensionslösa tal; välj ett tal som beta</translation>
     </message>
     <message>
-        <source>a uniform rod has no bit; a drill string has one</source>
+        <source>a uniform rod has no bit; use a drill string</source>
         <translation>en likformig stång har ingen borrkrona; en borrsträng har en</translation>
     </message>
     <message>
@@ -10858,7 +10858,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en uppskattning</translation>
     </message>
     <message>
-        <source>In what unit is the signal? Volts also need --scale 50kN/V, or --excitation, --gain, --bridge and --gauge-factor</source>
+        <source>Which unit has the signal? Volts also need --scale 50kN/V, or --excitation, --gain, --bridge and --gauge-factor</source>
         <translation>I vilken enhet är signalen? Volt behöver också --scale 50kN/V eller --excitation, --gain, --bridge och --gauge-factor</translation>
     </message>
     <message>
@@ -10866,15 +10866,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Vilken är samplingsfrekvensen?</translation>
     </message>
     <message>
-        <source>In what unit are the times?</source>
+        <source>Which unit have the times?</source>
         <translation>I vilken enhet är tiderna?</translation>
     </message>
     <message>
-        <source>Which column is the signal? Several could be</source>
+        <source>Which column is the signal? Several are possible</source>
         <translation>Vilken kolumn är signalen? Flera kan vara det</translation>
     </message>
     <message>
-        <source>Is the sign in 1,234 a decimal sign or a group of thousands?</source>
+        <source>Is the comma in 1,234 a decimal sign or a thousands separator?</source>
         <translation>Är tecknet i 1,234 ett decimaltecken eller skiljer det tusental?</translation>
     </message>
     <message>
@@ -10982,7 +10982,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>ej läst</translation>
     </message>
     <message>
-        <source>a row without values stands between the cases; delete it</source>
+        <source>there is a row without values between the cases; delete it</source>
         <translation>en rad utan värden står mellan fallen; ta bort den</translation>
     </message>
     <message>
@@ -11042,11 +11042,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>nollinjen driver med %1 av toppen per ms</translation>
     </message>
     <message>
-        <source>the recorder has steps of %1 of the peak, and the noise is smaller: use a smaller range</source>
+        <source>the resolution of the recorder is %1 of the peak, coarser than the noise: use a smaller range</source>
         <translation>instrumentet har steg på %1 av toppen, och bruset är mindre: använd ett mindre mätområde</translation>
     </message>
     <message>
-        <source>steps of time differ from the usual step by up to %1</source>
+        <source>time steps differ from the usual step by up to %1</source>
         <translation>tidssteg avviker med upp till %1 från det vanliga</translation>
     </message>
     <message>
@@ -11054,7 +11054,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>mätningen innehåller %1 slag: välj ett genom dess tidsområde</translation>
     </message>
     <message>
-        <source>opposite gauges differ: half their difference is %1 of the peak (rms); is the bar bent or a gauge loose?</source>
+        <source>opposite gauges differ: half their difference is %1 of the peak (rms); check for bending or a loose gauge</source>
         <translation>motstående givare skiljer sig: halva skillnaden är %1 av toppen (effektivvärde); är stången böjd eller en givare lös?</translation>
     </message>
     <message>
@@ -11062,11 +11062,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>tiderna har ett gap på %1</translation>
     </message>
     <message>
-        <source>this is no table: it is %1</source>
+        <source>this is not a table: it is %1</source>
         <translation>det är ingen tabell: det är %1</translation>
     </message>
     <message>
-        <source>each channel is a row: the table is turned, lines count its columns</source>
+        <source>each channel is a row: the table was transposed, lines count its columns</source>
         <translation>varje kanal är en rad: tabellen är vriden, radnummer räknar dess kolumner</translation>
     </message>
     <message>
@@ -11098,11 +11098,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 rader utan tal hoppas över, den första är rad %2</translation>
     </message>
     <message>
-        <source>%1 of them say that the recorder was overloaded</source>
+        <source>%1 of them are marked as overload of the recorder</source>
         <translation>%1 av dem säger att instrumentet var överstyrt</translation>
     </message>
     <message>
-        <source>skipped rows leave a gap of %1 in the blow, from %2 on: straight lines cross it</source>
+        <source>skipped rows leave a gap of %1 in the blow, from %2: it is filled by a straight line</source>
         <translation>överhoppade rader lämnar ett gap på %1 i slaget, från %2: räta linjer korsar det</translation>
     </message>
     <message>
@@ -11198,19 +11198,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en webbsida; spara tabellen som CSV</translation>
     </message>
     <message>
-        <source>is no bit; give the preset of a bit</source>
+        <source>is not a bit; give the preset of a bit</source>
         <translation>är ingen borrkrona; ange förvalet för en borrkrona</translation>
     </message>
     <message>
-        <source>is no rod; give the preset of a rod</source>
+        <source>is not a rod; give the preset of a rod</source>
         <translation>är ingen stång; ange förvalet för en stång</translation>
     </message>
     <message>
-        <source>does not fit a drill string, whose hammer is followed too; give the preset of a piston</source>
+        <source>does not fit a drill string; give the preset of a piston</source>
         <translation>passar inte en borrsträng, vars hammare också beräknas; ange förvalet för en kolv</translation>
     </message>
     <message>
-        <source>does not fit a uniform rod, whose hammer is a force; give the preset of a hammer</source>
+        <source>does not fit a uniform rod; give the preset of a hammer</source>
         <translation>passar inte en likformig stång, vars hammare är en kraft; ange förvalet för en hammare</translation>
     </message>
     <message>
@@ -11218,7 +11218,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>måste vara en lista med texter, var och en efter ett `-`</translation>
     </message>
     <message>
-        <source>has an item that is no text</source>
+        <source>has an item that is not text</source>
         <translation>har en post som inte är en text</translation>
     </message>
     <message>
@@ -11226,11 +11226,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>har ingen rubrikrad `%1`</translation>
     </message>
     <message>
-        <source>each channel is a row; write `drillwave signal FILE -o blow.csv` and take that</source>
+        <source>each channel is a row; run `drillwave signal FILE -o blow.csv` and use blow.csv</source>
         <translation>varje kanal är en rad; skriv `drillwave signal FILE -o blow.csv` och använd den filen</translation>
     </message>
     <message>
-        <source>1,234 can be a number with decimals or a thousand: write one number with another count of decimals, such as 0,5 or 0.5</source>
+        <source>1,234 can be a decimal number or a thousand: write one number with another count of decimals, such as 0,5 or 0.5</source>
         <translation>1,234 kan vara ett tal med decimaler eller ett tusental: skriv ett tal med ett annat antal decimaler, till exempel 0,5 eller 0.5</translation>
     </message>
     <message>
@@ -11238,11 +11238,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>flera kolumner kan vara kraften, %1 är en; utelämna de andra</translation>
     </message>
     <message>
-        <source>%1 is no force; `--signal FILE` and the import make one of strains and volts</source>
+        <source>%1 is not a force; `--signal FILE` and the import convert strains and volts</source>
         <translation>%1 är ingen kraft; `--signal FILE` och importen gör en av töjningar och volt</translation>
     </message>
     <message>
-        <source>is no file of recorders; it must begin with `drillwave_recorders: 1`</source>
+        <source>is not a file of recorders; it must begin with `drillwave_recorders: 1`</source>
         <translation>är ingen fil med mätinstrument; den måste börja med `drillwave_recorders: 1`</translation>
     </message>
     <message>
@@ -11250,7 +11250,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>`%1` är ingen känd nyckel; endast `recorders` är det</translation>
     </message>
     <message>
-        <source>must be names of recorders with settings</source>
+        <source>must be a list of recorders with settings</source>
         <translation>måste vara namn på mätinstrument med inställningar</translation>
     </message>
     <message>
@@ -11258,11 +11258,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>måste vara inställningar, var och en `option: value`</translation>
     </message>
     <message>
-        <source>`%1` is no option of drillwave signal</source>
+        <source>`%1` is not an option of drillwave signal</source>
         <translation>`%1` är inget alternativ till drillwave signal</translation>
     </message>
     <message>
-        <source>the recorder `%1` is there twice</source>
+        <source>the recorder `%1` is given twice</source>
         <translation>mätinstrumentet `%1` finns två gånger</translation>
     </message>
     <message>
@@ -11298,7 +11298,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: kan inte skrivas: %2</translation>
     </message>
     <message>
-        <source>%1 is about a record; add --signal FILE</source>
+        <source>%1 applies to a record; add --signal FILE</source>
         <translation>%1 gäller en mätning; lägg till --signal FILE</translation>
     </message>
     <message>
@@ -11306,7 +11306,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>anges av sina dimensionslösa grupper; --signal behöver fysikaliska enheter</translation>
     </message>
     <message>
-        <source>the table leaves open: %1; answer by %2, see drillwave signal</source>
+        <source>the table does not state: %1; give %2, see drillwave signal</source>
         <translation>tabellen lämnar öppet: %1; svara med %2, se drillwave signal</translation>
     </message>
     <message>
@@ -11318,7 +11318,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>är ingen text</translation>
     </message>
     <message>
-        <source>two rows of numbers are needed below the header</source>
+        <source>needs at least two rows of numbers below the header</source>
         <translation>två rader med tal behövs under rubriken</translation>
     </message>
     <message>
@@ -11326,15 +11326,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mellan borrkrona och berg när hammaren slår</translation>
     </message>
     <message>
-        <source>Impulse of a blow and the cycle behind it; its mean is the feed times the interval</source>
+        <source>Impulse on the rock in a cycle; its mean is the feed force times the interval</source>
         <translation>För ett slag och cykeln efter det; i medeltal matningen gånger tiden mellan slagen</translation>
     </message>
     <message>
-        <source>Per blow; an upper limit: all rock under the bit gives way</source>
+        <source>Per blow; an upper limit: all rock under the bit breaks</source>
         <translation>För ett slag, en övre gräns: allt berg under borrkronan ger efter</translation>
     </message>
     <message>
-        <source>Largest force of the rock in a cycle</source>
+        <source>Largest force on the rock in a cycle</source>
         <translation>Bergets största kraft i en cykel</translation>
     </message>
     <message>
@@ -11342,7 +11342,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kontakter</translation>
     </message>
     <message>
-        <source>How many contacts begin in a cycle</source>
+        <source>Number of contacts in a cycle</source>
         <translation>Hur många kontakter som börjar i en cykel</translation>
     </message>
     <message>
@@ -11350,7 +11350,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätning:</translation>
     </message>
     <message>
-        <source>The hammer is rounded to %1, so that waves can be kept; it gives the same impulse, in a blow that is so much longer or shorter.</source>
+        <source>The hammer is rounded to %1, so that waves can be kept. Its impulse is the same; its blow is longer or shorter in proportion.</source>
         <translation>Hammaren är avrundad till %1, så att vågor kan sparas; den ger samma impuls, i ett slag som är så mycket längre eller kortare.</translation>
     </message>
     <message>
@@ -11450,7 +11450,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to see which breaks first.</source>
+        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
         <translation>Ingen sektion har en hållfasthet: ange `fatigue_strength` för att se vilken som brister först.</translation>
     </message>
     <message>
@@ -11466,15 +11466,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 sektioner av strängen har ingen hållfasthet.</translation>
     </message>
     <message>
-        <source>is empty; a section that is from no preset is written without it</source>
+        <source>is empty; leave it out for a section without a preset</source>
         <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
         <translation>%1 %2: %3, %4 från bakänden, efter %5; hållfastheten är %6.</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
         <translation>Slaget har för många vågor för att alla ska kunna sparas: vågor och krafter i diagrammen är från en grövre indelad sträng, vars studstal och verkningsgrad avviker med högst %1.</translation>
     </message>
     <message>
@@ -11510,8 +11510,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Efter %1 kan borrkronan ännu träffa berget igen: detta är talen vid nästa slag, inte slutliga.</translation>
+        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
+        <translation>Efter %1 kan borrkronan träffa berget igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -11530,7 +11530,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Hur spalten sprider</translation>
     </message>
     <message>
-        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <source>The gap at the rig is a matter of chance: all gaps of a period equally likely, or a normal distribution cut off at zero</source>
         <translation>Ingen styr spalten på riggen: alla spalter i en period lika, eller en normalfördelning avskuren vid ingen spalt</translation>
     </message>
     <message>
@@ -11570,11 +11570,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En första blick; kurvan följer.</translation>
     </message>
     <message>
-        <source>A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <source>Click on the curve to use that gap; Shift+click pins it.</source>
         <translation>Ett klick på kurvan tar över spalten där, med Skift fäster det den.</translation>
     </message>
     <message>
-        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <source>COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings they do not repeat: Efficiency–stiffness shows them over the gap, point by point.</source>
         <translation>e–spalt gäller likformiga stänger, vars resultat upprepas över spalten; en borrsträngs resultat gör inte det, och Verkningsgrad–styvhet visar dem över spalten punkt för punkt.</translation>
     </message>
     <message>
@@ -11626,7 +11626,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>e &gt; 1 vid %1 av spalterna</translation>
     </message>
     <message>
-        <source>thrust for 95 % of gaps %1</source>
+        <source>feed force for 95 % of gaps %1</source>
         <translation>95&#xa0;%-matningskraft %1</translation>
     </message>
     <message>
@@ -11770,8 +11770,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>syns inte: mätningen slutar innan berget avlastas</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>inte känt</translation>
+        <source>uncertain</source>
+        <translation>osäkert</translation>
     </message>
     <message>
         <source>next blow</source>
@@ -12192,7 +12192,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>&amp;Föregående sida</translation>
     </message>
     <message>
-        <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
+        <source>only for drill strings, and this scenario is a uniform rod: a click converts it, as Edit ▸ Make a drill string of this does</source>
         <translation>bara för borrsträngar, och detta scenario är en likformig stång: ett klick gör en borrsträng av det, som Redigera ▸ Gör en borrsträng av detta</translation>
     </message>
 </context>
@@ -12211,7 +12211,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Enhet som %1 visas i</translation>
     </message>
     <message>
-        <source>The value lies beyond the range of the slider.</source>
+        <source>The value is outside the range of the slider.</source>
         <translation>Värdet ligger utanför skjutreglagets område.</translation>
     </message>
     <message>
@@ -12257,7 +12257,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>PDF – linjer och text, för utskrift</translation>
     </message>
     <message>
-        <source>The kind of file; always on white, whatever the window looks like</source>
+        <source>File format; the background is always white</source>
         <translation>Filens slag; alltid på vitt, hur fönstret än ser ut</translation>
     </message>
     <message>
@@ -12344,7 +12344,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Körningen kan inte tas tillbaka.</translation>
     </message>
     <message>
-        <source>Shall the kept runs be taken away?</source>
+        <source>Delete the kept runs?</source>
         <translation>Ska de sparade körningarna tas bort?</translation>
     </message>
     <message>
@@ -12354,7 +12354,7 @@ They stay on the list until the window is closed.</source>
 De är kvar i listan tills fönstret stängs.</translation>
     </message>
     <message>
-        <source>Take away</source>
+        <source>Delete</source>
         <translation>Ta bort</translation>
     </message>
     <message>
@@ -12363,7 +12363,7 @@ De är kvar i listan tills fönstret stängs.</translation>
     </message>
     <message>
         <source>%1
-Those that are not on the list here would be lost.</source>
+Runs that are not on the list here would be lost.</source>
         <translation>%1
 De som inte finns i listan här skulle gå förlorade.</translation>
     </message>
@@ -12404,7 +12404,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>på %1 s</translation>
     </message>
     <message>
-        <source>How long the times in view take to play</source>
+        <source>Duration of playing the times in view</source>
         <translation>Hur lång tid det tar att spela upp tiderna i vyn</translation>
     </message>
     <message>
@@ -12447,7 +12447,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Kopiera b&amp;ild</translation>
     </message>
     <message>
-        <source>This view, black on white, for a report</source>
+        <source>The present view, black on white, for a report</source>
         <translation>Denna vy, svart på vitt, för en rapport</translation>
     </message>
     <message>
@@ -12487,7 +12487,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>&amp;Zooma tillbaka</translation>
     </message>
     <message>
-        <source>The view before</source>
+        <source>The previous view</source>
         <translation>Föregående vy</translation>
     </message>
     <message>
@@ -12499,7 +12499,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Logaritmisk &amp;lodrät axel</translation>
     </message>
     <message>
-        <source>Equal steps are equal factors; zeros are cut off</source>
+        <source>Equal steps are equal ratios; values of zero are not shown</source>
         <translation>Lika steg är lika faktorer; nollor klipps bort</translation>
     </message>
     <message>
@@ -12511,7 +12511,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Punkt för &amp;tangenter</translation>
     </message>
     <message>
-        <source>Arrows move it, N goes to the next mark; Enter then does what a click there does</source>
+        <source>Arrows move the point, N goes to the next mark, Enter acts like a click</source>
         <translation>Pilar flyttar den, N går till nästa märke; Retur gör sedan vad ett klick gör där</translation>
     </message>
     <message>
@@ -12519,7 +12519,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Markör &amp;A här</translation>
     </message>
     <message>
-        <source>Reads the curves here; can be dragged</source>
+        <source>Reads the curves here; drag it to move it</source>
         <translation>Läser av kurvorna här; kan dras</translation>
     </message>
     <message>
@@ -12535,7 +12535,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Tidsmarkör &amp;här</translation>
     </message>
     <message>
-        <source>The instant shown on all pages</source>
+        <source>The time shown on all pages</source>
         <translation>Det ögonblick som visas på alla sidor</translation>
     </message>
     <message>
@@ -12543,7 +12543,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Ta bort markörerna A &amp;och B</translation>
     </message>
     <message>
-        <source>The table below the plot reads what is in view then</source>
+        <source>The table below the plot then reads the values in view</source>
         <translation>Tabellen under diagrammet läser då av det som är i vyn</translation>
     </message>
     <message>
@@ -12551,7 +12551,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Kopiera tabellen &amp;under</translation>
     </message>
     <message>
-        <source>What is read at the cursors, or in view, to paste into a spreadsheet</source>
+        <source>The readings at the cursors, or the numbers in view, to paste into a spreadsheet</source>
         <translation>Det som är avläst vid markörerna eller i vyn, att klistra in i ett kalkylark</translation>
     </message>
 </context>
@@ -12562,7 +12562,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>&amp;Data i detta diagram…</translation>
     </message>
     <message>
-        <source>The curves that the plot shows, as CSV</source>
+        <source>The curves of the plot, as CSV</source>
         <translation>Kurvorna som diagrammet visar, som CSV</translation>
     </message>
     <message>
@@ -12570,7 +12570,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>B&amp;ild av detta diagram…</translation>
     </message>
     <message>
-        <source>As it is zoomed, as PNG, SVG or PDF</source>
+        <source>The present view, as PNG, SVG or PDF</source>
         <translation>Som den är zoomad, som PNG, SVG eller PDF</translation>
     </message>
 </context>
@@ -12585,7 +12585,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>&amp;Tabell under diagrammen</translation>
     </message>
     <message>
-        <source>Reads what is in view, or at the cursors A and B</source>
+        <source>Readings in view, or at the cursors A and B</source>
         <translation>Läser av det som är i vyn, eller vid markörerna A och B</translation>
     </message>
     <message>
@@ -12604,11 +12604,11 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>egna</translation>
     </message>
     <message>
-        <source>The values are those of no preset. Choose one to start from its values.</source>
+        <source>The values belong to no preset. Select one to start from its values.</source>
         <translation>Värdena är inget förvals. Välj ett för att utgå från dess värden.</translation>
     </message>
     <message>
-        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone.</source>
+        <source>Presets have physical units, and this scenario has only dimensionless groups.</source>
         <translation>Förval är fysikaliska värden, och detta scenario är givet enbart av sina dimensionslösa tal.</translation>
     </message>
     <message>
@@ -12620,7 +12620,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Lägg till fil med &amp;förval…</translation>
     </message>
     <message>
-        <source>Offer the presets of a YAML file of your own, now and in later runs</source>
+        <source>Adds the presets of your own YAML file, also for later sessions</source>
         <translation>Erbjud förvalen i en egen YAML-fil, nu och framöver</translation>
     </message>
     <message>
@@ -12628,7 +12628,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>&amp;Öppna mappen med förval</translation>
     </message>
     <message>
-        <source>A file presets.yaml in %1 is read by itself</source>
+        <source>A file presets.yaml in %1 is read automatically</source>
         <translation>En fil presets.yaml i %1 läses av sig själv</translation>
     </message>
     <message>
@@ -12644,7 +12644,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Förvalen i %1 används inte.</translation>
     </message>
     <message>
-        <source>Take it off the list</source>
+        <source>Remove from the list</source>
         <translation>Ta bort den från listan</translation>
     </message>
     <message>
@@ -12679,7 +12679,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>borrkronor</translation>
     </message>
     <message>
-        <source>Ticked presets are designs to choose from</source>
+        <source>Ticked presets are compared as designs</source>
         <translation>Förkryssade förval är konstruktioner att välja mellan</translation>
     </message>
     <message>
@@ -12709,7 +12709,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>sämsta kontroll</translation>
     </message>
     <message>
-        <source>of its mark</source>
+        <source>of its limit</source>
         <translation>av gränsen</translation>
     </message>
     <message>
@@ -12795,7 +12795,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Välj CSV…</translation>
     </message>
     <message>
-        <source>Take the hammer blow from a CSV file that begins with `time [us],force [kN]`</source>
+        <source>Reads the hammer blow from a CSV file that begins with `time [us],force [kN]`</source>
         <translation>Ta hammarslaget från en CSV-fil som börjar med `time [us],force [kN]`</translation>
     </message>
     <message>
@@ -12803,7 +12803,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Hammarslag: tabellens impuls</translation>
     </message>
     <message>
-        <source>Impulse of the table; another one scales all its forces, which the scenario then keeps in itself</source>
+        <source>Impulse of the table. Another value scales all its forces, and the scenario then contains the points.</source>
         <translation>Tabellens impuls; en annan skalar alla dess krafter, som scenariot då håller i sig självt</translation>
     </message>
     <message>
@@ -12815,7 +12815,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Hammarslag: tabellens impuls, enhet</translation>
     </message>
     <message>
-        <source>a table of more than %1 points stays in its file: scale the forces there</source>
+        <source>a table of more than %1 points stays in its file: scale its forces there</source>
         <translation>en tabell med mer än %1 punkter stannar i sin fil: skala krafterna där</translation>
     </message>
     <message>
@@ -12850,11 +12850,11 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Osäker parameter</translation>
     </message>
     <message>
-        <source>Chosen parameter</source>
+        <source>Design variable</source>
         <translation>Vald parameter</translation>
     </message>
     <message>
-        <source>How it scatters</source>
+        <source>Distribution</source>
         <translation>Hur den sprider</translation>
     </message>
     <message>
@@ -12866,15 +12866,15 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>jämn i log</translation>
     </message>
     <message>
-        <source>bell</source>
-        <translation>klocka</translation>
+        <source>normal</source>
+        <translation>normal</translation>
     </message>
     <message>
-        <source>bell in log</source>
-        <translation>klocka i log</translation>
+        <source>normal in log</source>
+        <translation>normal i logaritmen</translation>
     </message>
     <message>
-        <source>Every value between the ends as often as another, or a bell curve of which 95 % lie between them; in the value or in its logarithm</source>
+        <source>Equally likely between the limits, or a normal distribution with 95 % between them; in the value or in its logarithm</source>
         <translation>Varje värde mellan ändarna lika ofta som ett annat, eller en klockkurva av vilken 95 % ligger mellan dem; i värdet eller i dess logaritm</translation>
     </message>
     <message>
@@ -12882,7 +12882,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>log</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Lika förhållanden i stället för lika steg</translation>
     </message>
     <message>
@@ -12910,7 +12910,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>måste skilja sig från den andra änden</translation>
     </message>
     <message>
-        <source>the range is upside down: the first end is the lower one</source>
+        <source>the range is reversed: give the lower end first</source>
         <translation>området är upp och ner: den första änden är den undre</translation>
     </message>
     <message>
@@ -12918,11 +12918,11 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Ta bort %1</translation>
     </message>
     <message>
-        <source>This one is known</source>
+        <source>Removes this row: the parameter is known</source>
         <translation>Denna är känd</translation>
     </message>
     <message>
-        <source>This one stays as it is</source>
+        <source>Removes this row: the parameter is not varied</source>
         <translation>Denna förblir som den är</translation>
     </message>
 </context>
@@ -12933,15 +12933,15 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Lägg till en osäker parameter</translation>
     </message>
     <message>
-        <source>Add a chosen parameter</source>
+        <source>Add a design variable</source>
         <translation>Lägg till en vald parameter</translation>
     </message>
     <message>
-        <source>One more number that is not known</source>
+        <source>Adds an uncertain parameter</source>
         <translation>Ett tal till som inte är känt</translation>
     </message>
     <message>
-        <source>One more number that can be chosen</source>
+        <source>Adds a design variable</source>
         <translation>Ett tal till som kan väljas</translation>
     </message>
     <message>
@@ -12976,7 +12976,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>kund</translation>
     </message>
     <message>
-        <source>The scenario has changed since: show the pages of what it is now</source>
+        <source>The scenario has changed: shows the pages again for the present one</source>
         <translation>Scenariot har ändrats sedan dess: visa sidorna för det som det är nu</translation>
     </message>
     <message>
@@ -12999,7 +12999,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>&amp;Rapport…</translation>
     </message>
     <message>
-        <source>A page to hand over, as HTML or PDF: inputs with their sources, results, verdict, plots and the scenario</source>
+        <source>A report as HTML or PDF: inputs with their sources, results, verdict, plots and the scenario</source>
         <translation>En sida att lämna över, som HTML eller PDF: indata med sina källor, resultat, omdöme, diagram och scenariot</translation>
     </message>
     <message>
@@ -13039,7 +13039,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Skriven: %1</translation>
     </message>
     <message>
-        <source>%1 takes no pages; look after the printer, or write the report as PDF</source>
+        <source>%1 does not accept pages; check the printer, or write the report as PDF</source>
         <translation>%1 tar inte emot några sidor; se efter skrivaren, eller skriv rapporten som PDF</translation>
     </message>
     <message>
@@ -13051,7 +13051,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>&amp;Förhandsvisa rapporten…</translation>
     </message>
     <message>
-        <source>The pages of the report in a window, with project, author, customer and date for their head</source>
+        <source>Shows the pages of the report, with project, author, customer and date in their heading</source>
         <translation>Rapportens sidor i ett fönster, med projekt, författare, kund och datum för sidhuvudet</translation>
     </message>
     <message>
@@ -13118,7 +13118,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Sätt vågförlust 10 %</translation>
     </message>
     <message>
-        <source>Estimate from single blows; consecutive blows are followed …</source>
+        <source>Estimate from single blows; solving consecutive blows …</source>
         <translation>Uppskattning från enstaka slag; på varandra följande slag följs …</translation>
     </message>
     <message>
@@ -13126,11 +13126,11 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Uppskattning från enstaka slag.</translation>
     </message>
     <message>
-        <source>Follow consecutive blows (about %1 s)</source>
+        <source>Solve consecutive blows (about %1 s)</source>
         <translation>Följ på varandra följande slag (cirka %1 s)</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <source>Estimate from single blows; %1 solves consecutive blows.</source>
         <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
 </context>
@@ -13153,7 +13153,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Gör riggen</translation>
     </message>
     <message>
-        <source>From the groups follow a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.</source>
+        <source>The groups give a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.</source>
         <translation>Av talen följer en stång på %1, en impuls på %2, en styvhet på %3 och en spalt på %4.</translation>
     </message>
     <message>
@@ -13168,7 +13168,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
 <context>
     <name>drillwave::RockPage</name>
     <message>
-        <source>State of the rock at the time cursor, the larger point on the path</source>
+        <source>State of the rock at the time cursor, shown by the larger point</source>
         <translation>Bergets tillstånd vid tidsmarkören, den större punkten på banan</translation>
     </message>
     <message>
@@ -13176,7 +13176,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Anpassa</translation>
     </message>
     <message>
-        <source>Bring the whole path into view (double-click in the plot)</source>
+        <source>Shows the whole path (double-click in the plot)</source>
         <translation>Visa hela banan (dubbelklick i diagrammet)</translation>
     </message>
     <message>
@@ -13184,7 +13184,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Stötkraft över inträngning</translation>
     </message>
     <message>
-        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <source>Nothing to show: this blow has too many waves to keep.</source>
         <translation>Inget att visa: detta slag har fler vågor än vad som kan sparas.</translation>
     </message>
     <message>
@@ -13255,15 +13255,15 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Stötkraft över inträngning. Belastning längs lutningen k = %1 upp till toppen, Fₘ = %2 vid inträngningen Uₘ = %3; avlastning längs k/γ = %4; inträngningen Uᵣ = %5 blir kvar. Den inneslutna ytan: %6.</translation>
     </message>
     <message>
-        <source> Behind its corners it loads along %1.</source>
+        <source> Above its corners it loads along %1.</source>
         <translation> Bakom sina hörn belastas det längs %1.</translation>
     </message>
 </context>
 <context>
     <name>drillwave::RodPage</name>
     <message>
-        <source>The dotted line: where in the rod one looks, 0 is the struck end, 1 the bit.
-A click in the plot moves it, and the time cursor to when the stress there is largest.</source>
+        <source>Section shown by the dotted line: 0 is the struck end, 1 the bit.
+A click in the plot moves it, and moves the time cursor to the largest stress there.</source>
         <translation>Den prickade linjen: var i stången man tittar, 0 är slagänden, 1 borrkronan.
 Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där är störst.</translation>
     </message>
@@ -13288,7 +13288,7 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
         <translation>Största spänningar längs stången</translation>
     </message>
     <message>
-        <source>Nothing to show: there are too many waves to be kept.</source>
+        <source>Nothing to show: there are too many waves to keep.</source>
         <translation>Inget att visa: så många vågor att de inte sparas.</translation>
     </message>
     <message>
@@ -13301,7 +13301,7 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
     </message>
     <message>
         <source>At %1 in the blow: %2 and %3
-of the waves left: %4 and %5</source>
+in the residual waves: %4 and %5</source>
         <translation>Vid %1 i slaget: %2 och %3
 av de kvarvarande vågorna: %4 och %5</translation>
     </message>
@@ -13331,11 +13331,11 @@ i %4</translation>
         <translation>största drag i slaget</translation>
     </message>
     <message>
-        <source>compression of the waves left</source>
+        <source>compression of residual waves</source>
         <translation>tryck i de kvarvarande vågorna</translation>
     </message>
     <message>
-        <source>tension of the waves left</source>
+        <source>tension of residual waves</source>
         <translation>drag i de kvarvarande vågorna</translation>
     </message>
     <message>
@@ -13359,15 +13359,15 @@ i %4</translation>
         <translation>kraft N (drag positivt)</translation>
     </message>
     <message>
-        <source>of uniform sections; threads and changes of diameter raise stresses locally</source>
+        <source>stresses of uniform sections; threads and changes of diameter raise them locally</source>
         <translation>för likformiga sektioner; gängor och diameterändringar höjer spänningarna lokalt</translation>
     </message>
     <message>
-        <source>so many waves that between the peaks a curve may be too low by %1</source>
+        <source>many waves: between peaks the curve may be too low by %1</source>
         <translation>så många vågor att en kurva mellan topparna kan vara %1 för låg</translation>
     </message>
     <message>
-        <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
+        <source>stresses of the uniform rod; couplings and threads raise them locally; residual waves are undamped</source>
         <translation>för den likformiga stången; hylsor och gängor höjer spänningar lokalt, inget dämpar restvågor</translation>
     </message>
     <message>
@@ -13421,7 +13421,7 @@ i %4</translation>
         <translation>Stången vid tidsmarkören: hammare, stång, borrkrona och berg. Orange rör sig mot berget, blått bort från det; som på färgskalan ovanför.</translation>
     </message>
     <message>
-        <source>t = %1 · later than the blow was followed, which is to %2</source>
+        <source>t = %1 · after the end of the computed time, %2</source>
         <translation>t = %1 · senare än slaget följdes, vilket är till %2</translation>
     </message>
     <message>
@@ -13456,11 +13456,11 @@ i %4</translation>
 <context>
     <name>drillwave::RunKeeper</name>
     <message>
-        <source>A run is not what it was.</source>
+        <source>A run has changed.</source>
         <translation>En körning är inte vad den var.</translation>
     </message>
     <message>
-        <source>%1: there is no room for it among the runs on show; remove some and open the file again</source>
+        <source>%1: too many runs are shown already; remove some and open the file again</source>
         <translation>%1: det finns ingen plats för den bland de visade körningarna; ta bort några och öppna filen igen</translation>
     </message>
     <message>
@@ -13484,7 +13484,7 @@ i %4</translation>
         <translation>Körningarna är inte sparade.</translation>
     </message>
     <message>
-        <source>The runs are not kept any more.</source>
+        <source>The runs are no longer kept.</source>
         <translation>Körningarna sparas inte längre.</translation>
     </message>
 </context>
@@ -13499,7 +13499,7 @@ i %4</translation>
         <translation>F7 fäster detta resultat att jämföra med.</translation>
     </message>
     <message>
-        <source>Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right click has the rest</source>
+        <source>Ticked runs are shown in the plots. F2 renames, Del removes; right-click for more</source>
         <translation>Förbockade körningar ritas över diagrammen. F2 byter namn, Delete tar bort, menytangenten eller ett högerklick har resten</translation>
     </message>
     <message>
@@ -13511,7 +13511,7 @@ i %4</translation>
         <translation>Δ</translation>
     </message>
     <message>
-        <source>How far e is off that of the reference</source>
+        <source>Difference of e from the reference</source>
         <translation>Hur mycket e skiljer sig från referensens</translation>
     </message>
     <message>
@@ -13551,7 +13551,7 @@ i %4</translation>
         <translation>Löses</translation>
     </message>
     <message>
-        <source>Gone when the window closes, unless File ▸ Keep runs beside the file.</source>
+        <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
         <translation>Försvinner med fönstret, om inte Arkiv ▸ Behåll körningar bredvid filen.</translation>
     </message>
 </context>
@@ -13562,7 +13562,7 @@ i %4</translation>
         <translation>Detta är redan körningen %1.</translation>
     </message>
     <message>
-        <source>There are %1 runs, which is as many as can be told apart: remove one first.</source>
+        <source>There are %1 runs already, the most that can be distinguished: remove one first.</source>
         <translation>Det finns %1 körningar, så många som går att skilja åt: ta bort en först.</translation>
     </message>
     <message>
@@ -13573,7 +13573,7 @@ i %4</translation>
 <context>
     <name>drillwave::ScanRects</name>
     <message>
-        <source>blows from contact</source>
+        <source>blows in contact</source>
         <translation>slag från kontakt</translation>
     </message>
     <message>
@@ -13589,8 +13589,8 @@ i %4</translation>
         <translation>borrsjunkning</translation>
     </message>
     <message>
-        <source>begun bouncing</source>
-        <translation>började studsande</translation>
+        <source>started bouncing</source>
+        <translation>startad studsande</translation>
     </message>
     <message>
         <source>%1 (of an earlier scenario: scan again)</source>
@@ -13601,7 +13601,7 @@ i %4</translation>
         <translation>spalt vid slaget</translation>
     </message>
     <message>
-        <source>from contact [%]</source>
+        <source>blows in contact [%]</source>
         <translation>från kontakt [%]</translation>
     </message>
 </context>
@@ -13670,7 +13670,7 @@ i %4</translation>
         <translation>läge x</translation>
     </message>
     <message>
-        <source>Of the gauge, from the struck end; below 0 in the hammer</source>
+        <source>Distance of the gauge from the struck end; negative in the hammer</source>
         <translation>Givarens, från slagänden; under 0 i hammaren</translation>
     </message>
     <message>
@@ -13682,8 +13682,8 @@ i %4</translation>
         <translation>signalen är</translation>
     </message>
     <message>
-        <source>What the numbers are</source>
-        <translation>Vad talen är</translation>
+        <source>Quantity that was recorded</source>
+        <translation>Storhet som spelades in</translation>
     </message>
     <message>
         <source>force</source>
@@ -13702,15 +13702,15 @@ i %4</translation>
         <translation>enhet</translation>
     </message>
     <message>
-        <source>In what the numbers are</source>
-        <translation>Vad talen är angivna i</translation>
+        <source>Unit of the numbers</source>
+        <translation>Talens enhet</translation>
     </message>
     <message>
         <source>positive is</source>
         <translation>positivt är</translation>
     </message>
     <message>
-        <source>What a number greater than 0 means. Here tension is positive in a rod, and pressing is in a blow and on the rock.</source>
+        <source>Meaning of positive numbers. In this program tension is positive in rods; on the rock and in a blow, compression is.</source>
         <translation>Vad ett tal större än 0 betyder. Här är drag positivt i en stång, och tryckande i ett slag och på berget.</translation>
     </message>
     <message>
@@ -13726,7 +13726,7 @@ i %4</translation>
         <translation>nollinje</translation>
     </message>
     <message>
-        <source>What is taken off all samples</source>
+        <source>Zero level, subtracted from all samples</source>
         <translation>Vad som dras från alla mätvärden</translation>
     </message>
     <message>
@@ -13746,7 +13746,7 @@ i %4</translation>
         <translation>de första</translation>
     </message>
     <message>
-        <source>How long nothing happens in the record</source>
+        <source>Time at the start of the record without a signal</source>
         <translation>Hur länge ingenting händer i inspelningen</translation>
     </message>
     <message>
@@ -13786,7 +13786,7 @@ i %4</translation>
         <translation>Topp</translation>
     </message>
     <message>
-        <source>From and to where the signal is 2 % of its peak, around it</source>
+        <source>The range around the peak in which the signal exceeds 2 % of it</source>
         <translation>Från och till dit där signalen är 2 % av sin topp, kring den</translation>
     </message>
     <message>
@@ -13794,7 +13794,7 @@ i %4</translation>
         <translation>Vy</translation>
     </message>
     <message>
-        <source>From and to the ends of what the plot shows: zoom there first</source>
+        <source>The range shown by the plot: zoom there first</source>
         <translation>Från och till ändarna av det som diagrammet visar: zooma dit först</translation>
     </message>
     <message>
@@ -13822,11 +13822,11 @@ i %4</translation>
         <translation>skala</translation>
     </message>
     <message>
-        <source>Times what all forces are multiplied by</source>
+        <source>Scaling of all forces</source>
         <translation>Vad alla krafter multipliceras med</translation>
     </message>
     <message>
-        <source>as it is</source>
+        <source>present</source>
         <translation>som det är</translation>
     </message>
     <message>
@@ -13850,7 +13850,7 @@ i %4</translation>
         <translation>impuls</translation>
     </message>
     <message>
-        <source>The impulse that the signal is to have</source>
+        <source>Wanted impulse of the signal</source>
         <translation>Som signalen ska ha</translation>
     </message>
     <message>
@@ -13862,11 +13862,11 @@ i %4</translation>
         <translation>välj</translation>
     </message>
     <message>
-        <source>The unit in the header is not known, or there is none: choose what the signal is, and its unit.</source>
+        <source>The header has no known unit: choose the kind of signal and its unit.</source>
         <translation>Enheten i huvudet är inte känd, eller det finns ingen: välj vad signalen är, och dess enhet.</translation>
     </message>
     <message>
-        <source>place x: not given: a wave passes every section at another time; type how far the gauge is from the struck end</source>
+        <source>place x: not given: type the distance of the gauge from the struck end, because the time of a wave depends on it</source>
         <translation>läge x: inte angivet: en våg passerar varje tvärsnitt vid en annan tid; skriv hur långt givaren sitter från slagänden</translation>
     </message>
     <message>
@@ -13898,7 +13898,7 @@ i %4</translation>
         <translation>partikelhastighet</translation>
     </message>
     <message>
-        <source>That are kept of the samples; a blow keeps as few as leave impulse and e the same to 1e-4 until you choose a number. How far the rest is from the lines between them is said below</source>
+        <source>Largest number of points to keep. By default a blow keeps as many as needed for impulse and e to within 1e-4. The summary below gives the largest deviation.</source>
         <translation>Som behålls av mätvärdena; ett slag behåller så få att impuls och e är lika till 1e-4 tills du väljer ett antal. Hur långt de övriga är från linjerna emellan står nedan</translation>
     </message>
 </context>
@@ -13913,7 +13913,7 @@ i %4</translation>
         <translation>lösningen avbröts.</translation>
     </message>
     <message>
-        <source>stopped · what is shown is not of the present input</source>
+        <source>stopped · the result shown is not that of the present input</source>
         <translation>stoppad · det som visas hör inte till aktuella indata</translation>
     </message>
     <message>
@@ -13937,14 +13937,14 @@ i %4</translation>
         <translation>Lös aktuella indata</translation>
     </message>
     <message>
-        <source>Stop solving; the old result stays, marked as such</source>
+        <source>Stops solving; the old result stays, marked as old</source>
         <translation>Sluta lösa; det gamla resultatet är kvar, märkt som sådant</translation>
     </message>
 </context>
 <context>
     <name>drillwave::StaleVeil</name>
     <message>
-        <source>not of the present input</source>
+        <source>result of an earlier input</source>
         <translation>inte för aktuella indata</translation>
     </message>
 </context>
@@ -14025,7 +14025,7 @@ i %4</translation>
         <translation>Duplicera</translation>
     </message>
     <message>
-        <source>Put the selected section there once more, with its name</source>
+        <source>Duplicates the selected section, with its name</source>
         <translation>Sätt den valda sektionen dit en gång till, med sitt namn</translation>
     </message>
     <message>
@@ -14033,7 +14033,7 @@ i %4</translation>
         <translation>Ta bort</translation>
     </message>
     <message>
-        <source>Take the selected sections away</source>
+        <source>Removes the selected sections</source>
         <translation>Ta bort de valda sektionerna</translation>
     </message>
     <message>
@@ -14057,7 +14057,7 @@ i %4</translation>
         <translation>Upprepa…</translation>
     </message>
     <message>
-        <source>Let the selected sections follow one another several times; in a repeat, type how often</source>
+        <source>Repeats the selected sections; inside a repeat, type the number of times</source>
         <translation>Låt de valda sektionerna följa på varandra flera gånger; skriv hur ofta i en upprepning</translation>
     </message>
     <message>
@@ -14073,7 +14073,7 @@ i %4</translation>
         <translation>Stänger</translation>
     </message>
     <message>
-        <source>Hammer, in place of this one</source>
+        <source>Hammer, instead of this one</source>
         <translation>Hammare, i stället för denna</translation>
     </message>
     <message>
@@ -14137,7 +14137,7 @@ i %4</translation>
         <translation>flytta %1 mot borrkronan</translation>
     </message>
     <message>
-        <source>Sections of the hammer stay in the hammer, those of the string behind it.</source>
+        <source>Sections of the hammer stay in the hammer, sections of the string in the string.</source>
         <translation>Hammarens sektioner stannar i hammaren, strängens bakom den.</translation>
     </message>
     <message>
@@ -14149,7 +14149,7 @@ i %4</translation>
         <translation>upprepa %1</translation>
     </message>
     <message>
-        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; after the last section of a repeat it comes after the repeat; adapters go to the shank, bits to the rock</source>
+        <source>Adds a section after the selected one: a copy, a preset or a section of the example strings. Adapters go to the shank, bits to the rock.</source>
         <translation>Sätt en sektion efter den valda: en likadan, ett förval eller en ur exempelsträngarna; efter den sista i en upprepning kommer den efter upprepningen; nackadaptrar hamnar först, borrkronor vid berget</translation>
     </message>
     <message>
@@ -14168,8 +14168,8 @@ i %4</translation>
 <context>
     <name>drillwave::StringModel</name>
     <message>
-        <source>mass
-behind</source>
+        <source>mass at
+end</source>
         <translation>massa
 bakom</translation>
     </message>
@@ -14184,29 +14184,29 @@ klingning</translation>
         <translation>%1, %2 från änden mot hammaren, %3</translation>
     </message>
     <message>
-        <source>These sections come %1 times, one after another. Type another number; 1 takes the repeat away.</source>
+        <source>These sections are repeated %1 times. Type another number; 1 removes the repeat.</source>
         <translation>Dessa sektioner kommer %1 gånger efter varandra. Skriv ett annat tal; 1 tar bort upprepningen.</translation>
     </message>
     <message>
-        <source>Name of the section; parameters go by it, too</source>
+        <source>Name of the section, also used in keys of parameters</source>
         <translation>Sektionens namn; även parametrar går efter det</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
+        <source>Share of the hammer energy reflected by the joint after %1</source>
         <translation>Den andel av hammarens energi som skarven bakom %1 reflekterar av det som kommer från hammaren</translation>
     </message>
     <message>
         <source>
-of the waves that the blow leaves: %1</source>
+in the residual waves: %1</source>
         <translation>
 av de vågor som slaget lämnar: %1</translation>
     </message>
     <message>
-        <source>The hammer loses nothing inside</source>
+        <source>The hammer has no internal losses</source>
         <translation>Hammaren förlorar inget inuti</translation>
     </message>
     <message>
-        <source>The section is given by its cross-section, not by diameters</source>
+        <source>The section has a cross-section instead of diameters</source>
         <translation>Sektionen är given av sin tvärsnittsarea, inte av diametrar</translation>
     </message>
     <message>
@@ -14214,15 +14214,15 @@ av de vågor som slaget lämnar: %1</translation>
         <translation>H%1</translation>
     </message>
     <message>
-        <source>Largest compression of the section while the blow lasts</source>
+        <source>Largest compression of the section during the blow</source>
         <translation>Största tryck i sektionen medan slaget varar</translation>
     </message>
     <message>
-        <source>Largest tension of the section while the blow lasts</source>
+        <source>Largest tension of the section during the blow</source>
         <translation>Största drag i sektionen medan slaget varar</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
+        <source>Share of the hammer energy reflected by the joint after the section; of a repeat, by the joint that reflects most</source>
         <translation>Den andel av hammarens energi som skarven bakom sektionen reflekterar av det som kommer från hammaren; i en upprepning av den skarv som reflekterar mest</translation>
     </message>
     <message>
@@ -14262,7 +14262,7 @@ i skarv</translation>
         <translation>En upprepning är ett heltal från 1 till %1</translation>
     </message>
     <message>
-        <source>take the repeat of %1 away</source>
+        <source>remove the repeat of %1</source>
         <translation>ta bort upprepningen av %1</translation>
     </message>
     <message>
@@ -14278,7 +14278,7 @@ i skarv</translation>
         <translation>%1: %2, av sträckgränsen på %3</translation>
     </message>
     <message>
-        <source>The preset that the section is from; the name goes when a number is changed</source>
+        <source>Preset of the section; the name is removed when a number changes</source>
         <translation>Förvalet som sektionen kommer från; namnet försvinner när ett tal ändras</translation>
     </message>
     <message>
@@ -14290,11 +14290,11 @@ i skarv</translation>
         <translation>Plats i nycklar: %1</translation>
     </message>
     <message>
-        <source>Largest stress while the blow lasts as a share of the strength: tension of the fatigue strength, or either of the yield strength, whichever is more</source>
+        <source>Largest stress during the blow as a share of the strength: tension over fatigue strength, or any stress over yield strength, whichever is larger</source>
         <translation>Största spänningen under slaget som andel av hållfastheten: drag av utmattningsgränsen, eller båda av sträckgränsen, vilket som är mer</translation>
     </message>
     <message>
-        <source>The preset that the section is from</source>
+        <source>Preset of the section</source>
         <translation>Förvalet som sektionen kommer från</translation>
     </message>
     <message>
@@ -14311,7 +14311,7 @@ fastheten</translation>
 <context>
     <name>drillwave::StringPage</name>
     <message>
-        <source>Of uniform sections: threads and shoulders raise stresses locally</source>
+        <source>Stresses of uniform sections: threads and shoulders raise them locally</source>
         <translation>För likformiga sektioner: gängor och ansatser höjer spänningarna lokalt</translation>
     </message>
     <message>
@@ -14323,7 +14323,7 @@ fastheten</translation>
         <translation>Alla kolumner</translation>
     </message>
     <message>
-        <source>Also cross-section, Young&apos;s modulus, density and strengths where no section has them of its own</source>
+        <source>Also shows cross-section, Young&apos;s modulus, density and strengths that no section gives itself</source>
         <translation>Även tvärsnittsarea, E-modul, densitet och hållfastheter där ingen sektion har egna</translation>
     </message>
     <message>
@@ -14382,7 +14382,7 @@ fastheten</translation>
         <translation>Hammare: får slå flera gånger</translation>
     </message>
     <message>
-        <source>The hammer stays where the string may meet it again; without it, it is withdrawn once they have parted</source>
+        <source>The hammer may be hit again by the string; otherwise it is withdrawn after the first separation</source>
         <translation>Hammaren stannar där strängen kan möta den igen; annars dras den tillbaka när de har skilts åt</translation>
     </message>
     <message>
@@ -14435,7 +14435,7 @@ fastheten</translation>
         <translation>Kopiera som kommandorad</translation>
     </message>
     <message>
-        <source>The command that writes the same numbers as CSV, for a terminal</source>
+        <source>Copies the command that writes the same numbers as CSV</source>
         <translation>Kommandot som skriver samma tal som CSV, för en terminal</translation>
     </message>
     <message>
@@ -14463,7 +14463,7 @@ fastheten</translation>
         <translation>Kopiera svaret</translation>
     </message>
     <message>
-        <source>The sentence below, as text</source>
+        <source>Copies the sentence below as text</source>
         <translation>Meningen nedanför, som text</translation>
     </message>
 </context>
@@ -14490,7 +14490,7 @@ fastheten</translation>
         <translation>Studiens framsteg</translation>
     </message>
     <message>
-        <source>Stop the study; the points it has found stay</source>
+        <source>Stops the study; the points found so far stay</source>
         <translation>Stoppa studien; punkter som den har funnit är kvar</translation>
     </message>
     <message>
@@ -14518,7 +14518,7 @@ fastheten</translation>
         <translation>Lös allt (%1)</translation>
     </message>
     <message>
-        <source>Run the study again to its end, however long it takes</source>
+        <source>Runs the study again to its end, whatever time it takes</source>
         <translation>Kör studien igen till slutet, hur lång tid det än tar</translation>
     </message>
     <message>
@@ -14548,7 +14548,7 @@ fastheten</translation>
         <translation>skiljetecken</translation>
     </message>
     <message>
-        <source>What stands between the cells</source>
+        <source>Character between the cells</source>
         <translation>Vad som står mellan cellerna</translation>
     </message>
     <message>
@@ -14572,7 +14572,7 @@ fastheten</translation>
         <translation>decimaltecken</translation>
     </message>
     <message>
-        <source>What stands before the decimals of a number</source>
+        <source>Decimal sign of the numbers</source>
         <translation>Vad som står före ett tals decimaler</translation>
     </message>
     <message>
@@ -14588,7 +14588,7 @@ fastheten</translation>
         <translation>mätvärden från rad</translation>
     </message>
     <message>
-        <source>The first line of the file that is a sample</source>
+        <source>First line with a sample</source>
         <translation>Filens första rad som är ett mätvärde</translation>
     </message>
     <message>
@@ -14604,7 +14604,7 @@ fastheten</translation>
         <translation>tidens enhet</translation>
     </message>
     <message>
-        <source>In what the times are</source>
+        <source>Unit of the times</source>
         <translation>Vad tiderna är angivna i</translation>
     </message>
     <message>
@@ -14612,7 +14612,7 @@ fastheten</translation>
         <translation>samplingsfrekvens</translation>
     </message>
     <message>
-        <source>Samples in a second</source>
+        <source>Samples per second</source>
         <translation>Mätvärden per sekund</translation>
     </message>
     <message>
@@ -14636,7 +14636,7 @@ fastheten</translation>
         <translation>rader utan tal</translation>
     </message>
     <message>
-        <source>Empty cells, NaN, words: whether they stop the import or are left out</source>
+        <source>Empty cells, NaN and words: refuse the file, or skip and count the rows</source>
         <translation>Tomma celler, NaN, ord: om de stoppar importen eller utelämnas</translation>
     </message>
     <message>
@@ -14664,7 +14664,7 @@ fastheten</translation>
         <translation>Filen är tom, eller ingen text.</translation>
     </message>
     <message>
-        <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the line where the samples begin; a longer header is to be cut off the file.</source>
+        <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the first line with a sample. Remove a longer header from the file.</source>
         <translation>Ingen rad med tal hittas i de första %1 raderna med detta skiljetecken och decimaltecken: välj andra, eller raden där mätvärdena börjar; ett längre huvud får klippas bort ur filen.</translation>
     </message>
     <message>
@@ -14676,7 +14676,7 @@ fastheten</translation>
         <translation>Den andra givaren är en kolumn som redan används: välj en annan.</translation>
     </message>
     <message>
-        <source>unit of time: the table does not say it: choose one.</source>
+        <source>unit of time: not given in the table: choose one.</source>
         <translation>tidens enhet: tabellen anger den inte: välj en.</translation>
     </message>
     <message>
@@ -14700,15 +14700,15 @@ fastheten</translation>
         <translation>Varje kanal i tabellen är en rad: gör kolumner av raderna i ett kalkylprogram, eller läs den med drillwave signal -o.</translation>
     </message>
     <message>
-        <source>decimal sign: 1,234 and 1.234 can be a number with decimals or a thousand: choose the sign.</source>
+        <source>decimal sign: 1,234 and 1.234 can be a decimal number or a thousand: choose the sign.</source>
         <translation>decimaltecken: 1,234 och 1.234 kan vara ett tal med decimaler eller ett tusental: välj tecknet.</translation>
     </message>
     <message>
-        <source>sampling rate: the table says “%1”, without a unit: type the rate.</source>
+        <source>sampling rate: the table gives “%1” without a unit: type the rate.</source>
         <translation>samplingsfrekvens: i tabellen står ”%1” utan enhet: ange frekvensen.</translation>
     </message>
     <message>
-        <source>sampling rate: the table does not state it: type it.</source>
+        <source>sampling rate: not given in the table: type it.</source>
         <translation>samplingsfrekvens: den står inte i tabellen: ange den.</translation>
     </message>
 </context>
@@ -14727,7 +14727,7 @@ fastheten</translation>
         <translation>&amp;Behåll mitt</translation>
     </message>
     <message>
-        <source>Go on with the points that were read before</source>
+        <source>Continue with the points read before</source>
         <translation>Fortsätt med de punkter som lästes tidigare</translation>
     </message>
     <message>
@@ -14750,7 +14750,7 @@ fastheten</translation>
         <translation>Ångra</translation>
     </message>
     <message>
-        <source>Take the value back</source>
+        <source>Undo this change</source>
         <translation>Ta tillbaka värdet</translation>
     </message>
     <message>
@@ -14784,7 +14784,7 @@ fastheten</translation>
         <translation>verksam kraft, med vikten längs hålet</translation>
     </message>
     <message>
-        <source>installed thrust</source>
+        <source>installed feed force</source>
         <translation>installerad matningskraft</translation>
     </message>
     <message>
@@ -14894,7 +14894,7 @@ fastheten</translation>
         <translation>Enheter för fält, resultat och diagram</translation>
     </message>
     <message>
-        <source>as in the system chosen</source>
+        <source>as in the system selected</source>
         <translation>som i det valda systemet</translation>
     </message>
     <message>
@@ -14924,7 +14924,7 @@ fastheten</translation>
         <translation>Fronter</translation>
     </message>
     <message>
-        <source>The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 the bit.</source>
+        <source>Section shown by the dashed line, also used on the page Blow: 0 is the struck end, 1 the bit.</source>
         <translation>Den streckade linjen: var i stången vågorna på sidan Slag betraktas; 0 är slagänden, 1 borrkronan.</translation>
     </message>
     <message>
@@ -14940,7 +14940,7 @@ fastheten</translation>
         <translation>Partikelhastighet v</translation>
     </message>
     <message>
-        <source>What the colours show</source>
+        <source>Quantity shown by the colours</source>
         <translation>Vad färgerna visar</translation>
     </message>
     <message>
@@ -14948,7 +14948,7 @@ fastheten</translation>
         <translation>Normalkraft (drag positivt) eller partikelhastighet (mot berget positivt)</translation>
     </message>
     <message>
-        <source>Lines where the hammer force begins (solid), jumps or ends (dashed), running with the wave speed</source>
+        <source>Lines that start where the hammer force begins (solid), jumps or ends (dashed), and move at the wave speed</source>
         <translation>Linjer där hammarkraften börjar (heldragna), hoppar eller slutar (streckade), som löper med våghastigheten</translation>
     </message>
     <message>
@@ -14972,7 +14972,7 @@ fastheten</translation>
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>Nothing to show: there are too many waves to be kept.</source>
+        <source>Nothing to show: there are too many waves to keep.</source>
         <translation>Inget att visa: så många vågor att de inte sparas.</translation>
     </message>
     <message>
@@ -15011,7 +15011,7 @@ fastheten</translation>
         <translation>%1 in i %2 · t = %3</translation>
     </message>
     <message>
-        <source> · later than the blow was followed</source>
+        <source> · after the computed time</source>
         <translation> · senare än slaget följdes</translation>
     </message>
     <message>
@@ -15062,7 +15062,7 @@ fastheten</translation>
         <translation>avrunda längderna</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept: this page shows those of a coarser string. Rounding lengths to 10 mm can show them in full: %1.</source>
+        <source>This blow has too many waves to keep, so this page shows those of a coarser string. Rounding lengths to 10 mm can show them in full: %1.</source>
         <translation>Slaget har för många vågor för att alla ska kunna sparas: sidan visar vågorna i en grövre indelad sträng. Med längder avrundade till 10 mm kan alla visas: %1.</translation>
     </message>
 </context>
@@ -15104,7 +15104,7 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
         <translation>Flaggor:</translation>
     </message>
     <message>
-        <source>this text</source>
+        <source>this help</source>
         <translation>denna text</translation>
     </message>
     <message>
@@ -15117,7 +15117,7 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
     </message>
     <message>
         <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. Of a drill string the histories hold the waves in the middle of its longest
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
 section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
         <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
 de fyra första filerna kan köras igen. För en borrsträng innehåller förloppen vågorna mitt i den
@@ -15128,15 +15128,15 @@ längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</tr
         <translation>ändra parametrar, t.ex. rod.length=4.27m beta=0.8</translation>
     </message>
     <message>
-        <source>take this rod; `drillwave presets` lists rods, hammers and rocks</source>
+        <source>use this rod; `drillwave presets` lists rods, hammers and rocks</source>
         <translation>ta denna stång; `drillwave presets` listar stänger, hammare och berg</translation>
     </message>
     <message>
-        <source>take this hammer</source>
+        <source>use this hammer</source>
         <translation>ta denna hammare</translation>
     </message>
     <message>
-        <source>take this rock</source>
+        <source>use this rock</source>
         <translation>ta detta berg</translation>
     </message>
     <message>
@@ -15148,11 +15148,11 @@ längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</tr
         <translation>med -o: även diagram i dessa format</translation>
     </message>
     <message>
-        <source>with -o, CSV columns in SI, as they are where the scenario has units</source>
+        <source>with -o, CSV columns in SI (default for scenarios with units)</source>
         <translation>med -o: CSV-kolumner i SI-enheter, som de ändå är när scenariot har enheter</translation>
     </message>
     <message>
-        <source>with -o, CSV columns dimensionless all the same</source>
+        <source>with -o, CSV columns dimensionless</source>
         <translation>med -o: CSV-kolumner dimensionslösa även när scenariot har enheter</translation>
     </message>
     <message>
@@ -15160,7 +15160,7 @@ längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</tr
         <translation>skriv över befintliga filer</translation>
     </message>
     <message>
-        <source>speak German (de), Swedish (sv) or English (en)</source>
+        <source>use German (de), Swedish (sv) or English (en)</source>
         <translation>skriv på tyska (de), svenska (sv) eller engelska (en)</translation>
     </message>
     <message>
@@ -15211,16 +15211,16 @@ oförändrade. CASES får vara - eller ett rör (pipe). FILE.csv.yaml bredvid FI
 raderna är.</translation>
     </message>
     <message>
-        <source>outputs along a parameter: extremes, kinks and crossings with places and errors</source>
+        <source>follow outputs along a parameter; print extremes, kinks and crossings with errors</source>
         <translation>resultat längs en parameter: extremvärden, knäckar och korsningar med lägen och fel</translation>
     </message>
     <message>
         <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid to be chosen. Tells where each output is least and largest, its local
+of events changes; no grid to be chosen. Prints where each output is least and largest, its local
 extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
-smooth within the work permitted it is known by points alone, and the table says so.
---goal asks the other way round: where along KEY the output is X. Each place is solved for, with its
-error, and it is told whether there may be others; where there is none, what comes nearest.
+smooth within the work permitted, only points of it are known, and the table says so.
+--goal asks the other way round: where along KEY the output is X. Prints each place with its
+error and whether there may be others; where there is none, the nearest value.
 Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
         <translation>Följer resultat längs en parameter i släta stycken mellan knäckar, som hittas där händelsernas
 ordning ändras; inget rutnät behöver väljas. Anger var varje resultat är minst och störst, dess
@@ -15231,11 +15231,11 @@ och det anges om det kan finnas fler; där inget finns, vad som kommer närmast.
 Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>the parameter to go along: START:STOP or START:STOP:log</source>
+        <source>parameter to vary: START:STOP or START:STOP:log</source>
         <translation>parametern att följa: START:STOP eller START:STOP:log</translation>
     </message>
     <message>
-        <source>a line for each value: A,B,C, or START:STOP:COUNT[:log]</source>
+        <source>one line per value: A,B,C, or START:STOP:COUNT[:log]</source>
         <translation>en kurva för varje värde: A,B,C eller START:STOP:COUNT[:log]</translation>
     </message>
     <message>
@@ -15243,7 +15243,7 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
         <translation>även var resultaten korsar detta värde, i kolumnernas enhet</translation>
     </message>
     <message>
-        <source>every value of KEY that gives the only output this value, in the unit of its column; exit code 6 where none does</source>
+        <source>find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there is none</source>
         <translation>alla KEY-värden där det enda resultatet är X, i kolumnens enhet; annars slutkod 6</translation>
     </message>
     <message>
@@ -15268,12 +15268,12 @@ lösaren, inte genom interpolation: FILE_contours.csv anger hur nära nivån den
 resultatet gör ett språng där.</translation>
     </message>
     <message>
-        <source>the first parameter and its values; :log behind for even ratios</source>
-        <translation>den första parametern och dess värden; :log efter ger lika förhållanden</translation>
+        <source>parameter across and its values; :log after the count for even ratios</source>
+        <translation>parameter åt höger och dess värden; :log efter antalet för jämna förhållanden</translation>
     </message>
     <message>
-        <source>the second one likewise</source>
-        <translation>den andra likaså</translation>
+        <source>parameter upwards and its values; also :log</source>
+        <translation>parameter uppåt och dess värden; även :log</translation>
     </message>
     <message>
         <source>place the contour of this value; may be given again</source>
@@ -15325,23 +15325,23 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>skriv över en befintlig fil</translation>
     </message>
     <message>
-        <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
+        <source>short for --set drill.settle=N: transient blows, excluded from statistics</source>
         <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, of the scatter of the intervals</source>
+        <source>short for --set drill.seed=N, seed of the scattered intervals</source>
         <translation>kortform för --set drill.seed=N, startvärdet för intervallens spridning</translation>
     </message>
     <message>
-        <source>over these values; :log behind it, or KEY=A,B,C</source>
+        <source>scan these values; :log after the count, or KEY=A,B,C</source>
         <translation>svep över dessa värden; :log kan läggas till; eller KEY=A,B,C</translation>
     </message>
     <message>
-        <source>with --scan, also write the gap of every blow that counts</source>
+        <source>with --scan, also write the gap of every counted blow</source>
         <translation>med --scan: skriv även spalten för varje slag som räknas</translation>
     </message>
     <message>
-        <source>with -o DIR, also write what happens from blow A to blow B</source>
+        <source>with -o DIR, also write the histories from blow A to blow B</source>
         <translation>med -o DIR: skriv även vad som händer från slag A till slag B</translation>
     </message>
     <message>
@@ -15406,15 +15406,15 @@ slag och stelt berg anges.</translation>
         <translation>skriv även tabellen från --along; - skriver ut den i stället</translation>
     </message>
     <message>
-        <source>which choice is best over what is not known, what it costs, what to measure</source>
+        <source>find the best design for uncertain inputs, its cost, and what to measure</source>
         <translation>vilket val som är bäst över det som inte är känt, vad det kostar, vad man bör mäta</translation>
     </message>
     <message>
-        <source>what is not known; see below</source>
+        <source>uncertain input; see below</source>
         <translation>vad som inte är känt; se nedan</translation>
     </message>
     <message>
-        <source>rows of values that belong together, headed as for table</source>
+        <source>samples of uncertain inputs, one per row; header as for table</source>
         <translation>rader med värden som hör ihop, med huvud som för table</translation>
     </message>
     <message>
@@ -15438,7 +15438,7 @@ slag och stelt berg anges.</translation>
         <translation>skriv även tabeller, den bästa konstruktionen och JSON-objektet till DIR</translation>
     </message>
     <message>
-        <source>a page to hand over: inputs with sources, results, verdict, plots, the scenario</source>
+        <source>write a report: inputs with sources, results, verdict, plots, scenario</source>
         <translation>en sida att lämna över: indata med källor, resultat, omdöme, diagram, scenariot</translation>
     </message>
     <message>
@@ -15454,19 +15454,19 @@ båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har
 dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
     </message>
     <message>
-        <source>below the title: what the report is for</source>
+        <source>project, shown below the title</source>
         <translation>under titeln: vad rapporten är till för</translation>
     </message>
     <message>
-        <source>who wrote it</source>
+        <source>author</source>
         <translation>vem som har skrivit den</translation>
     </message>
     <message>
-        <source>whom it is for</source>
+        <source>customer</source>
         <translation>vem den är avsedd för</translation>
     </message>
     <message>
-        <source>of when it is, as it is to be read; none unless given</source>
+        <source>date as text (default: none)</source>
         <translation>dess datum, så som det ska stå; inget om inte angivet</translation>
     </message>
     <message>
@@ -15474,7 +15474,7 @@ dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
         <translation>vart rapporten skrivs; - skriver ut HTML-texten</translation>
     </message>
     <message>
-        <source>the figures of the paper, and each number it prints beside the exact one</source>
+        <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
         <translation>artikelns figurer, och varje tal som den trycker bredvid det exakta</translation>
     </message>
     <message>
@@ -15486,7 +15486,7 @@ alltsammans. Referenskurvorna finns med både k0 = Z/(2T), som artikeln ritar de
 k0 = Z/t0, som artikeln definierar det.</translation>
     </message>
     <message>
-        <source>where to write; - prints discrepancies.csv alone</source>
+        <source>where to write; - prints only discrepancies.csv</source>
         <translation>vart figurerna skrivs; - skriver bara ut discrepancies.csv</translation>
     </message>
     <message>
@@ -15495,8 +15495,8 @@ k0 = Z/t0, som artikeln definierar det.</translation>
     </message>
     <message>
         <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
-100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill
-string: polynomial cells of several sizes beside a plain lattice.</source>
+100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For drill
+strings: polynomial cells of several sizes beside a plain lattice.</source>
         <translation>Löser slaget exakt, i sluten form där den gäller och med artikelns gitter på 100 till 20000
 segment, och jämför fel och beräkningstider. Tar omkring tio sekunder. För en borrsträng:
 polynomceller av flera storlekar bredvid ett enkelt gitter.</translation>
@@ -15536,11 +15536,11 @@ tau under 0,1 med exponentiella slag och kolvslag.</translation>
         <translation>skriv stability.csv till denna mapp; - skriver ut den i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>list the problems of scenarios, one a line</source>
+        <source>list the problems of scenarios, one per line</source>
         <translation>lista felen i scenarier, ett per rad</translation>
     </message>
     <message>
-        <source>Says nothing about a file without problems. Takes files of presets, too.</source>
+        <source>Prints nothing for a file without problems. Also checks files of presets.</source>
         <translation>Säger inget om en fil utan fel. Tar även filer med förval.</translation>
     </message>
     <message>
@@ -15552,7 +15552,7 @@ tau under 0,1 med exponentiella slag och kolvslag.</translation>
         <translation>lista stänger, hammare, berg och delar till borrsträngar, med sina källor</translation>
     </message>
     <message>
-        <source>Those that are built in, or those of a file in the same format. A command takes them with --rod
+        <source>Lists the built-in presets, or those of a file in the same format. A command takes them with --rod
 NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
 adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
         <translation>De inbyggda, eller de i en fil med samma format. Ett kommando tar dem med --rod NAME, --hammer NAME
@@ -15572,15 +15572,15 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>standardavvikelse för spalten vid slaget</translation>
     </message>
     <message>
-        <source>gap that 5 % of the blows are below</source>
+        <source>gap exceeded by 95 % of the blows</source>
         <translation>spalt som 5&#xa0;% av slagen ligger under</translation>
     </message>
     <message>
-        <source>gap that half of the blows are below</source>
+        <source>median gap</source>
         <translation>spalt som hälften av slagen ligger under</translation>
     </message>
     <message>
-        <source>gap that 95 % of the blows are below</source>
+        <source>gap exceeded by 5 % of the blows</source>
         <translation>spalt som 95&#xa0;% av slagen ligger under</translation>
     </message>
     <message>
@@ -15608,7 +15608,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>dämparens största kraft</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <source>contact share: blows that start within 0.05 d0 of the rock</source>
         <translation>andel slag som börjar inom 0,05 d0 från berget</translation>
     </message>
     <message>
@@ -15620,11 +15620,11 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 där den inte gör det</translation>
     </message>
     <message>
-        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
         <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; två beräkningar</translation>
     </message>
     <message>
-        <source>feed force over mean reaction of the blows, phi</source>
+        <source>feed force over mean force of the blows, phi</source>
         <translation>matningskraft genom slagens medelreaktion, phi</translation>
     </message>
     <message>
@@ -15632,11 +15632,11 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
     </message>
     <message>
-        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
         <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
     </message>
     <message>
-        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <source>error of the energy balance of all blows, over the hammer work</source>
         <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
     </message>
     <message>
@@ -15710,7 +15710,7 @@ nämns, med avslutningskod 5.</translation>
         <translation>lista de inbyggda scenarierna, skriva ut dem som NAME anger eller skriva dem i en mapp</translation>
     </message>
     <message>
-        <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
+        <source>`drillwave examples t38_string &gt; my.yaml` writes a file to start from.</source>
         <translation>`drillwave examples t38_string &gt; my.yaml` ger en fil som kan ändras.</translation>
     </message>
     <message>
@@ -15817,7 +15817,7 @@ med --histories histories.csv och med --plots drilling.png.</translation>
         <translation>utelämna mätvärden efter denna tid i tabellen, 400us</translation>
     </message>
     <message>
-        <source>turn the sign: the largest value pulls</source>
+        <source>reverse the sign</source>
         <translation>vänd tecknet: det största värdet drar</translation>
     </message>
     <message>
@@ -15857,7 +15857,7 @@ för varje alternativ som inte anges. DIR får designs.csv, pareto.csv, sensitiv
 best.yaml, design.json och, med --plots, design.png.</translation>
     </message>
     <message>
-        <source>what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME</source>
+        <source>design variable and its values; also :log, KEY=A,B,C or hammer=NAME</source>
         <translation>vad som kan väljas; även med :log efter, KEY=A,B,C eller hammer=NAME</translation>
     </message>
     <message>

@@ -112,11 +112,11 @@ void TestArguments::mistakesAreNamed_data() {
     QTest::newRow("without its value") << QStringList{"-o"} << "`-o` needs a value: FILE";
     QTest::newRow("an option in place of its value")
         << QStringList{"-o", "--json"}
-        << "`-o` needs a value: FILE; `--json` behind it is an option, a file of that name is ./--json";
+        << "`-o` needs a value: FILE; `--json` after it is an option; write ./--json for a file of that name";
     QTest::newRow("a letter in place of its value")
-        << QStringList{"--level", "-j4"} << "`--level` needs a value: X; `-j4` behind it is an option";
+        << QStringList{"--level", "-j4"} << "`--level` needs a value: X; `-j4` after it is an option";
     QTest::newRow("the end in place of its value")
-        << QStringList{"--level", "--"} << "`--level` needs a value: X; `--` behind it is an option";
+        << QStringList{"--level", "--"} << "`--level` needs a value: X; `--` after it is an option";
 }
 
 void TestArguments::mistakesAreNamed() {

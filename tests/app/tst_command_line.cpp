@@ -278,7 +278,7 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << "set one section: section 3 of the string is called rod; give one of them";
     QTest::newRow("shape of a string")
         << QStringList{"sweep", string, "--vary", "pulse.shape=half_sine,piston"} << 5
-        << "has no meaning here: only a force in place of the hammer has it";
+        << "does not apply here: only a force instead of the hammer has it";
     QTest::newRow("rock as of air") << QStringList{"run", string, "--set", "beta=1e-300"} << 5
                                     << "bit_rock.stiffness";
     QTest::newRow("number beyond double precision")

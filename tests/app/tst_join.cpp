@@ -90,7 +90,7 @@ void TestJoin::partsThatAreNoWholeAreNamed() {
         return finished.exitCode == 5 && !QFile::exists(path("all.csv")) ? finished.error : "not refused";
     };
     QCOMPARE(refusal(joinOf({1, 4})),
-             QByteArray("parts 2, 3 of 4 are missing; run what is missing, or name it\n"));
+             QByteArray("parts 2, 3 of 4 are missing; run them, or name their files\n"));
     const QByteArray twice = refusal(joinOf({1, 2, 3, 4, 3}));
     QVERIFY2(twice.contains("part3.csv: is part 3 of 4, as "), twice);
     // Lines are lost without the record being touched.
@@ -230,12 +230,12 @@ void TestJoin::partsThatCannotBeReadAreNamed() {
         return finished.exitCode == 3 && finished.error.count('\n') == 1 ? finished.error : "not refused";
     };
     QVERIFY(QFile::rename(part(2), path("away")));
-    QVERIFY2(refusal().contains("part2.csv: the part is not there"), refusal());
+    QVERIFY2(refusal().contains("part2.csv: the part does not exist"), refusal());
     QVERIFY(QFile::rename(path("away"), part(2)));
     QVERIFY(QFile::rename(part(2) + ".yaml", path("away")));
     QVERIFY2(refusal().contains("part2.csv.yaml: cannot be opened"), refusal());
     write(part(2) + ".yaml", "beta: 1\n");
-    QVERIFY2(refusal().contains("part2.csv.yaml: is no record of rows"), refusal());
+    QVERIFY2(refusal().contains("part2.csv.yaml: is not a record of rows"), refusal());
 }
 
 void TestJoin::anOutputIsNeverAPart() {

@@ -186,7 +186,7 @@ void TestReport::whatIsToBeDoneStandsFirstAndTheSolverLast() {
                                "<h2>Inputs",
                                "<h2>Plots",
                                "<h2>Scenario",
-                               "<h2>How well it is solved",
+                               "<h2>Numerical error",
                                "error of the momentum balance"};
         qsizetype before = 0;
         for (const char* part : order) {

@@ -328,7 +328,7 @@ void TestStudies::roundedNumbersOfSamplesAreTold() {
     const QStringList design{"design", example("t38_medium_rock"), "--uncertain", "bit_rock.gap=0mm:1mm",
                              "--samples"};
     const Finished rounded = run(design + QStringList{"100"}), taken = run(design + QStringList{"128"});
-    QCOMPARE(rounded.error, QByteArray("--samples 100: takes 128, a power of two\n"));
+    QCOMPARE(rounded.error, QByteArray("--samples 100: rounded up to 128, a power of two\n"));
     QCOMPARE(taken.error, QByteArray());
     QCOMPARE(rounded.out, taken.out);
 }

@@ -74,10 +74,10 @@ void TestStudyPlots::everyStudyIsDrawn_data() {
     QTest::newRow("gap, scattered") << QStringList{"gap", drill, "--gap-deviation", "0.3 mm"}
                                     << QStringList{"scattered gap", "thrust for 95 % of gaps"};
     QTest::newRow("drill") << QStringList{"drill", drill, "--blows", "30", "--cells", "10"}
-                           << QStringList{"gap at the blow [mm]", "next gap [mm]", "of the energy [%]"};
+                           << QStringList{"gap at the blow [mm]", "next gap [mm]", "share of the energy [%]"};
     QTest::newRow("drill, scan") << QStringList{"drill",   drill, "--scan",  "drill.thrust=3kN:8kN:6",
                                                 "--blows", "30",  "--cells", "10"}
-                                 << QStringList{"penetration rate", "installed thrust [kN]", "(1+2e)"};
+                                 << QStringList{"penetration rate", "installed feed force [kN]", "(1+2e)"};
     QTest::newRow("sweep") << QStringList{"sweep",     drill,
                                           "--vary",    "rod.length=3m:6m:40",
                                           "--outputs", "cor,peak_force",

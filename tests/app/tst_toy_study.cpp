@@ -18,6 +18,7 @@
 #include "app/describe/completions.h"
 #include "app/help_text.h"
 #include "core/yaml/examples.h"
+#include "tests/support/page_words.h"
 #include "tests/support/pinned_run.h"
 #include "tests/support/toy_study/toy_study.h"
 #include "ui/export/study_pictures.h"
@@ -163,7 +164,7 @@ void TestToyStudy::pageShowsFigureSentenceAndPlace() {
     QCOMPARE(page.title(), QStringLiteral("Toy"));
     QCOMPARE(page.figureFrame().graph(0, 0)->dataCount(), 41);
     QCOMPARE(page.figureFrame().graph(0, 1)->name(), QStringLiteral("other length"));
-    QVERIFY(page.findChild<QLabel*>(QStringLiteral("words"))->text().startsWith("The largest force is"));
+    QVERIFY(pageWords(page).startsWith("The largest force is"));
     page.findChild<QPushButton*>(QStringLiteral("copyAnswer"))->click();
     QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("The largest force is")));
     QVERIFY(std::abs(*page.findChild<HereMark*>()->x() - document.scenario().pulse.duration * 1e6) < 1e-9);

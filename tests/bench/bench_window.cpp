@@ -87,7 +87,8 @@ void measurePage(MainWindow& window, const QString& name, int repeats) {
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
     // Where the plot does not depend on the field, as a map does not on its own parameters, words do.
-    if (auto* words = page->findChild<QLabel*>(QStringLiteral("words"))) words->installEventFilter(&watch);
+    for (const char* words : {"answer", "words"})
+        if (auto* label = page->findChild<QLabel*>(QLatin1String(words))) label->installEventFilter(&watch);
     auto* field = part<ScenarioPanel>(window).findChild<QuantityField*>(QStringLiteral("gamma"));
     field->setFocus();
     field->findChild<QLineEdit*>()->setCursorPosition(9);

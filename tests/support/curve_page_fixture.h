@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/page_words.h"
 #include "tests/support/window.h"
 #include "ui/pages/curve/curve_page.h"
 
@@ -52,7 +53,7 @@ class CurvePageFixture {
         finish();
     }
     void finish() { QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60000); }
-    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
+    QString words() const { return pageWords(*m_page); }
 
     QTemporaryDir m_settings;
     std::unique_ptr<Document> m_document;

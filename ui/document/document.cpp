@@ -456,8 +456,8 @@ QString Document::save(const QString& path) {
     const bool tableMoved = keepTableInReach(absolute);
     const auto failed = [&](const QString& reason) {
         if (tableMoved) m_undoStack.undo();
-        return tr("%1: cannot be saved: %2. Nothing is lost: save it under another name or in another "
-                  "folder.")
+        return tr("%1: cannot be saved: %2. Your changes are still here: save under another name or in "
+                  "another folder.")
             .arg(QDir::toNativeSeparators(absolute), reason);
     };
     QByteArray bytes;

@@ -44,14 +44,13 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
     m_histories->setToolTip(tr("Forces, impulse, momentum, penetration and velocity over time, as CSV"));
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         [this] { saveEvents(); });
-    m_numbers =
-        add(tr("&Numbers as a table"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
-            tr("What this page draws, number by number, in a window of its own: to be read and copied"),
-            [this] { showNumbers(); });
+    m_numbers = add(tr("&Numbers as a table"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
+                    tr("The numbers this page draws, in a window of their own, to read and copy"),
+                    [this] { showNumbers(); });
     m_numbers->setObjectName(QStringLiteral("numbersAsTable"));
     addSeparator();
     m_afterPictures = add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                          tr("As it is zoomed, to paste into a report"), [this] { copyPicture(); });
+                          tr("The present view, to paste into a report"), [this] { copyPicture(); });
     m_afterPictures->setObjectName(QStringLiteral("copyPicture"));
     addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
@@ -127,7 +126,7 @@ bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
 
 void ExportMenu::saveHistories() {
     if (const SolvedBlowPtr blow = m_sources.blow(); blow && blow->isSolved() && !blow->impact.hasHistories())
-        return fail(tr("The waves of this blow are more than can be kept: there are no histories."));
+        return fail(tr("This blow has too many waves to keep: there are no histories."));
     saveFile(tr("Export the histories"), QStringLiteral("_histories.csv"), historiesFile);
 }
 

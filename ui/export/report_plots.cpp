@@ -28,7 +28,7 @@ QString blowCaption(const BlowReport& report) {
                                 : tr("The force N %1 and its waves, the impact force, its impulse and the "
                                      "momentum of the rod over time.");
     return caption.arg(where) +
-           (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("What was measured is dashed."));
+           (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("Measured signals are dashed."));
 }
 
 // Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the tables,
@@ -42,19 +42,17 @@ void addCurves(std::vector<ReportPlot>& plots, const BlowReport& report, const P
     plots.push_back(
         placed("blow", blowCaption(report), blowPaperPlot(blow, reader, report.measured), {180, 128}));
     if (!ofSections)
-        plots.push_back(
-            placed("wave_picture",
-                   tr("The force in the rod over place and time, tension positive; bars at the right "
-                      "show the contact of bit and rock. On the scale of colours a line is the least or "
-                      "largest force, a triangle one beyond the colours."),
-                   wavePaperPlot(blow, reader), {180, 86}));
-    plots.push_back(placed(
-        "rod",
-        ofSections ? tr("The largest tension and compression along hammer (below 0) and string while the "
-                        "blow lasts, with the strengths of the sections.")
-                   : tr("The largest tension and compression along the rod, while the blow lasts and of "
-                        "the waves left."),
-        rodPaperPlot(blow, stop, reader), {180, 84}));
+        plots.push_back(placed("wave_picture",
+                               tr("The force in the rod over place and time, tension positive; bars at the "
+                                  "right show contact of bit and rock. On the colour scale, lines mark the "
+                                  "smallest and largest force, triangles forces beyond the colours."),
+                               wavePaperPlot(blow, reader), {180, 86}));
+    plots.push_back(placed("rod",
+                           ofSections ? tr("The largest tension and compression along hammer (below 0) and "
+                                           "string during the blow, with the strengths of the sections.")
+                                      : tr("The largest tension and compression along the rod, during the "
+                                           "blow and in the residual waves."),
+                           rodPaperPlot(blow, stop, reader), {180, 84}));
 }
 
 void addStudies(std::vector<ReportPlot>& plots, const ReportStudies& studies, const PaperReader& reader,
@@ -83,22 +81,20 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
                                     const std::stop_token& stop) {
     std::vector<ReportPlot> plots;
     if (hasSections(report.blow.scenario))
-        plots.push_back(
-            placed(stringPicture.data(),
-                   tr("Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
-                      "places of the sections; the bore is dashed, the rock at the right."),
-                   stringPaperPlot(report.blow.scenario, reader), {180, 44}));
+        plots.push_back(placed(stringPicture.data(),
+                               tr("Hammer (dark) and string, lengths and diameters each to scale, with the "
+                                  "numbers of the sections; the bore is dashed, the rock is at the right."),
+                               stringPaperPlot(report.blow.scenario, reader), {180, 44}));
     if (report.blow.impact.hasHistories()) addCurves(plots, report, reader, stop);
     if (report.gap)
         plots.push_back(
             placed("gap",
-                   tr("Restitution over one period of the gap between bit and rock, and how it is "
-                      "distributed when all gaps are alike."),
+                   tr("Restitution over one period of the gap between bit and rock, and its distribution "
+                      "when all gaps are equally likely."),
                    figurePaperPlot(gapFigure(*report.gap, GapOutput::cor), report.blow.scenario, reader),
                    {180, 72}));
     if (report.thrust && report.thrust->along)
-        plots.push_back(placed("thrust",
-                               tr("Needs of the thrust and the installed one over the blow frequency."),
+        plots.push_back(placed("thrust", tr("Required and installed feed force over the blow frequency."),
                                thrustPaperPlot(*report.thrust, reader), {180, 58}));
     addStudies(plots, report.studies, reader, stop);
     return plots;

@@ -52,7 +52,7 @@ ReportPreview::ReportPreview(QWidget* parent)
     m_dated->setObjectName(datedKey);
     m_dated->setChecked(Settings().value(datedKey, false).toBool());
     row->addWidget(m_dated);
-    m_update->setToolTip(tr("The scenario has changed since: show the pages of what it is now"));
+    m_update->setToolTip(tr("The scenario has changed: shows the pages again for the present one"));
     m_update->setEnabled(false);
     auto* write = new QPushButton(tr("&Write as HTML or PDF…"), this);
     auto* print = new QPushButton(tr("&Print…"), this);

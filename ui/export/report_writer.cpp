@@ -29,12 +29,11 @@ ReportWriter::ReportWriter(Document& document, Questions& questions, QWidget* wi
       m_questions(questions),
       m_window(window),
       m_action(newAction(QStringLiteral("report"), tr("&Report…"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                         tr("A page to hand over, as HTML or PDF: inputs with their sources, results, "
-                            "verdict, plots and the scenario"))),
-      m_previewAction(newAction(QStringLiteral("previewReport"), tr("Pre&view of the report…"),
-                                QKeySequence(),
-                                tr("The pages of the report in a window, with project, author, customer and "
-                                   "date for their head"))),
+                         tr("A report as HTML or PDF: inputs with their sources, results, verdict, plots and "
+                            "the scenario"))),
+      m_previewAction(newAction(
+          QStringLiteral("previewReport"), tr("Pre&view of the report…"), QKeySequence(),
+          tr("Shows the pages of the report, with project, author, customer and date in their heading"))),
       m_printAction(newAction(QStringLiteral("printReport"), tr("&Print the report…"),
                               QKeySequence(Qt::CTRL | Qt::Key_P), tr("The report on pages of A4"))) {
     connect(m_action, &QAction::triggered, this, &ReportWriter::write);
@@ -161,7 +160,7 @@ void ReportWriter::printOn(QPrinter& printer, const BlowReport& report) {
     const WaitCursor wait;
     if (!printReport(report, PaperReader::of(m_document.units()), printer))
         return fail(
-            tr("%1 takes no pages; look after the printer, or write the report as PDF")
+            tr("%1 does not accept pages; check the printer, or write the report as PDF")
                 .arg(printer.printerName().isEmpty() ? printer.outputFileName() : printer.printerName()));
     emit written(tr("Printed: %1").arg(m_document.displayName()));
 }

@@ -34,8 +34,8 @@ LawSection::LawSection(Document& document, QGridLayout* grid, QWidget* parent)
     m_law->setObjectName(QStringLiteral("bit_rock.law"));
     m_law->setAccessibleName(tr("Bit and rock: law"));
     m_law->setToolTip(
-        tr("How the force rises with the penetration: along one line, along lines with corners, or "
-           "with a power of it; it falls along one slope in all of them"));
+        tr("Rise of the force with penetration: along a line, along lines with corners, or as a power; "
+           "unloading always follows one slope"));
     for (const QString& name : {tr("one line"), tr("corners"), tr("power")}) m_law->addItem(name);
     const int row = grid->rowCount();
     grid->addWidget(label, row, 0);

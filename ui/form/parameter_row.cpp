@@ -137,7 +137,7 @@ void ParameterRow::tell() {
         m_slider->beyond() == 0
             ? tip.html
             : tip.html +
-                  QStringLiteral("<p>%1</p>").arg(tr("The value lies beyond the range of the slider.")));
+                  QStringLiteral("<p>%1</p>").arg(tr("The value is outside the range of the slider.")));
 }
 
 // Where the slider cannot go, the value stays and the reason is said.

@@ -42,11 +42,10 @@ PresetBox::PresetBox(PresetKind kind, const QString& part, Document& document, P
 void PresetBox::present(const Scenario& scenario) {
     const bool physical = hasUnits(scenario);
     const Preset* preset = m_library.matching(m_kind, scenario);
-    QString help = tr("The values are those of no preset. Choose one to start from its values.");
+    QString help = tr("The values belong to no preset. Select one to start from its values.");
     if (!physical)
-        help =
-            tr("Presets are physical values, and this scenario is given by its dimensionless groups alone.") +
-            QLatin1Char(' ') + waysToPhysicalUnits();
+        help = tr("Presets have physical units, and this scenario has only dimensionless groups.") +
+               QLatin1Char(' ') + waysToPhysicalUnits();
     else if (preset)
         help = describe(*preset);
     setItemText(0, preset ? coreText(preset->name) : physical ? tr("custom") : tr("none"));
@@ -81,12 +80,12 @@ void PresetBox::fillMenu() {
     }
     m_menu->addSeparator();
     m_menu->addAction(tr("&Add file of presets…"), this, &PresetBox::addFile)
-        ->setToolTip(tr("Offer the presets of a YAML file of your own, now and in later runs"));
+        ->setToolTip(tr("Adds the presets of your own YAML file, also for later sessions"));
     QAction* open = m_menu->addAction(tr("&Open folder of presets"), this, [] {
         QDir().mkpath(PresetLibrary::folder());
         QDesktopServices::openUrl(QUrl::fromLocalFile(PresetLibrary::folder()));
     });
-    open->setToolTip(tr("A file presets.yaml in %1 is read by itself")
+    open->setToolTip(tr("A file presets.yaml in %1 is read automatically")
                          .arg(QDir::toNativeSeparators(PresetLibrary::folder()))
                          .toHtmlEscaped());
 }
@@ -118,7 +117,7 @@ void PresetBox::addProblem(const PresetSource& source) {
 void PresetBox::explainProblem(const QString& path, const QString& problem) {
     const QString what = tr("The presets of %1 are not used.").arg(QFileInfo(path).fileName());
     if (!m_library.wasAdded(path)) return m_questions.tell(window(), Questions::Tone::failure, what, problem);
-    if (!m_questions.confirm(window(), what, problem, tr("Take it off the list"))) return;
+    if (!m_questions.confirm(window(), what, problem, tr("Remove from the list"))) return;
     m_library.remove(path);
     emit libraryChanged();
 }

@@ -79,7 +79,7 @@ void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
     m_reload->setToolTip(tr("Read the CSV file of the hammer blow again"));
     auto* choose = new QPushButton(tr("Choose CSV…"), m_table);
     choose->setObjectName(QStringLiteral("chooseTable"));
-    choose->setToolTip(tr("Take the hammer blow from a CSV file that begins with `time [us],force [kN]`"));
+    choose->setToolTip(tr("Reads the hammer blow from a CSV file that begins with `time [us],force [kN]`"));
     layout->addWidget(m_tableText, 1);
     layout->addWidget(m_reload, 0, Qt::AlignTop);
     layout->addWidget(choose, 0, Qt::AlignTop);
@@ -95,8 +95,8 @@ void PulseSection::addImpulse(QGridLayout* grid, QWidget* parent) {
     m_impulse->setObjectName(QStringLiteral("table.impulse"));
     m_impulse->setAccessibleName(tr("Hammer blow: impulse of the table"));
     m_impulse->setToolTip(
-        tr("Impulse of the table; another one scales all its forces, which the scenario then "
-           "keeps in itself"));
+        tr("Impulse of the table. Another value scales all its forces, and the scenario then contains the "
+           "points."));
     m_impulseLabel = new QLabel(tr("impulse I₀"), parent);
     m_impulseLabel->setBuddy(m_impulse);
     m_impulseLabel->setToolTip(m_impulse->toolTip());
@@ -117,7 +117,7 @@ QString PulseSection::offerImpulse(double impulse) {
     if (const Message outside = rangeProblem(*findParameter("pulse.impulse"), impulse); !outside.isEmpty())
         return translated(outside);
     if (impulse != pulseImpulse(scenario) && scenario.pulse.tablePoints.size() > mostPointsKept)
-        return tr("a table of more than %1 points stays in its file: scale the forces there")
+        return tr("a table of more than %1 points stays in its file: scale its forces there")
             .arg(mostPointsKept);
     m_wanted = impulse;
     return {};

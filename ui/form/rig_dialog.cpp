@@ -124,11 +124,11 @@ void RigDialog::showChoice() {
     const auto text = [&](double si, Quantity quantity) {
         return QString::fromStdString(style.quantity(si, quantity, 4));
     };
-    m_result->setText(
-        tr("From the groups follow a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.")
-            .arg(text(rig.rod.length, Quantity::length),
-                 text(m_choice.meanForce * m_choice.duration, Quantity::impulse),
-                 text(rig.bitRock.stiffness, Quantity::stiffness), text(rig.bitRock.gap, Quantity::length)));
+    m_result->setText(tr("The groups give a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.")
+                          .arg(text(rig.rod.length, Quantity::length),
+                               text(m_choice.meanForce * m_choice.duration, Quantity::impulse),
+                               text(rig.bitRock.stiffness, Quantity::stiffness),
+                               text(rig.bitRock.gap, Quantity::length)));
 }
 
 void RigDialog::accept() {

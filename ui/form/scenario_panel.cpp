@@ -48,8 +48,7 @@ IndexingBox::IndexingBox(Document& document, QGridLayout* grid, QWidget* parent)
     label->setBuddy(m_box);
     m_box->setObjectName(QStringLiteral("drill.indexing"));
     m_box->setAccessibleName(tr("Machine: rock"));
-    m_box->setToolTip(
-        tr("Whether the bit is turned onto new rock for every blow, or strikes the same crater again"));
+    m_box->setToolTip(tr("Whether each blow meets new rock, or the crater of the blow before"));
     for (const QString& words : {tr("new for every blow"), tr("the same crater")}) m_box->addItem(words);
     const int row = grid->rowCount();
     grid->addWidget(label, row, 0);
@@ -67,7 +66,7 @@ void IndexingBox::choose(RockIndexing indexing) {
     Scenario changed = m_document.scenario();
     if (changed.drill.indexing == indexing) return;
     changed.drill.indexing = indexing;
-    m_document.useScenario(changed, tr("change which rock the blows meet"));
+    m_document.useScenario(changed, tr("change the rock of the next blow"));
     present(m_document.scenario());
 }
 
@@ -90,9 +89,8 @@ void StringSection::addRestrike(QGridLayout* grid, QWidget* parent) {
     m_restrike = new QCheckBox(tr("may strike again"), parent);
     m_restrike->setObjectName(QStringLiteral("hammer.restrike"));
     m_restrike->setAccessibleName(tr("Hammer: may strike again"));
-    m_restrike->setToolTip(
-        tr("The hammer stays where the string may meet it again; without it, it is withdrawn once they have "
-           "parted"));
+    m_restrike->setToolTip(tr(
+        "The hammer may be hit again by the string; otherwise it is withdrawn after the first separation"));
     grid->addWidget(m_restrike, grid->rowCount(), 0, 1, formColumns);
     connect(m_restrike, &QCheckBox::clicked, this, &StringSection::setRestrike);
 }

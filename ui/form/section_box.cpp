@@ -47,6 +47,7 @@ void SectionBox::setOpen(bool open) {
     m_header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     m_header->setAccessibleDescription(open ? tr("open") : tr("folded"));
     m_content->setVisible(open);
+    emit toggled(open);
 }
 
 void SectionBox::rememberAs(const QString& key, Begin begin) {

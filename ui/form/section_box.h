@@ -24,6 +24,9 @@ class SectionBox : public QWidget {
     /// Keeps whether it is open under that key of the settings, and is now as it was left.
     void rememberAs(const QString& key, Begin begin = Begin::open);
 
+  signals:
+    void toggled(bool isOpen);
+
   private:
     QToolButton* m_header;
     QWidget* m_content;

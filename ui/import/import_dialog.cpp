@@ -108,13 +108,13 @@ QWidget* ImportDialog::makeChoices() {
     auto* form = new QFormLayout(top);
     form->setContentsMargins(4, 4, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_use = addChoice(*form, {"use", tr("import as"), tr("What the signal is for")},
+    m_use = addChoice(*form, {"use", tr("import as"), tr("Use of the signal in the program")},
                       {{tr("hammer blow"), static_cast<int>(ImportUse::blow)},
                        {tr("measured N in a section"), static_cast<int>(ImportUse::normalForce)},
                        {tr("measured force on the rock"), static_cast<int>(ImportUse::impactForce)}});
     m_name->setObjectName(QStringLiteral("name"));
     m_name->setAccessibleName(tr("name"));
-    m_name->setToolTip(tr("Under which the measured curve is listed"));
+    m_name->setToolTip(tr("Name of the measured curve in the list"));
     m_name->setMaxLength(60);
     form->addRow(tr("name"), m_name);
     connect(m_use, &QComboBox::currentIndexChanged, this, [this] { setUse(use()); });
@@ -144,8 +144,8 @@ void ImportDialog::addRecorders(QFormLayout& form) {
     m_recorder->setObjectName(QStringLiteral("recorder"));
     m_recorder->setAccessibleName(tr("recorder"));
     m_recorder->setToolTip(
-        tr("Settings that are kept by name: columns, units, gauge and amplifier. Choose some, or "
-           "type a name and keep the present ones."));
+        tr("Saved settings: columns, units, gauge and amplifier. Select one, or type a name and keep the "
+           "present settings."));
     m_recorder->setEditable(true);
     m_recorder->setInsertPolicy(QComboBox::NoInsert);
     m_recorder->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -202,7 +202,7 @@ QString ImportDialog::recorder() const {
 }
 
 QVBoxLayout* ImportDialog::makePreview() {
-    m_plot->setAccessibleName(tr("The record, and what is taken of it"));
+    m_plot->setAccessibleName(tr("The record and the part that is used"));
     m_summary->setObjectName(QStringLiteral("summary"));
     m_summary->setWordWrap(true);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -364,7 +364,7 @@ void ImportDialog::showState() {
     if (known && use() == ImportUse::blow && !hasUnits(m_document.scenario()))
         summary += QLatin1Char(' ') + tr("Only the shape is taken: this scenario has no physical units.");
     if (known && use() == ImportUse::blow && !isForced(m_document.scenario()))
-        summary += QLatin1Char(' ') + tr("The blow takes the place of the hammer; undo brings it back.");
+        summary += QLatin1Char(' ') + tr("The blow replaces the hammer; Undo brings it back.");
     m_summary->setText(summary);
     m_take->setEnabled(known);
 }

@@ -96,7 +96,7 @@ QString effectText(const ThinningEffect& effect) {
     const QString by = change > effect.error
                            ? tr("by %1").arg(numberText(change, 2, QLocale()))
                            : tr("by less than %1").arg(magnitudeText(effect.error, QLocale()));
-    return tr("With the rod and the rock on show that changes e = %1 %2.")
+    return tr("With the present rod and rock this changes e = %1 %2.")
         .arg(numberText(effect.cor, 4, QLocale()), by);
 }
 
@@ -237,8 +237,8 @@ QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
         parts << tr("All of the %1 samples are kept, of %2 in the record.")
                      .arg(countText(signal.samples), countText(preview.samples));
     else
-        parts << tr("%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of "
-                    "the peak) from the lines between them, the impulse changes by %6.")
+        parts << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from "
+                    "the lines between the points; the impulse changes by %6.")
                      .arg(countText(signal.samples), countText(preview.samples),
                           countText(signal.points.size()), units.boundText(signal.deviation, UnitKind::force),
                           peak > 0
@@ -251,12 +251,12 @@ QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
         parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
                      .arg(countText(signal.clipped), units.text(signal.clippedImpulse, UnitKind::impulse));
     if (signal.clippedImpulse > muchOf * std::abs(signal.impulse))
-        parts << tr("That is much: take less of the record.");
+        parts << tr("This is a large change: use a shorter part of the record.");
     if (preview.skipped > 0)
         parts << tr("%1 rows without a number are skipped, the first is line %2.")
                      .arg(countText(preview.skipped), countText(preview.firstSkipped));
     if (preview.skipped > 0 && preview.skippedTime > 0)
-        parts << tr("They leave a gap of %1, which a straight line crosses.")
+        parts << tr("They leave a gap of %1, which is filled by a straight line.")
                      .arg(units.text(preview.skippedTime, UnitKind::time));
     if (preview.hasNulTail) parts << tr("NUL bytes end the table: the recorder did not fill its file.");
     for (const SignalRemark& remark : preview.remarks) parts << sentence(translated(remark.text));

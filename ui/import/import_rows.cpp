@@ -99,11 +99,11 @@ void setRowVisible(QFormLayout& form, QWidget& control, bool visible) {
 }
 
 GaugeRows::GaugeRows(QFormLayout& form, const std::function<void()>& changed) : m_form(form) {
-    m_bar = addChoice(form, {"bar", tr("gauge is on"), tr("Whose E and area make a force of a strain")},
+    m_bar = addChoice(form, {"bar", tr("gauge is on"), tr("Bar used to convert strain to force")},
                       {{tr("the rod or string"), ofScenario}, {tr("another bar"), otherBar}});
     m_modulus = addQuantity(form, {"modulus", tr("E of the bar"), tr("Young's modulus")}, Quantity::stress,
                             "GPa", FieldRange::positive, 210e9, changed);
-    m_diameter = addQuantity(form, {"diameter", tr("diameter"), tr("Of the solid bar where the gauge is")},
+    m_diameter = addQuantity(form, {"diameter", tr("diameter"), tr("Diameter of the solid bar at the gauge")},
                              Quantity::length, "mm", FieldRange::positive, 0.02, changed);
     m_gaugeFactor =
         addQuantity(form, {"gaugeFactor", tr("gauge factor k"), tr("Relative resistance over strain")},

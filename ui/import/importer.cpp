@@ -79,7 +79,7 @@ void Importer::take() {
     Settings().setValue(lastKey, lines);
     m_dialog->close();
     emit imported(isBlow ? tr("The hammer blow is taken from %1.").arg(file)
-                         : tr("%1 is laid over the page Blow.").arg(file));
+                         : tr("%1 is shown on the page Blow.").arg(file));
 }
 
 QString Importer::takeBlow() {

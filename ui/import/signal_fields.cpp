@@ -88,30 +88,31 @@ QuantityField* SignalFields::quantity(const char* name, const QString& label, co
 SignalFields::~SignalFields() = default;
 
 void SignalFields::addUnit() {
-    m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end; below 0 in the hammer"),
+    m_place = quantity("place", tr("place x"),
+                       tr("Distance of the gauge from the struck end; negative in the hammer"),
                        Quantity::length, "m", FieldRange::any, {});
     m_place->setOptional(tr("not given"));
-    m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("What the numbers are")},
+    m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("Quantity that was recorded")},
                        {{tr("force"), value(SignalKind::force)},
                         {tr("strain"), value(SignalKind::strain)},
                         {tr("output of a bridge"), value(SignalKind::bridge)},
                         {tr("voltage"), value(SignalKind::voltage)},
                         {tr("stress"), value(SignalKind::stress)},
                         {tr("particle velocity"), value(SignalKind::velocity)}});
-    m_unit = addChoice(*m_form, {"valueUnit", tr("unit"), tr("In what the numbers are")}, {});
+    m_unit = addChoice(*m_form, {"valueUnit", tr("unit"), tr("Unit of the numbers")}, {});
     m_positive = addChoice(*m_form,
                            {"positive", tr("positive is"),
-                            tr("What a number greater than 0 means. Here tension is positive in a rod, and "
-                               "pressing is in a blow and on the rock.")},
+                            tr("Meaning of positive numbers. In this program tension is positive in rods; on "
+                               "the rock and in a blow, compression is.")},
                            {{tr("tension"), tension}, {tr("compression"), compression}});
 }
 
 void SignalFields::addZero() {
-    m_zero = addChoice(*m_form, {"zero", tr("zero line"), tr("What is taken off all samples")},
+    m_zero = addChoice(*m_form, {"zero", tr("zero line"), tr("Zero level, subtracted from all samples")},
                        {{tr("as recorded"), value(ZeroLine::asRecorded)},
                         {tr("mean of the first"), value(ZeroLine::ofFirstSamples)},
                         {tr("a value"), value(ZeroLine::chosen)}});
-    m_zeroSpan = quantity("zeroSpan", tr("first"), tr("How long nothing happens in the record"),
+    m_zeroSpan = quantity("zeroSpan", tr("first"), tr("Time at the start of the record without a signal"),
                           Quantity::time, "us", FieldRange::notNegative, 0);
     m_zeroValue = quantity("zeroValue", tr("zero is at"), tr("In the unit of the column"), Quantity::ratio,
                            "", FieldRange::any, 0);
@@ -136,9 +137,9 @@ void SignalFields::addTimes() {
         connect(button, &QPushButton::clicked, this, pressed);
         layout->addWidget(button);
     };
-    add("aroundPeak", tr("Peak"), tr("From and to where the signal is 2 % of its peak, around it"),
+    add("aroundPeak", tr("Peak"), tr("The range around the peak in which the signal exceeds 2 % of it"),
         [this] { emit timesAroundPeakWanted(); });
-    add("visible", tr("View"), tr("From and to the ends of what the plot shows: zoom there first"),
+    add("visible", tr("View"), tr("The range shown by the plot: zoom there first"),
         [this] { emit visibleTimesWanted(); });
     add("all", tr("All"), tr("All of the record"), [this] { setTimes({}); });
     m_form->addRow(tr("range"), row);
@@ -151,21 +152,19 @@ void SignalFields::addEnd() {
     m_clip->setChecked(true);
     m_form->addRow(QString(), m_clip);
     connect(m_clip, &QCheckBox::toggled, this, &SignalFields::changed);
-    m_scaling = addChoice(*m_form, {"scaling", tr("scale"), tr("Times what all forces are multiplied by")},
+    m_scaling = addChoice(*m_form, {"scaling", tr("scale"), tr("Scaling of all forces")},
                           {{tr("as it is"), value(Scaling::none)},
                            {tr("by a factor"), value(Scaling::byFactor)},
                            {tr("to an impulse"), value(Scaling::toImpulse)}});
     m_factor = quantity("factor", tr("factor"), tr("All forces are multiplied by it"), Quantity::ratio, "",
                         FieldRange::notZero, 1);
-    m_impulse = quantity("impulse", tr("impulse"), tr("The impulse that the signal is to have"),
-                         Quantity::impulse, "N s", FieldRange::positive, 51);
-    m_points =
-        addCount(*m_form,
-                 {"points", tr("points at most"),
-                  tr("That are kept of the samples; a blow keeps as few as leave impulse and e the same "
-                     "to 1e-4 until you choose a number. How far the rest is from the lines between "
-                     "them is said below")},
-                 2, mostBlowPoints, usualPoints);
+    m_impulse = quantity("impulse", tr("impulse"), tr("Wanted impulse of the signal"), Quantity::impulse,
+                         "N s", FieldRange::positive, 51);
+    m_points = addCount(*m_form,
+                        {"points", tr("points at most"),
+                         tr("Largest number of points to keep. By default a blow keeps as many as needed for "
+                            "impulse and e to within 1e-4. The summary below gives the largest deviation.")},
+                        2, mostBlowPoints, usualPoints);
     connect(m_points, &QSpinBox::valueChanged, this, [this] {
         m_touched.insert(m_points);
         emit changed();
@@ -334,9 +333,7 @@ double SignalFields::place() const {
 
 QString SignalFields::problem() const {
     if (chosenValue(*m_unit) == noUnit)
-        return tr(
-            "The unit in the header is not known, or there is none: choose what the signal is, and its "
-            "unit.");
+        return tr("The header has no known unit: choose the kind of signal and its unit.");
     if (const QString open = m_gauge->problem(static_cast<SignalKind>(chosenValue(*m_kind))); !open.isEmpty())
         return open;
     for (const QuantityField* field : m_fields)
@@ -348,8 +345,8 @@ QString SignalFields::problem() const {
 QString SignalFields::problemOfPlace() const {
     if (!m_place->value())
         return tr(
-            "place x: not given: a wave passes every section at another time; type how far the gauge is "
-            "from the struck end");
+            "place x: not given: type the distance of the gauge from the struck end, because the time of a "
+            "wave depends on it");
     const double hammer = hammerProperties(m_scenario.drillString).length;
     if (place() < 0 && hammer == 0) return tr("place x: must not be less than 0, the struck end");
     if (place() < -hammer)

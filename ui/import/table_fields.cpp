@@ -55,26 +55,23 @@ TableFields::TableFields(QWidget* parent) : QWidget(parent), m_form(new QFormLay
 }
 
 void TableFields::addFormat() {
-    m_separator = addChoice(*m_form, {"separator", tr("separator"), tr("What stands between the cells")},
+    m_separator = addChoice(*m_form, {"separator", tr("separator"), tr("Character between the cells")},
                             {{tr("tab"), '\t'},
                              {tr("semicolon ;"), ';'},
                              {tr("comma ,"), ','},
                              {tr("bar |"), '|'},
                              {tr("blanks"), ' '}});
-    m_decimal =
-        addChoice(*m_form, {"decimal", tr("decimal sign"), tr("What stands before the decimals of a number")},
-                  {{tr("point 1.5"), static_cast<int>(DecimalSign::point)},
-                   {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
-    m_firstLine = addCount(
-        *m_form, {"firstLine", tr("samples from line"), tr("The first line of the file that is a sample")}, 1,
-        1, 1);
+    m_decimal = addChoice(*m_form, {"decimal", tr("decimal sign"), tr("Decimal sign of the numbers")},
+                          {{tr("point 1.5"), static_cast<int>(DecimalSign::point)},
+                           {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
+    m_firstLine =
+        addCount(*m_form, {"firstLine", tr("samples from line"), tr("First line with a sample")}, 1, 1, 1);
 }
 
 void TableFields::addColumns() {
     m_time = addChoice(*m_form, {"timeColumn", tr("time"), tr("The column of times, or none")}, {});
-    m_timeUnit =
-        addChoice(*m_form, {"timeUnit", tr("unit of time"), tr("In what the times are")}, timeUnits());
-    m_rate = addQuantity(*m_form, {"rate", tr("sampling rate"), tr("Samples in a second")},
+    m_timeUnit = addChoice(*m_form, {"timeUnit", tr("unit of time"), tr("Unit of the times")}, timeUnits());
+    m_rate = addQuantity(*m_form, {"rate", tr("sampling rate"), tr("Samples per second")},
                          Quantity::frequency, "kHz", FieldRange::positive, {}, [this] {
                              m_touched.insert(m_rate);
                              emit changed();
@@ -87,7 +84,7 @@ void TableFields::addColumns() {
                          {});
     m_wrongRows = addChoice(*m_form,
                             {"wrongRows", tr("rows without number"),
-                             tr("Empty cells, NaN, words: whether they stop the import or are left out")},
+                             tr("Empty cells, NaN and words: refuse the file, or skip and count the rows")},
                             {{tr("refuse"), static_cast<int>(WrongRows::refused)},
                              {tr("skip and count"), static_cast<int>(WrongRows::skipped)}});
 }
@@ -293,16 +290,14 @@ QString TableFields::problem() const {
     if (m_lines.empty()) return tr("The file is empty, or no text.");
     if (!m_table.hasSamples())
         return tr("No line of numbers is found in the first %1 lines with this separator and decimal sign: "
-                  "choose "
-                  "others, or the line where the samples begin; a longer header is to be cut off the file.")
+                  "choose others, or the first line with a sample. Remove a longer header from the file.")
             .arg(m_lines.size());
     if (m_table.hasRows)
         return tr(
             "Each channel of this table is a row: turn rows into columns in a spreadsheet, or read it by "
             "drillwave signal -o.");
     if (m_table.isDecimalOpen && !m_touched.contains(m_decimal))
-        return tr(
-            "decimal sign: 1,234 and 1.234 can be a number with decimals or a thousand: choose the sign.");
+        return tr("decimal sign: 1,234 and 1.234 can be a decimal number or a thousand: choose the sign.");
     const SampleSource now = source();
     if (now.timeColumn == now.valueColumn)
         return tr("Time and signal are the same column: choose another one, or a sampling rate.");
@@ -310,15 +305,15 @@ QString TableFields::problem() const {
         return tr("The second gauge is a column that is used already: choose another one.");
     if (now.timeColumn && chosenValue(*m_timeUnit) == none) {
         const QString unit = QString::fromStdString(m_table.columns[*now.timeColumn].unit);
-        return unit.isEmpty() ? tr("unit of time: the table does not say it: choose one.")
+        return unit.isEmpty() ? tr("unit of time: not given in the table: choose one.")
                               : tr("unit of time: %1 is not known: choose one.").arg(unit);
     }
     if (!now.timeColumn && !m_rate->problem().isEmpty())
         return tr("sampling rate: %1").arg(m_rate->problem());
     if (!now.timeColumn && !m_rate->value())
-        return m_table.bareRate ? tr("sampling rate: the table says “%1”, without a unit: type the rate.")
+        return m_table.bareRate ? tr("sampling rate: the table gives “%1” without a unit: type the rate.")
                                       .arg(QString::fromStdString(m_table.rateText))
-                                : tr("sampling rate: the table does not state it: type it.");
+                                : tr("sampling rate: not given in the table: type it.");
     return {};
 }
 

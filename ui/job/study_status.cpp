@@ -108,13 +108,13 @@ void SolveStatus::press() {
 void SolveStatus::tell() {
     QString text = m_summary;
     if (m_state == State::stopped)
-        text = tr("stopped · what is shown is not of the present input");
+        text = tr("stopped · the result shown is not that of the present input");
     else if (m_marked)
         text = m_waiting ? tr("solving … %1 waits for the result").arg(m_what) : tr("solving …");
     m_button->setText(m_state == State::stopped ? tr("Solve") : tr("Cancel"));
     m_button->setToolTip(m_state == State::stopped
                              ? tr("Solve the present input")
-                             : tr("Stop solving; the old result stays, marked as such"));
+                             : tr("Stops solving; the old result stays, marked as old"));
     m_button->setVisible(m_marked);
     if (m_text->text() == text) return;
     m_text->setText(text);
@@ -216,7 +216,7 @@ void StudyStatus::update() {
 void StudyStatus::showStopped(double seconds) {
     m_text->setText(progressText(m_activity->progress(), 0, locale()));
     setButton(resumeText(m_activity->progress(), seconds, locale()),
-              tr("Run the study again to its end, however long it takes"));
+              tr("Runs the study again to its end, whatever time it takes"));
     const QString limit = locale().toString(qint64(unaskedTime.count()));
     if (m_activity->isOutOfTime())
         setTitle(tr("%1 stopped after %2 s").arg(m_name, limit), tr("stopped after %1 s").arg(limit));
@@ -236,7 +236,7 @@ void StudyStatus::showRunning() {
     m_text->setText(progressText(progress, double(m_since.elapsed()) / 1000, locale()));
     m_bar->setVisible(progress.wanted > 0);
     if (progress.wanted > 0) m_bar->setValue(int(100.0 * double(progress.done) / double(progress.wanted)));
-    setButton(tr("Cancel"), tr("Stop the study; the points it has found stay"));
+    setButton(tr("Cancel"), tr("Stops the study; the points found so far stay"));
     setTitle(m_name, {});
 }
 

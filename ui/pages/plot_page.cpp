@@ -47,12 +47,12 @@ void PlotPage::setCurrent(bool current) {
 QList<PageExport> PlotPage::exports() const {
     PageExport numbers;
     numbers.title = tr("&Data of this plot…");
-    numbers.toolTip = tr("The curves that the plot shows, as CSV");
+    numbers.toolTip = tr("The curves of the plot, as CSV");
     numbers.fileStem = QStringLiteral("_plot");
     numbers.csv = [plot = m_plot] { return plot->csv(); };
     PageExport picture;
     picture.title = tr("&Picture of this plot…");
-    picture.toolTip = tr("As it is zoomed, as PNG, SVG or PDF");
+    picture.toolTip = tr("The present view, as PNG, SVG or PDF");
     picture.picture = {[plot = m_plot](const PictureChoice& choice, const QString& title) {
                            return plot->drawing(choice.format, choice.size, choice.dpi, title);
                        },

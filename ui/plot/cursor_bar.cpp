@@ -72,8 +72,8 @@ CursorBar::CursorBar(QWidget* parent)
     setCursor(Qt::ArrowCursor);
     ignoreUnfocusedWheel(*m_choice);
     m_choice->setObjectName(QStringLiteral("readCurve"));
-    m_choice->setAccessibleName(tr("Curve that is read"));
-    m_choice->setToolTip(tr("The curve that is read; a click on a curve chooses it"));
+    m_choice->setAccessibleName(tr("Curve to read"));
+    m_choice->setToolTip(tr("Curve whose values are read; a click on a curve selects it"));
     m_choice->setFixedWidth(choiceWidth);
     for (qsizetype i = 0; i < readingCellCount; ++i) {
         auto* label = new QLabel(this);
@@ -84,7 +84,7 @@ CursorBar::CursorBar(QWidget* parent)
     }
     m_copy->setText(tr("Copy"));
     m_copy->setObjectName(QStringLiteral("copyReadout"));
-    m_copy->setAccessibleName(tr("Copy what is read"));
+    m_copy->setAccessibleName(tr("Copy the readings"));
     m_copy->setToolTip(tr("This table with all digits, to paste into a spreadsheet"));
     m_close->setText(QStringLiteral("×"));
     m_close->setAccessibleName(tr("Remove the cursors A and B"));

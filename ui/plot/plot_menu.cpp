@@ -41,7 +41,7 @@ class PlotActions {
 
 void PlotActions::addCopyAndSave() {
     QAction* picture = m_menu.addAction(PlotMenu::tr("Copy &picture"), &m_plot, &PlotWidget::copyPicture);
-    picture->setToolTip(PlotMenu::tr("This view, black on white, for a report"));
+    picture->setToolTip(PlotMenu::tr("The present view, black on white, for a report"));
     picture->setEnabled(m_plot.isCurrent());
     QAction* copy = m_menu.addAction(PlotMenu::tr("Copy &data"), &m_plot, &PlotWidget::copyData);
     copy->setToolTip(PlotMenu::tr("The numbers of what is shown, as a table for a spreadsheet"));
@@ -58,7 +58,7 @@ void PlotActions::addView() {
         ->setToolTip(PlotMenu::tr("Bring all curves into view"));
     QAction* back = m_menu.addAction(withKey(PlotMenu::tr("&Zoom back"), Qt::Key_Backspace), &m_plot,
                                      [plot = &m_plot] { plot->view().goBack(); });
-    back->setToolTip(PlotMenu::tr("The view before"));
+    back->setToolTip(PlotMenu::tr("The previous view"));
     back->setEnabled(m_plot.view().canGoBack());
     QCPAxisRect* rect = m_plot.axisRectAt(m_at) ? m_plot.axisRectAt(m_at) : m_plot.view().activeRect();
     if (!rect) return;
@@ -73,8 +73,9 @@ void PlotActions::addScale(QCPAxis* axis, const QString& text) {
     action->setCheckable(true);
     action->setChecked(logarithmic);
     action->setEnabled(reason.isEmpty());
-    action->setToolTip(reason.isEmpty() ? PlotMenu::tr("Equal steps are equal factors; zeros are cut off")
-                                        : reason);
+    action->setToolTip(reason.isEmpty()
+                           ? PlotMenu::tr("Equal steps are equal ratios; values of zero are not shown")
+                           : reason);
     QObject::connect(action, &QAction::toggled, &m_plot, [plot = &m_plot, axis = QPointer(axis)](bool on) {
         if (axis) plot->setAxisScale(axis, on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     });
@@ -104,7 +105,7 @@ void PlotActions::addKeyPoint() {
             plot->keyPoint().enter();
         });
     enter->setToolTip(
-        PlotMenu::tr("Arrows move it, N goes to the next mark; Enter then does what a click there does"));
+        PlotMenu::tr("Arrows move the point, N goes to the next mark, Enter acts like a click"));
     enter->setEnabled(!m_plot.keyPoint().place());
 }
 
@@ -118,18 +119,19 @@ void PlotActions::addCursors() {
             ->setToolTip(toolTip);
     };
     add(PlotCursor::a, PlotMenu::tr("Cursor &A here"), Qt::Key_A,
-        PlotMenu::tr("Reads the curves here; can be dragged"));
+        PlotMenu::tr("Reads the curves here; drag it to move it"));
     add(PlotCursor::b, PlotMenu::tr("Cursor &B here"), Qt::Key_B,
         PlotMenu::tr("Reads the curves here; slope, mean and integral from A to B"));
     if (m_plot.offersTime())
         add(PlotCursor::time, PlotMenu::tr("&Time cursor here"), Qt::Key_T,
-            PlotMenu::tr("The instant shown on all pages"));
+            PlotMenu::tr("The time shown on all pages"));
     CurveReader& reader = m_plot.reader();
     QAction* remove = m_menu.addAction(PlotMenu::tr("&Remove cursors A and B"), &reader, &CurveReader::clear);
-    remove->setToolTip(PlotMenu::tr("The table below the plot reads what is in view then"));
+    remove->setToolTip(PlotMenu::tr("The table below the plot then reads the values in view"));
     remove->setEnabled(reader.position(PlotCursor::a) || reader.position(PlotCursor::b));
     QAction* copy = m_menu.addAction(PlotMenu::tr("Copy the &table below"), &reader, &CurveReader::copy);
-    copy->setToolTip(PlotMenu::tr("What is read at the cursors, or in view, to paste into a spreadsheet"));
+    copy->setToolTip(
+        PlotMenu::tr("The readings at the cursors, or the numbers in view, to paste into a spreadsheet"));
     copy->setEnabled(!reader.text().isEmpty() && m_plot.isCurrent());
 }
 

@@ -35,10 +35,10 @@ FolderDialog::FolderDialog(QWidget* parent, const QString& title, const QString&
 void FolderDialog::accept() {
     const QString chosen = selectedFiles().value(0);
     if (chosen.isEmpty() || QFileInfo::exists(chosen)) return QFileDialog::accept();
-    QMessageBox box(QMessageBox::Question, windowTitle(), tr("There is no such folder yet. Make it?"),
+    QMessageBox box(QMessageBox::Question, windowTitle(), tr("This folder does not exist yet. Create it?"),
                     QMessageBox::Cancel, this);
     box.setInformativeText(QDir::toNativeSeparators(chosen));
-    QPushButton* make = box.addButton(tr("Make it"), QMessageBox::AcceptRole);
+    QPushButton* make = box.addButton(tr("Create"), QMessageBox::AcceptRole);
     box.setDefaultButton(make);
     box.exec();
     if (box.clickedButton() == make) done(QDialog::Accepted);

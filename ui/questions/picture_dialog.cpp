@@ -97,7 +97,7 @@ PictureDialog::PictureDialog(const PictureChoice& before, QWidget* parent)
     m_format->addItem(tr("PDF – lines and text, for printing"), QStringLiteral("pdf"));
     m_format->setCurrentIndex(m_format->findData(before.format));
     ignoreUnfocusedWheel(*m_format);
-    m_format->setToolTip(tr("The kind of file; always on white, whatever the window looks like"));
+    m_format->setToolTip(tr("File format; the background is always white"));
     m_width->setToolTip(tr("Width on paper"));
     m_height->setToolTip(tr("Height on paper"));
     m_dpi->setToolTip(tr("Pixels per inch of a PNG; 300 is usual for print"));

@@ -92,8 +92,7 @@ void AlertList::write(qsizetype row, const QString& mark, const QString& kind, c
     label->show();
 }
 
-AlertLink::AlertLink(const AlertList& list, WithoutAny withoutAny, QWidget* parent)
-    : QToolButton(parent), m_list(list), m_withoutAny(withoutAny) {
+AlertLink::AlertLink(const AlertList& list, QWidget* parent) : QToolButton(parent), m_list(list) {
     setAutoRaise(true);
     setToolButtonStyle(Qt::ToolButtonTextOnly);
     setFocusPolicy(Qt::TabFocus);
@@ -110,14 +109,13 @@ void AlertLink::present() {
     } else {
         if (warnings > 0) parts << (warnings == 1 ? tr("⚠ 1 warning") : tr("⚠ %1 warnings").arg(warnings));
         if (notes > 0) parts << (notes == 1 ? tr("ℹ 1 note") : tr("ℹ %1 notes").arg(notes));
-        if (parts.isEmpty()) parts << tr("✓ nothing unusual");
     }
     setText(parts.join(QStringLiteral(" · ")));
     QString tip;  // as rich text, which is wrapped
     for (const QString& each : m_list.texts()) tip += QStringLiteral("<p>%1</p>").arg(each.toHtmlEscaped());
     setToolTip(tip);
     setAccessibleDescription(m_list.texts().join(QLatin1Char('\n')));
-    if (m_withoutAny == WithoutAny::hidden) setVisible(count > 0);
+    setVisible(count > 0);
 }
 
 }  // namespace drillwave

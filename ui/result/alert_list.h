@@ -61,17 +61,13 @@ class AlertLink : public QToolButton {
     Q_OBJECT
 
   public:
-    /// What it does where the list has nothing to tell: a row that stays says so, others go.
-    enum class WithoutAny { said, hidden };
-
-    /// Follows a list that lives as long.
-    AlertLink(const AlertList& list, WithoutAny withoutAny, QWidget* parent = nullptr);
+    /// Follows a list that lives as long; hidden while the list is empty.
+    explicit AlertLink(const AlertList& list, QWidget* parent = nullptr);
 
   private:
     void present();
 
     const AlertList& m_list;
-    WithoutAny m_withoutAny;
 };
 
 }  // namespace drillwave

@@ -93,7 +93,7 @@ EventTable::EventTable(QWidget* parent) : QTableView(parent), m_model(new EventM
     horizontalHeader()->setResizeContentsPrecision(visibleEvents);  // not of thousands of rows
     setContextMenuPolicy(Qt::NoContextMenu);
     setSelectionMode(QAbstractItemView::SingleSelection);
-    setToolTip(tr("Choose an event to move the time cursor there"));
+    setToolTip(tr("Select an event to move the time cursor there"));
     setTabKeyNavigation(false);
     const int header = horizontalHeader()->sizeHint().height();
     setMinimumHeight(header + visibleEvents * verticalHeader()->defaultSectionSize());

@@ -17,7 +17,7 @@
 #include "ui/result/alert_list.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/result/result_row.h"
 #include "ui/text/lightness.h"
 #include "ui/text/number_text.h"
@@ -103,17 +103,20 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     auto* layout = new QVBoxLayout(widget());
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(6);
-    addNumbers(tr("Feed"),
+    addFeed();
+    addHeadline();
+    addAlerts();
+    addNumbers(tr("Feed"), "feed",
                thrustEntries(m_worst, [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); }));
     addEnergy();
-    addNumbers(tr("Penetration"), outputEntries(OutputGroup::penetration));
-    addNumbers(tr("Rebound"), QList<ResultEntry>{corEntry()} + outputEntries(OutputGroup::rebound));
-    addNumbers(tr("Stress in the rod"), outputEntries(OutputGroup::stress));
+    addNumbers(tr("Penetration"), "penetration", outputEntries(OutputGroup::penetration));
+    addNumbers(tr("Rebound"), "rebound",
+               QList<ResultEntry>{corEntry()} + outputEntries(OutputGroup::rebound));
+    addNumbers(tr("Stress in the rod"), "stress", outputEntries(OutputGroup::stress));
     m_stress = m_rows.last().section();
-    addNumbers(tr("Force and times"), outputEntries(OutputGroup::contact));
+    addNumbers(tr("Force and times"), "contact", outputEntries(OutputGroup::contact));
     addEvents();
-    addAlerts();
-    addFeed();
+    foldSections();
     alignColumns();
     layout->addStretch();
     auto* copyAll = new QAction(tr("&Copy results"), this);
@@ -127,33 +130,59 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     connect(&m_sequence, &ShortSequence::changed, this, &ResultPanel::showFeed);
 }
 
-// The shares stand under the bar that draws them.
 void ResultPanel::addEnergy() {
-    addNumbers(tr("Energy"), QList<ResultEntry>{hammerEnergyEntry()} + outputEntries(OutputGroup::work));
-    SectionBox* section = m_rows.last().section();
-    QGridLayout* grid = m_grids.last();
-    m_energy = new EnergyBar(section->content());
-    grid->addWidget(m_energy, grid->rowCount(), 0, 1, 4);
-    for (const ResultEntry& entry : outputEntries(OutputGroup::share)) addRow(section, grid, entry);
+    addNumbers(tr("Energy"), "energy",
+               QList<ResultEntry>{hammerEnergyEntry()} + outputEntries(OutputGroup::work) +
+                   outputEntries(OutputGroup::share));
+}
+
+// The numbers a driller decides by, in one line below the bar of the energy.
+void ResultPanel::addHeadline() {
+    m_energy = new EnergyBar(widget());
+    m_headline = new QLabel(widget());
+    m_headline->setObjectName(QStringLiteral("headline"));
+    m_headline->setWordWrap(true);
+    m_headline->setAccessibleName(tr("penetration, energy, power and restitution"));
+    makeSelectable(*m_headline);
+    widget()->layout()->addWidget(m_energy);
+    widget()->layout()->addWidget(m_headline);
+}
+
+void ResultPanel::showHeadline() {
+    QStringList parts;
+    if (m_blow->fault.isEmpty()) {
+        const auto value = [this](std::string_view output) {
+            return outputText(*findOutput(output), *m_blow);
+        };
+        if (const QString text = value("residual_penetration"); !text.isEmpty())
+            parts << tr("%1 per blow").arg(text);
+        parts << (hasSections(m_blow->scenario) ? hammerEnergyText(*m_blow) : value("work_ratio"))
+              << value("percussion_power") << tr("e = %1").arg(value("cor"));
+        parts.removeAll(QString());
+    }
+    m_headline->setText(parts.join(QStringLiteral("  ·  ")));
+}
+
+// Each section keeps its own state. Alerts begin open, numbers folded.
+void ResultPanel::foldSections() {
+    for (auto* section : widget()->findChildren<SectionBox*>(Qt::FindDirectChildrenOnly)) {
+        const auto begin = section == m_alertSection ? SectionBox::Begin::open : SectionBox::Begin::folded;
+        section->rememberAs(QStringLiteral("result/") + section->objectName(), begin);
+    }
 }
 
 void ResultPanel::addAlerts() {
     m_alerts = new AlertList;
-    m_alertSection = addSection(tr("Alerts"));
+    m_alertSection = addSection(tr("Alerts"), "alerts");
     auto* layout = new QVBoxLayout(m_alertSection->content());
     layout->setContentsMargins(4, 0, 0, 0);
     layout->addWidget(m_alerts);
     connect(m_alerts, &AlertList::parameterChosen, this, &ResultPanel::parameterChosen);
-    // The list is last, often below what can be seen: how long it is stands first, always in a row of its
-    // own, or all the numbers would move.
-    auto* link = new AlertLink(*m_alerts, AlertLink::WithoutAny::said, widget());
-    connect(link, &QToolButton::clicked, this, &ResultPanel::goToAlerts);
-    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, link, 0, Qt::AlignLeft);
 }
 
-// Before all numbers, with room for what it says at most, or they would move.
+// With room for the usual sentences, or the numbers below would move.
 void ResultPanel::addFeed() {
-    constexpr int lines = 4, linesBelow = 4;
+    constexpr int lines = 2, linesBelow = 4;
     auto* feed = new QWidget(widget());
     m_required = new QLabel(feed);
     m_required->setObjectName(QStringLiteral("required"));
@@ -178,7 +207,7 @@ void ResultPanel::addFeed() {
     layout->addStretch();
     feed->setMinimumHeight(lines * QFontMetrics(font).lineSpacing() +
                            linesBelow * m_followed->fontMetrics().lineSpacing());
-    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, feed);
+    widget()->layout()->addWidget(feed);
 }
 
 void ResultPanel::followLink(const QString& link) {
@@ -220,12 +249,12 @@ QString ResultPanel::followedText(const DrillingResult* result) const {
         if (lacksWaveLoss(*result)) words << link(lossLink, tr("Set wave loss 10 %"));
         return (words << page).join(QLatin1Char(' '));
     }
-    if (m_sequence.isAwaited()) return tr("Estimate from single blows; consecutive blows are followed …");
+    if (m_sequence.isAwaited()) return tr("Estimate from single blows; solving consecutive blows …");
     if (const std::optional<double> seconds = m_sequence.secondsOnRequest())
         return tr("Estimate from single blows.") + QLatin1Char(' ') +
-               link(sequenceLink, tr("Follow consecutive blows (about %1 s)")
+               link(sequenceLink, tr("Solve consecutive blows (about %1 s)")
                                       .arg(numberText(std::ceil(*seconds), 3, QLocale())));
-    return tr("Estimate from single blows; %1 follows consecutive blows.").arg(page);
+    return tr("Estimate from single blows; %1 solves consecutive blows.").arg(page);
 }
 
 void ResultPanel::goToAlerts() {
@@ -235,14 +264,15 @@ void ResultPanel::goToAlerts() {
     m_alerts->takeFocus();
 }
 
-SectionBox* ResultPanel::addSection(const QString& title) {
+SectionBox* ResultPanel::addSection(const QString& title, const char* name) {
     auto* box = new SectionBox(title, widget());
+    box->setObjectName(QLatin1String(name));
     widget()->layout()->addWidget(box);
     return box;
 }
 
-void ResultPanel::addNumbers(const QString& title, const QList<ResultEntry>& entries) {
-    SectionBox* section = addSection(title);
+void ResultPanel::addNumbers(const QString& title, const char* name, const QList<ResultEntry>& entries) {
+    SectionBox* section = addSection(title, name);
     QWidget* content = section->content();
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(4, 0, 0, 0);
@@ -261,7 +291,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const ResultEnt
 }
 
 void ResultPanel::addEvents() {
-    auto* layout = new QVBoxLayout(addSection(tr("Events"))->content());
+    auto* layout = new QVBoxLayout(addSection(tr("Events"), "events")->content());
     layout->setContentsMargins(4, 0, 0, 0);
     m_events = new EventTable(widget());
     layout->addWidget(m_events);
@@ -340,6 +370,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
         m_energy->present(blow->summary);
     else
         m_energy->clear();
+    showHeadline();
     m_events->present(blow);
 }
 

@@ -95,10 +95,14 @@ class ResultPanel : public SteadyScrollArea {
     void changeEvent(QEvent* event) override;
 
   private:
-    SectionBox* addSection(const QString& title);
-    void addNumbers(const QString& title, const QList<ResultEntry>& entries);
+    /// `name`: of the object and of its key in the settings.
+    SectionBox* addSection(const QString& title, const char* name);
+    void addNumbers(const QString& title, const char* name, const QList<ResultEntry>& entries);
     void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);
     void addEnergy();
+    void addHeadline();
+    void showHeadline();
+    void foldSections();
     void addAlerts();
     void addFeed();
     void showFeed();
@@ -124,6 +128,7 @@ class ResultPanel : public SteadyScrollArea {
     QList<QGridLayout*> m_grids;
     SectionBox* m_stress = nullptr;
     EnergyBar* m_energy = nullptr;
+    QLabel* m_headline = nullptr;
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
     SectionBox* m_alertSection = nullptr;

@@ -15,7 +15,7 @@
 #include "core/model/blow_traits.h"
 #include "ui/form/section_box.h"
 #include "ui/result/feed_text.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/lightness.h"
 #include "ui/text/number_text.h"
@@ -177,7 +177,7 @@ void ResultRow::presentChange(const SolvedBlow& blow, const SolvedBlow* referenc
     m_change->setText(change);
     m_change->setVisible(!change.isEmpty());
     if (change.isEmpty()) return;
-    m_change->setToolTip(withoutMarkup(drillwave::tr("Off %1 by so much").arg(title)));
+    m_change->setToolTip(withoutMarkup(drillwave::tr("Difference from %1").arg(title)));
     m_change->setAccessibleName(drillwave::tr("%1, against %2: %3").arg(m_entry.name, title, change));
 }
 
@@ -199,7 +199,7 @@ QList<ResultEntry> outputEntries(OutputGroup group) {
                         .output = &output});
         if (!output.load) continue;
         entries.append(
-            {.meaning = tr("Where in the rod it is first that large, and when: a click leads there"),
+            {.meaning = tr("Place and time where this value is first reached: a click leads there"),
              .text = [&output](const SolvedBlow& blow) { return placeText(output, blow); },
              .place = &output,
              .concerns = concerns});
@@ -210,7 +210,8 @@ QList<ResultEntry> outputEntries(OutputGroup group) {
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf) {
     return {
         {.name = tr("margin, this blow"),
-         .meaning = tr("Effective feed force less what this blow requires, and as a share of that"),
+         .meaning =
+             tr("Effective feed force minus the feed force required by this blow, also as a share of it"),
          .text = thrustMarginText,
          .number = [](const SolvedBlow& blow, UnitSystem) { return thrustMargin(blow); },
          .change = marginChangeText},
@@ -237,9 +238,8 @@ QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Numb
          .objectName = worstName,
          .number = worstOf,
          .concerns = gapHasPeriod},
-        {.meaning =
-             tr("Effective feed force less the largest of the four, and as a share of that: thrust_margin of "
-                "commands and files"),
+        {.meaning = tr("Effective feed force minus the largest of the four, also as a share of it: "
+                       "thrust_margin in commands and files"),
          .text = [&worst](const SolvedBlow& blow) { return worstMarginText(worst, blow); },
          .objectName = worstName,
          .warning = [&worst](const SolvedBlow& blow) { return isShortOfWorst(worst, blow); },
@@ -253,8 +253,8 @@ QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Numb
 
 ResultEntry hammerEnergyEntry() {
     return {.name = tr("hammer energy E₀"),
-            .meaning = tr(
-                "Energy of the hammer before the blow; all shares are of it, its work on the string is less"),
+            .meaning = tr("Energy of the hammer before the blow; all shares refer to it. Its work on the "
+                          "string is smaller."),
             .text = hammerEnergyText,
             .number = [](const SolvedBlow& blow, UnitSystem) { return blow.scales.energy; },
             .concerns = [](const Scenario& scenario) { return concerns(OutputOf::hammer, scenario); }};

@@ -41,7 +41,7 @@ void StaleVeil::follow() {
 }
 
 QString StaleVeil::words() {
-    return tr("not of the present input");
+    return tr("result of an earlier input");
 }
 
 bool StaleVeil::eventFilter(QObject* watched, QEvent* event) {

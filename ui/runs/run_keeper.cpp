@@ -32,7 +32,7 @@ RunKeeper::RunKeeper(Document& document, Runs& runs, QObject* parent, Write writ
     });
     connect(&runs, &Runs::changed, this, &RunKeeper::writeSoon);
     connect(&runs, &Runs::differs, this,
-            [this](const QString& sentence) { emit failed(tr("A run is not what it was."), sentence); });
+            [this](const QString& sentence) { emit failed(tr("A run has changed."), sentence); });
 }
 
 RunKeeper::~RunKeeper() {
@@ -69,9 +69,7 @@ void RunKeeper::read() {
     QStringList problems;
     for (const std::string& problem : found.problems) problems << QString::fromStdString(problem);
     for (const QString& title : m_runs.add(found.runs))
-        problems
-            << tr("%1: there is no room for it among the runs on show; remove some and open the file again")
-                   .arg(title);
+        problems << tr("%1: too many runs are shown already; remove some and open the file again").arg(title);
     for (const int number : found.foreign)
         if (const Run* run = m_runs.find(number))
             problems
@@ -144,7 +142,7 @@ std::vector<NamedFile> RunKeeper::files() const {
 void RunKeeper::writeSoon() {
     if (!m_kept) return;
     // A wish that waits writes the change too.
-    if (!m_order) order({Order::Reason::change, ExistingFiles::kept, tr("The runs are not kept any more.")});
+    if (!m_order) order({Order::Reason::change, ExistingFiles::kept, tr("The runs are no longer kept.")});
     m_due.start();
 }
 

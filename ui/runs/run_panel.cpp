@@ -10,10 +10,16 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <string_view>
 
+#include "core/blow/outputs.h"
+#include "ui/form/choice_box.h"
+#include "ui/job/output_text.h"
 #include "ui/plot/run_pen.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -22,11 +28,21 @@ namespace {
 constexpr int numberRole = Qt::UserRole;  // of a run, on its row
 constexpr int mostRows = 7;               // on show at once
 constexpr QSize lineSize{30, 12};         // [px]
+const QString outputSetting = QStringLiteral("runs/output");
+
+/// Results that runs are compared by; the first one at first.
+constexpr std::array<std::string_view, 7> listedOutputs{
+    "cor",        "residual_penetration", "penetration_rate", "efficiency",
+    "peak_force", "peak_tension",         "percussion_power"};
 
 }  // namespace
 
 RunPanel::RunPanel(Runs& runs, QWidget* parent)
-    : QWidget(parent), m_runs(runs), m_hint(new QLabel(this)), m_list(new QTreeWidget(this)) {
+    : QWidget(parent),
+      m_runs(runs),
+      m_hint(new QLabel(this)),
+      m_output(makeChoice()),
+      m_list(new QTreeWidget(this)) {
     auto* title = new QLabel(tr("Runs"), this);
     QFont bold = title->font();
     bold.setBold(true);
@@ -35,11 +51,10 @@ RunPanel::RunPanel(Runs& runs, QWidget* parent)
     m_list->setObjectName(QStringLiteral("runs"));
     m_list->setAccessibleName(tr("Runs"));
     m_list->setToolTip(
-        tr("Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right "
-           "click has the rest"));
+        tr("Ticked runs are shown in the plots. F2 renames, Del removes; right-click for more"));
     m_list->setColumnCount(columns);
-    m_list->setHeaderLabels({tr("run"), QStringLiteral("e"), tr("Δ")});
-    m_list->headerItem()->setToolTip(change, tr("How far e is off that of the reference"));
+    m_list->setHeaderLabels({tr("run"), QString(), tr("Δ")});
+    m_list->headerItem()->setToolTip(change, tr("Difference from the reference"));
     m_list->setRootIsDecorated(false);
     m_list->setIconSize(lineSize);
     m_list->setUniformRowHeights(true);
@@ -48,11 +63,12 @@ RunPanel::RunPanel(Runs& runs, QWidget* parent)
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setMinimumSectionSize(20);
     m_list->header()->setSectionResizeMode(name, QHeaderView::Stretch);
-    m_list->header()->setSectionResizeMode(cor, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(value, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(change, QHeaderView::ResizeToContents);
     auto* head = new QHBoxLayout;
     head->addWidget(title);
     head->addWidget(m_hint, 1);
+    head->addWidget(m_output);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 2, 4, 4);
     layout->setSpacing(2);
@@ -63,6 +79,26 @@ RunPanel::RunPanel(Runs& runs, QWidget* parent)
     connect(m_list, &QTreeWidget::currentItemChanged, this, &RunPanel::update);
     connect(&runs, &Runs::changed, this, &RunPanel::fill);
     fill();
+}
+
+ChoiceBox* RunPanel::makeChoice() {
+    auto* box = new ChoiceBox(this);
+    box->setObjectName(QStringLiteral("runOutput"));
+    box->setAccessibleName(tr("Result shown of each run"));
+    box->setToolTip(box->accessibleName());
+    for (const std::string_view name : listedOutputs)
+        box->addItem(coreText(findOutput(name)->label()),
+                     QString::fromUtf8(name.data(), qsizetype(name.size())));
+    box->setCurrentIndex(std::max(0, box->findData(Settings().value(outputSetting))));
+    connect(box, &QComboBox::currentIndexChanged, this, [this] {
+        Settings().setValue(outputSetting, m_output->currentData());
+        fill();
+    });
+    return box;
+}
+
+const Output& RunPanel::output() const {
+    return *findOutput(m_output->currentData().toString().toStdString());
 }
 
 void RunPanel::addActions() {
@@ -124,9 +160,12 @@ void RunPanel::fill() {
     const RunList& runs = *m_runs.list();
     m_list->clear();
     m_list->setVisible(!runs.empty());
-    m_hint->setText(runs.empty()
-                        ? tr("F7 pins this result to compare with.")
-                        : tr("Gone when the window closes, unless File ▸ Keep runs beside the file."));
+    m_output->setVisible(!runs.empty());
+    m_list->headerItem()->setText(value, m_output->currentText());
+    m_hint->setText(
+        runs.empty()
+            ? tr("F7 pins this result to compare with.")
+            : tr("Lost when the window closes, unless you choose File ▸ Keep runs beside the file."));
     m_hint->setVisible(runs.empty() || !m_kept);
     if (!runs.empty()) {
         auto* now = new QTreeWidgetItem(m_list, {tr("● now")});
@@ -153,15 +192,19 @@ void RunPanel::fill() {
 
 void RunPanel::fillRow(QTreeWidgetItem& row, const SolvedBlowPtr& blow, const Run* reference) const {
     const bool isSolved = blow && blow->fault.isEmpty();
-    row.setText(cor, isSolved ? numberText(blow->summary.cor, 4, QLocale())
-                     : blow   ? noNumber
-                              : QStringLiteral("…"));
-    row.setToolTip(cor, blow ? blow->fault : tr("Being solved"));
-    for (const int column : {cor, change}) row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    QString text = isSolved ? outputText(output(), *blow) : QString();
+    if (text.isEmpty()) text = blow ? noNumber : QStringLiteral("…");
+    row.setText(value, text);
+    row.setToolTip(value, blow ? blow->fault : tr("Being solved"));
+    for (const int column : {value, change}) row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const SolvedBlowPtr& other = reference ? reference->blow : m_now;
-    const bool isComparable = isSolved && other && other->fault.isEmpty() && other != blow;
+    const auto numberOf = [this](const SolvedBlow& each) {
+        return comparableNumber(output(), each, UnitSystem::si);
+    };
+    const bool isComparable =
+        isSolved && other && other->fault.isEmpty() && other != blow && numberOf(*blow) && numberOf(*other);
     if (isComparable)
-        row.setText(change, relativeText(blow->summary.cor, other->summary.cor));
+        row.setText(change, relativeText(*numberOf(*blow), *numberOf(*other)));
     else if (row.text(change) != tr("ref."))
         row.setText(change, {});
 }

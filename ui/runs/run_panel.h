@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of runs below the result: the present result first, then what was pinned.
+// List of runs below the result: the present result first, then the pinned runs.
 #pragma once
 
 #include <QWidget>
@@ -13,8 +13,11 @@ class QTreeWidgetItem;
 
 namespace drillwave {
 
-/// e of each, and by how much it is off the reference. A tick lays a run over the plots; name by F2, the rest
-/// by the menu.
+class ChoiceBox;
+struct Output;
+
+/// One result of each run and its difference from the reference. A box chooses the result. A tick draws a run
+/// over the plots, F2 renames it, the menu has the rest.
 class RunPanel : public QWidget {
     Q_OBJECT
 
@@ -36,8 +39,10 @@ class RunPanel : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    enum Column { name, cor, change, columns };
+    enum Column { name, value, change, columns };
 
+    ChoiceBox* makeChoice();
+    const Output& output() const;
     void addActions();
     QAction* add(const QString& text, const QKeySequence& keys, const std::function<void(const Run&)>& then);
     void fill();
@@ -49,6 +54,7 @@ class RunPanel : public QWidget {
     Runs& m_runs;
     SolvedBlowPtr m_now;
     QLabel* m_hint;
+    ChoiceBox* m_output;
     QTreeWidget* m_list;
     QList<QAction*> m_ofRuns;  // what can be done with a run
     QAction* m_compareWithNow = nullptr;

@@ -49,7 +49,7 @@ QString Runs::pin(ScenarioDocument contents, SolvedBlowPtr blow, const QString& 
             return tr("This is the run %1 already.").arg(run.title());
     const std::optional<int> number = freeNumber();
     if (!number)
-        return tr("There are %1 runs, which is as many as can be told apart: remove one first.")
+        return tr("There are %1 runs already, the most that can be distinguished: remove one first.")
             .arg(m_list->size());
     const Run* before = reference();
     if (!before && !m_list->empty()) before = &m_list->back();

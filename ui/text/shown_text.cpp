@@ -53,10 +53,14 @@ QString translated(const Message& message) {
     return QString::fromStdString(message.said(translatedPattern));
 }
 
-QString translatedAll(const std::vector<Message>& sentences) {
+QStringList translatedEach(const std::vector<Message>& sentences) {
     QStringList all;
     for (const Message& sentence : sentences) all << translated(sentence);
-    return all.join(QLatin1Char(' '));
+    return all;
+}
+
+QString translatedAll(const std::vector<Message>& sentences) {
+    return translatedEach(sentences).join(QLatin1Char(' '));
 }
 
 QString translated(const ScenarioError& error) {

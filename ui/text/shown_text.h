@@ -35,7 +35,8 @@ std::string translatedPattern(const std::string& pattern);
 
 /// A sentence of the core in the language of the window.
 QString translated(const Message& message);
-/// One sentence behind the other.
+/// Sentences of the core in the language of the window, one by one or joined by blanks.
+QStringList translatedEach(const std::vector<Message>& sentences);
 QString translatedAll(const std::vector<Message>& sentences);
 
 /// What is wrong with a file or with values, a line each, likewise.

@@ -177,7 +177,7 @@ class Arithmetic {
             value += sign * product();
         }
         --m_depth;
-        if (!take(u")")) fail(drillwave::tr("lacks a closing bracket; a unit stands behind it"));
+        if (!take(u")")) fail(drillwave::tr("lacks a closing bracket; a unit follows it"));
         return value;
     }
 

@@ -121,7 +121,7 @@ LeadingNumber leadingNumber(QStringView text, const QLocale& locale) {
 
 PlainText plainText(const QString& typed, const QLocale& locale) {
     QString text = withoutInvisible(typed).trimmed();
-    if (holdsSeveralLines(text)) return {{}, tr("is more than one line: one value is needed")};
+    if (holdsSeveralLines(text)) return {{}, tr("has more than one line: give one value")};
     text.replace(u'−', u'-');
     const bool hasSign = text.startsWith(u'-') || text.startsWith(u'+');
     const QString sign = hasSign ? text.left(1) : QString();

@@ -23,11 +23,11 @@ FileNotice::FileNotice(Document& document, FileWatch& watch, Questions& question
       m_watch(watch),
       m_questions(questions),
       m_reload(
-          addButton(tr("&Reload"), tr("Take the scenario from the file; Undo brings the present one back"))) {
+          addButton(tr("&Reload"), tr("Load the scenario from the file; Undo brings the present one back"))) {
     setObjectName(QStringLiteral("fileNotice"));
     m_reload->setObjectName(QStringLiteral("reload"));
     QPushButton* keep =
-        addButton(tr("&Keep mine"), tr("Go on with the present scenario; saving writes it over the file"));
+        addButton(tr("&Keep mine"), tr("Continue with the present scenario; saving overwrites the file"));
     keep->setObjectName(QStringLiteral("keep"));
     connect(m_reload, &QPushButton::clicked, this, &FileNotice::reload);
     connect(keep, &QPushButton::clicked, this, &FileNotice::keep);
@@ -72,7 +72,7 @@ TableNotice::TableNotice(Document& document, TableWatch& watch, Questions& quest
                                       "back"))) {
     setObjectName(QStringLiteral("tableNotice"));
     m_reload->setObjectName(QStringLiteral("reloadBlow"));
-    QPushButton* keep = addButton(tr("&Keep mine"), tr("Go on with the points that were read before"));
+    QPushButton* keep = addButton(tr("&Keep mine"), tr("Continue with the points read before"));
     keep->setObjectName(QStringLiteral("keepBlow"));
     connect(m_reload, &QPushButton::clicked, this, &TableNotice::reload);
     connect(keep, &QPushButton::clicked, this, &QWidget::hide);
@@ -106,12 +106,12 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
       m_document(document),
       m_toString(new QAction(tr("&Make a drill string of this"), this)),
       m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)),
-      m_toForce(new QAction(tr("Put a &force in place of the hammer"), this)),
+      m_toForce(new QAction(tr("Use a &force instead of the hammer"), this)),
       m_toRig(new QAction(tr("Make a &rig of these groups…"), this)) {
     m_toRig->setObjectName(QStringLiteral("toRig"));
     m_toForce->setObjectName(QStringLiteral("toForce"));
     setObjectName(QStringLiteral("formNotice"));
-    QPushButton* undo = addButton(tr("Undo"), tr("Take the conversion back"));
+    QPushButton* undo = addButton(tr("Undo"), tr("Undo the conversion"));
     connect(undo, &QPushButton::clicked, &document.undoStack(), &QUndoStack::undo);
     connect(m_toString, &QAction::triggered, this, [this] {
         convert(
@@ -121,10 +121,10 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
     });
     connect(m_toUniformRod, &QAction::triggered, this, [this] {
         convert(uniformRodOf(m_document.scenario()), tr("simplify to a uniform rod"),
-                tr("This is a uniform rod now, through which waves travel as long as through the string."));
+                tr("This is a uniform rod now, with the same travel time of waves as the string."));
     });
     connect(m_toForce, &QAction::triggered, this, [this] {
-        convert(forcedStringOf(m_document.scenario()), tr("put a force in place of the hammer"),
+        convert(forcedStringOf(m_document.scenario()), tr("use a force instead of the hammer"),
                 tr("A force drives the string now: any shape, or a measured blow by File ▸ Import."));
     });
     connect(m_toRig, &QAction::triggered, this, [this] { (new RigDialog(m_document, window()))->open(); });
@@ -151,10 +151,9 @@ void FormNotice::offer() {
     const Scenario& scenario = m_document.scenario();
     const QString reason = translated(whyNoString(scenario));
     m_toString->setEnabled(reason.isEmpty());
-    m_toString->setToolTip(
-        reason.isEmpty()
-            ? tr("A hammer and a rod of the same blow, to add couplings, an adapter and a bit to")
-            : tr("Not of this scenario: %1").arg(reason));
+    m_toString->setToolTip(reason.isEmpty() ? tr("Makes a hammer and a rod with the same blow, to which "
+                                                 "couplings, an adapter and a bit can be added")
+                                            : tr("Not of this scenario: %1").arg(reason));
     m_toRig->setEnabled(!hasUnits(scenario));
     m_toRig->setToolTip(hasUnits(scenario)
                             ? tr("This scenario has physical units already")
@@ -162,18 +161,18 @@ void FormNotice::offer() {
     const bool isOfSections = hasSections(scenario);
     m_toUniformRod->setEnabled(isOfSections);
     m_toUniformRod->setToolTip(
-        isOfSections ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
+        isOfSections ? tr("Only the rod, as long for the waves as the string, struck by a uniform piston")
                      : tr("This scenario is a uniform rod"));
     m_toForce->setEnabled(!isForced(scenario));
     m_toForce->setToolTip(isForced(scenario)
                               ? tr("A force drives this scenario already")
-                              : tr("A force that does not feel what comes back, as a measured blow is"));
+                              : tr("A force that reflected waves do not change, as a measured blow is"));
 }
 
 ExampleNote::ExampleNote(QWidget* parent) : Notice(Tone::information, parent), m_action(new QAction(this)) {
     setObjectName(QStringLiteral("exampleNote"));
     m_action->setText(tr("&About this example"));
-    m_action->setToolTip(tr("What to look at in the example that is open"));
+    m_action->setToolTip(tr("Things to look at in the open example"));
     m_action->setCheckable(true);
     m_action->setEnabled(false);
     connect(m_action, &QAction::toggled, this, &QWidget::setVisible);
@@ -203,11 +202,9 @@ void ExampleNote::explainFirst(const Example& example) {
 
 void ExampleNote::setChanged(bool changed) {
     if (m_explanation.isEmpty()) return;
-    setText(
-        changed
-            ? tr("You have changed this example: what is said of its values may no longer hold. Undo brings "
-                 "them back.")
-            : m_explanation);
+    setText(changed ? tr("You have changed this example: its description may no longer be right. Undo brings "
+                         "the values back.")
+                    : m_explanation);
 }
 
 void ExampleNote::forget() {

@@ -110,7 +110,7 @@ void FileMenu::addFileActions(QMenu* exports) {
         addAction(tr("New di&mensionless"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), this, [this] {
             if (mayDiscard()) m_document.startFrom(dimensionlessStart, tr("new"));
         });
-    groups->setToolTip(tr("A scenario given by its groups β, γ, τ and δ alone, without units"));
+    groups->setToolTip(tr("A scenario given only by its groups β, γ, τ and δ, without units"));
     addAction(tr("&Open…"), QKeySequence::Open, this, [this] {
         const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
         const QString path = m_questions.fileToOpen(m_window, folder);
@@ -158,7 +158,7 @@ void FileMenu::addFigures(QMenu& menu) {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });
-        action->setToolTip(tr("Computed anew, beside the numbers that the paper prints"));
+        action->setToolTip(tr("Computed again, beside the numbers that the paper prints"));
     }
 }
 
@@ -186,7 +186,7 @@ void FileMenu::showRecentFiles() {
         Settings().remove(recentFilesKey);
         showRecentFiles();
     });
-    clear->setToolTip(tr("Forget these names; the files stay"));
+    clear->setToolTip(tr("Clears this list; the files stay"));
     m_recent->menuAction()->setVisible(!paths.isEmpty());
 }
 
@@ -195,11 +195,10 @@ void FileMenu::openRecent(const QString& path) {
         if (mayDiscard()) openFile(path);
         return;
     }
-    if (m_questions.confirm(
-            m_window, tr("This file is no longer there."),
-            tr("%1\nIt may be on a drive that is not connected. Shall it be taken off the list?")
-                .arg(QDir::toNativeSeparators(path)),
-            tr("Take it off")))
+    if (m_questions.confirm(m_window, tr("This file is no longer there."),
+                            tr("%1\nIt may be on a drive that is not connected. Remove it from the list?")
+                                .arg(QDir::toNativeSeparators(path)),
+                            tr("Remove")))
         forget(path);
 }
 
@@ -227,7 +226,7 @@ bool FileMenu::openFile(const QString& path) {
 }
 
 void FileMenu::take(const QStringList& paths) {
-    const QString refusal = tr("This cannot be taken.");
+    const QString refusal = tr("This cannot be opened.");
     if (paths.size() > 1) {
         succeeded(refusal, tr("%1 files were dropped; drop one at a time.").arg(paths.size()));
     } else if (isScenarioName(paths.first()) || isPage(paths.first()) ||
@@ -264,7 +263,7 @@ bool FileMenu::save() {
     if (m_watch.savingNeedsConsent() &&
         !m_questions.confirm(
             m_window, tr("The file has been changed by another program."),
-            tr("%1\nSaving writes over what that program has written.").arg(QDir::toNativeSeparators(path)),
+            tr("%1\nSaving overwrites the changes of that program.").arg(QDir::toNativeSeparators(path)),
             tr("Overwrite")))
         return false;
     return saveTo(path);

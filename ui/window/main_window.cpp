@@ -262,7 +262,7 @@ void MainWindow::addMenus() {
 
 void MainWindow::addStatusBar() {
     statusBar()->addWidget(m_solveStatus);
-    m_alertLink = new AlertLink(*m_resultPanel->alerts(), AlertLink::WithoutAny::hidden, this);
+    m_alertLink = new AlertLink(*m_resultPanel->alerts(), this);
     m_alertLink->setObjectName(QStringLiteral("alertLink"));
     statusBar()->addPermanentWidget(m_alertLink);
     statusBar()->addPermanentWidget(m_studyStatus);

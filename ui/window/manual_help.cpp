@@ -36,13 +36,13 @@ void addRows(const QMenu& menu, QStringList& rows) {
 }  // namespace
 
 QString shortcutTables(const QMenuBar& menus) {
-    QString text = QStringLiteral("## %1\n").arg(ManualHelp::tr("Menus, as they are now"));
+    QString text = QStringLiteral("## %1\n").arg(ManualHelp::tr("Menus and their keys"));
     for (const QAction* action : menus.actions()) {
         QStringList rows;
         if (action->menu()) addRows(*action->menu(), rows);
         if (rows.isEmpty()) continue;
         text += QStringLiteral("\n### %1\n\n| %2 | %3 |\n|---|---|\n%4\n")
-                    .arg(action->text().remove(u'&'), ManualHelp::tr("key"), ManualHelp::tr("what it does"),
+                    .arg(action->text().remove(u'&'), ManualHelp::tr("key"), ManualHelp::tr("action"),
                          rows.join(u'\n'));
     }
     return text;

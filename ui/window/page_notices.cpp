@@ -13,7 +13,7 @@ namespace drillwave {
 
 ElsewhereNotice::ElsewhereNotice(PageTabs& pages, QWidget* parent)
     : Notice(Tone::information, parent),
-      m_show(addButton(tr("Go there"), tr("To the page that has the answer"))) {
+      m_show(addButton(tr("Go there"), tr("Opens the page that has the answer"))) {
     setObjectName(QStringLiteral("elsewhere"));
     m_show->setObjectName(QStringLiteral("goThere"));
     connect(m_show, &QPushButton::clicked, this, [this] {
@@ -35,8 +35,7 @@ void ElsewhereNotice::tell(Page* page) {
 MarchedNotice::MarchedNotice(PageTabs& pages, QWidget* parent)
     : Notice(Tone::information, parent), m_pages(pages) {
     setObjectName(QStringLiteral("marchedBlow"));
-    QPushButton* single =
-        addButton(tr("Single blow"), tr("Show the blow again that begins at rest, as in Result"));
+    QPushButton* single = addButton(tr("Single blow"), tr("Shows the blow from rest again, as in Result"));
     single->setObjectName(QStringLiteral("singleBlow"));
     const auto leave = [this] {
         forget();
@@ -69,7 +68,7 @@ void MarchedNotice::follow() {
 TakenNotice::TakenNotice(Document& document, QWidget* parent)
     : Notice(Tone::information, parent), m_document(document) {
     setObjectName(QStringLiteral("taken"));
-    QPushButton* undo = addButton(tr("Undo"), tr("Take the value back"));
+    QPushButton* undo = addButton(tr("Undo"), tr("Undo this change"));
     undo->setObjectName(QStringLiteral("undoTaken"));
     connect(undo, &QPushButton::clicked, this, [this] {
         if (m_document.undoStack().index() == m_step) m_document.undoStack().undo();
@@ -113,8 +112,8 @@ void WavesNotice::present(const SolvedBlow& blow) {
     if (!isThinned || blow.request.scenario != m_document.scenario()) return hide();
     const DrillString rounded = withRoundedLengths(m_document.scenario().drillString);
     if (rounded == m_document.scenario().drillString) return hide();
-    say(tr("The waves of this blow are too many to be kept: this page shows those of a coarser string. "
-           "Rounding lengths to 10 mm can show them in full: %1.")
+    say(tr("This blow has too many waves to keep, so this page shows those of a coarser string. Rounding "
+           "lengths to 10 mm can show them in full: %1.")
             .arg(changesText(rounded)));
 }
 

@@ -126,12 +126,11 @@ Page* PageTabs::replacementFor(const Scenario& scenario) const {
 }
 
 void PageTabs::offer(Page& page, const Scenario& scenario) {
-    m_strip->setOffered(
-        m_strip->indexOf(&page), page.shows(scenario),
-        page.elsewhere().isEmpty()
-            ? tr("of drill strings alone, and this scenario is a uniform rod: a click makes a "
-                 "drill string of it, as Edit ▸ Make a drill string of this does")
-            : QString());
+    m_strip->setOffered(m_strip->indexOf(&page), page.shows(scenario),
+                        page.elsewhere().isEmpty()
+                            ? tr("only for drill strings, and this scenario is a uniform rod: a click "
+                                 "converts it, as Edit ▸ Make a drill string of this does")
+                            : QString());
 }
 
 bool PageTabs::isOffered(int index) const {

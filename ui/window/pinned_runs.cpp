@@ -121,14 +121,14 @@ void PinnedRuns::revertTo(int number) {
 void PinnedRuns::keep(bool wanted) {
     const QString folder = QDir::toNativeSeparators(m_keeper.folder());
     if (!wanted) {
-        if (m_questions.confirm(m_window, tr("Shall the kept runs be taken away?"),
+        if (m_questions.confirm(m_window, tr("Delete the kept runs?"),
                                 tr("%1\nThey stay on the list until the window is closed.").arg(folder),
-                                tr("Take away")))
+                                tr("Delete")))
             m_keeper.giveUp();
     } else if (const bool hasOthers = m_keeper.holdsOthers();
                !hasOthers ||
                m_questions.confirm(m_window, tr("There are runs beside this file already."),
-                                   tr("%1\nThose that are not on the list here would be lost.").arg(folder),
+                                   tr("%1\nRuns that are not on the list here would be lost.").arg(folder),
                                    tr("Replace"))) {
         const auto existing = hasOthers ? ExistingFiles::replaced : ExistingFiles::kept;
         if (const QString problem = m_keeper.keep(existing); !problem.isEmpty())

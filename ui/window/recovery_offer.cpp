@@ -12,10 +12,10 @@ namespace {
 
 QString detailsOf(const UnsavedScenario& scenario) {
     const QString when = QLocale().toString(scenario.time, QLocale::ShortFormat);
-    const QString text = tr("The program ended unexpectedly; the last change is of %1.").arg(when);
+    const QString text = tr("The program ended unexpectedly; the last change was at %1.").arg(when);
     if (scenario.origin.isEmpty()) return text;
     return text + QLatin1Char('\n') +
-           tr("They were made to %1, which does not change until you save.")
+           tr("The changes were made to %1, which stays as it is until you save.")
                .arg(QDir::toNativeSeparators(scenario.origin));
 }
 
@@ -29,7 +29,7 @@ void setAside(LostChanges& lost, const QString& problem, Questions& questions, Q
     const QString kept = QDir::toNativeSeparators(lost.setAside());
     questions.tell(window, Questions::Tone::failure,
                    tr("Unsaved changes of an earlier run cannot be restored."),
-                   tr("%1\nThe file is kept as %2 and will not be offered again.").arg(problem, kept));
+                   tr("%1\nThe file is kept as %2 and not offered again.").arg(problem, kept));
 }
 
 }  // namespace

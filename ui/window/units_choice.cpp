@@ -66,7 +66,7 @@ void UnitsChoice::addKind(const UnitKindRow& row) {
                 [this, kind = row.kind, unit] { m_units.choose(kind, unit); });
         menu->addAction(action);
     };
-    add(tr("as in the system chosen"), nullptr);
+    add(tr("as in the system selected"), nullptr);
     menu->addSeparator();
     for (const Unit& unit : unitsOf(row.quantity)) add(shownUnitName(unit.name), &unit);
     m_kinds.append(group);

@@ -54,7 +54,7 @@ PlotViewMenu::PlotViewMenu(PageTabs& pages, QWidget* window)
     setObjectName(QStringLiteral("plotViewMenu"));
     m_table->setCheckable(true);
     m_table->setChecked(Settings().value(tableShownKey, true).toBool());
-    m_table->setToolTip(tr("Reads what is in view, or at the cursors A and B"));
+    m_table->setToolTip(tr("Readings in view, or at the cursors A and B"));
     connect(m_table, &QAction::toggled, this, [this, window](bool shown) {
         Settings().setValue(tableShownKey, shown);
         for (PlotWidget* each : window->findChildren<PlotWidget*>()) each->reader().setTableShown(shown);

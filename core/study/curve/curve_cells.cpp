@@ -32,9 +32,9 @@ constexpr long leastStringBlows = 150;
 /// A kink is bracketed by half of so many.
 constexpr std::uint64_t blowsOfKink = 80;
 constexpr const char* notSmooth = translatable("not smooth within the work permitted");
-constexpr const char* isRounding = translatable("an error, which has no smooth course");
+constexpr const char* isRounding = translatable("errors do not vary smoothly");
 constexpr const char* isOfManyBlows =
-    translatable("of many blows, which need not be smooth: straight between points");
+    translatable("result of many blows, not necessarily smooth: straight lines between points");
 
 bool isRatio(Measure measure) {
     return measure == Measure::number || measure == Measure::share || measure == Measure::energy ||

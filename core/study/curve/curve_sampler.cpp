@@ -93,7 +93,7 @@ FitSample CurveSampler::operator()(double share, std::size_t output) {
     if (!sample.solved) {
         m_reason = !blow.reason.isEmpty() ? blow.reason
                    : !blow.lack.isEmpty() ? blow.lack
-                                          : translatable("the waves of such a blow are too many to be kept");
+                                          : translatable("such a blow has too many waves to keep");
         return sample;
     }
     sample.values[0] = blow.values[output];

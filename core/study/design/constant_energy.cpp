@@ -42,7 +42,7 @@ KeptParameter energyParameter(const Scenario& scenario) {
 
 Message keepEnergyProblem(const Scenario& scenario) {
     if (!hasUnits(scenario))
-        return translatable("a scenario given by its groups has no energy to keep; leave it out");
+        return translatable("a dimensionless scenario has no energy to keep; leave it out");
     if (!energyParameter(scenario))
         return translatable("a blow of given points has neither impulse nor velocity to scale; leave it out");
     return {};

@@ -49,7 +49,7 @@ void checkCounts(const DesignStudy& study, Lines& lines) {
         lines.usage(
             {designs == 0
                  ? translatable(
-                       "at most %1 designs, the choices make more than can be counted; give fewer values")
+                       "at most %1 designs, and the choices make too many to count; give fewer values")
                  : translatable("at most %1 designs, the choices make %2; give fewer values"),
              {std::to_string(mostDesigns), std::to_string(designs)}});
     else if (designs * study.samples > mostDesignSolves)
@@ -105,7 +105,8 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
                 lines.invalid({translatable("%1 is given twice; give it once"), {one.key}});
             else
                 lines.invalid(
-                    {translatable("%1 is chosen and uncertain: only +-P% about the choice can be both"),
+                    {translatable(
+                         "%1 is both design variable and uncertain: only +-P% about its value can be both"),
                      {one.key}});
         }
     if (!study.keepsEnergy) return;
@@ -127,10 +128,10 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
 void checkOutputs(const DesignStudy& study, Lines& lines) {
     for (const OutputColumn& column : study.columns()) {
         if (column.output->needsThrustStudy())
-            lines.invalid(translatable("thrust_margin is a study of all gaps by itself; aim at thrust"));
+            lines.invalid(translatable("thrust_margin needs a study of all gaps; aim at thrust instead"));
         else if (column.output->needsDrilling())
             lines.invalid(
-                {translatable("%1 is a march of many blows by itself; `drillwave drill` and sweeps have it"),
+                {translatable("%1 needs many blows for each value; use `drillwave drill` or a sweep"),
                  {std::string(column.output->name)}});
         else
             lines.invalid(columnProblem({&column, 1}, study.base));

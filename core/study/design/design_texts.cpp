@@ -40,14 +40,10 @@ bool isPresetName(std::string_view name, const PresetFile& file) {
 }
 
 Message unsuitable(PresetPart part, const Scenario& scenario) {
-    if (part == PresetPart::bit) return translatable("is no bit; give the preset of a bit");
-    if (part == PresetPart::rod) return translatable("is no rod; give the preset of a rod");
-    return isString(scenario)
-               ? translatable(
-                     "does not fit a drill string, whose hammer is followed too; give the preset of "
-                     "a piston")
-               : translatable(
-                     "does not fit a uniform rod, whose hammer is a force; give the preset of a hammer");
+    if (part == PresetPart::bit) return translatable("is not a bit; give the preset of a bit");
+    if (part == PresetPart::rod) return translatable("is not a rod; give the preset of a rod");
+    return isString(scenario) ? translatable("does not fit a drill string; give the preset of a piston")
+                              : translatable("does not fit a uniform rod; give the preset of a hammer");
 }
 
 /// Names may have commas: the longest run of items that is the name of a preset is one.
@@ -129,7 +125,7 @@ OutputStatistic readStatistic(std::string_view word) {
         return {{}, {}, {translatable("`%1` needs OUTPUT@STATISTIC, as efficiency@q05"), {shortened(word)}}};
     const OutputChoice output = chooseOutputs(word.substr(0, at), OutputUnits::dimensionless);
     if (!output.problem.isEmpty()) return {{}, {}, output.problem};
-    if (output.all) return {{}, {}, translatable("`all` are several outputs; name one")};
+    if (output.all) return {{}, {}, translatable("`all` means several outputs; name one")};
     const std::string_view statistic = trimmed(word.substr(at + 1));
     const std::optional<Statistic> found = findStatistic(statistic);
     if (!found)

@@ -28,9 +28,8 @@ void readHeader(const TableHeader& header, const std::string& place, ReadDraws& 
         }
         const bool isKnown = column.kind != CaseColumn::Kind::other;
         read.invalid.push_back(about(
-            place, {isKnown ? translatable(
-                                  "column `%1` is no number that can be uncertain; leave it out of the draws")
-                            : translatable("column `%1` is not a parameter; leave it out of the draws"),
+            place, {isKnown ? translatable("column `%1` is not a number that can be uncertain; leave it out")
+                            : translatable("column `%1` is not a parameter; leave it out"),
                     {shortened(column.text)}}));
     }
     if (const auto pair = header.assignments().rivals(); pair && read.invalid.empty())

@@ -71,7 +71,7 @@ class ScenarioSolver : public DesignSolver {
     static Message told(Message reason, std::span<const double> outputs) {
         if (!reason.isEmpty()) return reason;
         return std::ranges::any_of(outputs, [](double value) { return std::isnan(value); })
-                   ? Message(translatable("it has no number of some output"))
+                   ? Message(translatable("some output has no value"))
                    : Message();
     }
 

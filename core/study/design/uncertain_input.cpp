@@ -19,7 +19,7 @@ Message rangeRefusal(const UncertainInput& input, std::string_view text) {
     const Parameter& parameter = *input.parameter;
     const auto refuse = [&](const Message& reason) { return refusedValue(parameter.key, text, reason); };
     if (input.low == input.high) return refuse(translatable("has no width; give LOW below HIGH"));
-    if (!(input.low < input.high)) return refuse(translatable("is upside down; give LOW below HIGH"));
+    if (!(input.low < input.high)) return refuse(translatable("has LOW above HIGH; exchange them"));
     for (const double end : {input.low, input.high})
         if (const Message problem = rangeProblem(parameter, end); !problem.isEmpty()) return refuse(problem);
     if (input.low <= 0 && input.kind == DistributionKind::log)
@@ -30,7 +30,8 @@ Message rangeRefusal(const UncertainInput& input, std::string_view text) {
     const double mean = (input.low + input.high) / 2;
     const double deviation = (input.high - input.low) / (2 * normalHalfWidth);
     return mean - normalCut * deviation <= parameter.hard.low
-               ? refuse({translatable("reaches %1, where there is no answer; use lognormal"),
+               ? refuse({translatable(
+                             "the distribution extends to %1, outside the allowed range; use lognormal"),
                          {formatNumber(parameter.hard.low)}})
                : Message();
 }
@@ -82,7 +83,7 @@ Message readValues(ParsedUncertain& parsed, std::string_view text) {
         if (found == kinds.end())
             return {
                 translatable(
-                    "`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal"),
+                    "unknown suffix `%1` after the range of %2; choose from uniform, log, normal, lognormal"),
                 {shortened(parts[2]), std::string(input.parameter->key)}};
         input.kind = *found;
     }
@@ -96,19 +97,19 @@ Message read(ParsedUncertain& parsed, std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) {
         parsed.isMistyped = true;
-        return {translatable("`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%"),
+        return {translatable("`%1` is not a range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%"),
                 {shortened(text)}};
     }
     const std::string_view key = trimmed(text.substr(0, equals));
     parsed.input.parameter = findParameter(key);
     if (key == pulseShapeKey || key == restrikeKey || key == "bit_rock.law")
-        return {translatable("%1 is no number and cannot be uncertain; choose among several by --choose"),
+        return {translatable("%1 is not a number and cannot be uncertain; list values with --choose"),
                 {std::string(key)}};
     if (!parsed.input.parameter) return notAParameter(key);
     if (parsed.input.parameter->rules.wholeNumber)
-        return {translatable(
-                    "%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose"),
-                {std::string(key)}};
+        return {
+            translatable("%1 takes only whole numbers and cannot be uncertain; list values with --choose"),
+            {std::string(key)}};
     return readValues(parsed, text.substr(equals + 1));
 }
 
@@ -125,7 +126,7 @@ Distribution UncertainInput::in(const Scenario& design) const {
 Message UncertainInput::problemIn(const Scenario& design) const {
     const std::string key(parameter->key);
     if (const Message why = whyNotApplicable(*parameter, design); !why.isEmpty())
-        return {translatable("%1 has no meaning here: %2"), {key, why}};
+        return {translatable("%1 does not apply here: %2"), {key, why}};
     if (kind != DistributionKind::percent) return {};
     const std::optional<double> value = parameter->value(design);
     if (!value || *value == 0)

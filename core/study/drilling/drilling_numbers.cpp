@@ -52,7 +52,7 @@ Message whyNoStatistics(const DrillingResult& result) {
         case DrillingOutcome::done:
             return {};
         case DrillingOutcome::pushedBack:
-            return translatable("the machine is pushed back: no motion that is bounded");
+            return translatable("the machine is pushed back without limit");
         case DrillingOutcome::notSolved:
             return result.reason;
         case DrillingOutcome::stopped:

@@ -128,10 +128,9 @@ Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid) 
 Message workProblem(const DrillingMarch& march, long blows, double mostWork) {
     const double all = march.work() / static_cast<double>(march.blows()) * static_cast<double>(blows);
     if (march.work() < std::min(judgedWork, mostWork) || all <= mostWork) return {};
-    return {
-        translatable("its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and "
-                     "part very often; a larger gamma, fewer blows or a higher frequency take less"),
-        {rounded(all, 2), rounded(mostWork, 2)}};
+    return {translatable("its blows would take %1 wave cells, more than the %2 permitted, because contact "
+                         "changes very often; a larger gamma, fewer blows or a higher frequency take less"),
+            {rounded(all, 2), rounded(mostWork, 2)}};
 }
 
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,

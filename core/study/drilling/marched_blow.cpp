@@ -135,8 +135,7 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
         blow.impact =
             Impact::unsolved(Message::ofTable(march.trouble().empty() ? "stopped" : march.trouble()));
     } else if (!kept.waves) {
-        blow.impact =
-            Impact::unsolved(translatable("its waves are more than can be kept"), Hindrance::histories);
+        blow.impact = Impact::unsolved(translatable("it has too many waves to keep"), Hindrance::histories);
     } else {
         blow.marched->rememberedForce = kept.rememberedForce;
         blow.problem.gap = -kept.place * lawUnitOfPenetration;

@@ -127,8 +127,7 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
     GapCurve curve;
     curve.periodStart = gapPeriodStart(problem);
     if (!std::isfinite(curve.periodStart)) {
-        curve.reason =
-            translatable("the hammer still pushes when its wave has returned more often than is followed");
+        curve.reason = translatable("the hammer pushes longer than the reflections that are computed");
         return curve;
     }
     curve.start = std::min(std::floor(start), curve.periodStart);

@@ -123,7 +123,7 @@ std::vector<Message> problemsOf(const MapStudy& study) {
     if (problems.empty() && study.x.count > maximumMapPoints / study.y.count)
         problems.emplace_back(
             translatable(
-                "the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none"),
+                "the map has more than %1 points; take fewer, or use `drillwave sweep`, which has no limit"),
             std::vector<Message>{std::to_string(maximumMapPoints)});
     if (!problems.empty()) return problems;
     return problemsOf(Sweep{.base = study.base,

@@ -63,10 +63,11 @@ void checkHistories(StabilityRow& row, const Problem& problem, ExactSolver& solv
     if (row.pieces > mostRecorded) return;
     const Impact impact = solver.solve(problem, Detail::histories, stop);
     row.leastForce = leastForceOf(impact);
-    require(row, *row.leastForce >= -marks.pull, translatable("the rock pulls: F/Fmax %1"), *row.leastForce);
+    require(row, *row.leastForce >= -marks.pull, translatable("tension on the rock: F/Fmax %1"),
+            *row.leastForce);
     row.reach = reachOf(impact);
     require(row, *row.reach <= marks.reach && impact.finalMomentum <= marks.momentum,
-            translatable("not at its end: the front end returns by %1"), *row.reach);
+            translatable("not at its end: the bit returns by %1"), *row.reach);
 }
 
 constexpr double near = 1e-10;  // how far off neighbours are
@@ -118,8 +119,8 @@ void checkLattice(StabilityRow& row, const Problem& problem, LatticeSolver& latt
     const Impact impact = lattice.solve(problem, Detail::cor, {.segments = latticeSegments}, stop);
     if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;
     row.latticeDistance = std::abs(impact.cor - row.cor) / (impact.corError + row.corError);
-    require(row, *row.latticeDistance <= marks.lattice, translatable("the lattice differs by estimates: %1"),
-            *row.latticeDistance);
+    require(row, *row.latticeDistance <= marks.lattice,
+            translatable("the lattice differs, in units of its error estimate: %1"), *row.latticeDistance);
 }
 
 /// The stated error, against more digits, which have an error of their own.
@@ -129,7 +130,7 @@ void checkBound(StabilityRow& row, const Problem& problem, const std::stop_token
     if (extended.outcome != Outcome::rebounded) return;
     row.boundDistance = std::abs(extended.cor - row.cor) / (row.corError + extended.corError);
     require(row, *row.boundDistance <= marks.bound,
-            translatable("the stated error is exceeded by a factor %1"), *row.boundDistance);
+            translatable("the error bound is exceeded by a factor of %1"), *row.boundDistance);
 }
 
 StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, LatticeSolver& lattice,

@@ -96,7 +96,7 @@ Message CaseSolver::march(const Scenario& scenario, const std::stop_token& stop)
                               .blowAlone = false,
                               .mostWork = workWithEvents * static_cast<double>(m_solver.mostCells())};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
-        return translatable("its blows under a feed need more wave cells than permitted");
+        return translatable("its sequence of blows needs more wave cells than permitted");
     const DrillingResult result = studyDrilling(scenario, settings, wants, stop);
     m_drill = drillNumbersOf(result);
     m_lack = whyNoStatistics(result);

@@ -16,7 +16,7 @@ constexpr std::string_view allName = "all";
 Message unknownOutput(std::string_view name) {
     const std::vector<std::string_view> names = outputNames();
     const std::string_view near = nearestName(name, names);
-    if (name == allName) return translatable("`all` are all outputs already; give it alone");
+    if (name == allName) return translatable("`all` are all outputs already; give nothing else");
     if (!near.empty())
         return {translatable("`%1` is not an output; did you mean `%2`?"),
                 {shortened(name), std::string(near)}};

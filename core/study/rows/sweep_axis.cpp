@@ -68,8 +68,8 @@ Message readCount(SweepAxis& axis, std::string_view text) {
 Message readEnds(ParsedAxis& parsed, const std::vector<std::string_view>& parts, std::size_t last) {
     SweepAxis& axis = parsed.axis;
     if (parts.size() == last + 2 && parts.back() != "log")
-        return {last == 1 ? translatable("`%1` behind the end of %2 is not known; only `log` may follow")
-                          : translatable("`%1` behind the count of %2 is not known; only `log` may follow"),
+        return {last == 1 ? translatable("unknown suffix `%1` after the range of %2; only `log` is allowed")
+                          : translatable("unknown suffix `%1` after the count of %2; only `log` is allowed"),
                 {shortened(parts.back()), std::string(axis.key())}};
     axis.kind = parts.size() == last + 2 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
     if (Message problem = readValue(parsed, parts[0], axis.start); !problem.isEmpty()) return problem;
@@ -87,7 +87,7 @@ Message wholeNumberProblem(const SweepAxis& axis) {
     if (!axis.parameter->rules.wholeNumber) return {};
     const double most = axis.parameter->hard.high - axis.parameter->hard.low + 1;
     const Message advice{
-        translatable("%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C"),
+        translatable("%1 takes only whole numbers; give a COUNT that hits them, or a list A,B,C"),
         {std::string(axis.key())}};
     if (static_cast<double>(axis.count) > most) return advice;
     for (std::uint64_t i = 0; i < axis.count; ++i)
@@ -122,9 +122,8 @@ Message followedForm(std::string_view key) {
 }
 
 Message wordsProblem(const WordParameter& words) {
-    return {words.key == pulseShapeKey
-                ? translatable("%1 has no numbers to go along; make a family of shapes")
-                : translatable("%1 has no numbers to go along; make a family of words"),
+    return {words.key == pulseShapeKey ? translatable("%1 has no numeric values; use a family of shapes")
+                                       : translatable("%1 has no numeric values; use a family of words"),
             {std::string(words.key)}};
 }
 
@@ -173,7 +172,7 @@ Message readKey(ParsedAxis& parsed, std::string_view text, std::string_view& val
     parsed.axis.words = findWordParameter(key);
     if (parsed.axis.parameter || parsed.axis.words) return {};
     if (key == restrikeKey)
-        return {translatable("%1 is true or false, which is no axis; give it with --set"),
+        return {translatable("%1 is true or false, so it cannot be an axis; give it with --set"),
                 {std::string(key)}};
     return notAParameter(key);
 }
@@ -183,7 +182,7 @@ Message readAxis(ParsedAxis& parsed, std::string_view text, std::optional<std::u
     if (Message problem = readKey(
             parsed, text, values,
             translatable(
-                "`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C"));
+                "`%1` is not an axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C"));
         !problem.isEmpty())
         return problem;
     if (!parsed.axis.parameter) return readWords(parsed, split(values, ','));
@@ -196,7 +195,7 @@ Message readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
     std::string_view values;
     if (Message problem =
             readKey(parsed, text, values,
-                    translatable("`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log"));
+                    translatable("`%1` is not an axis: write KEY=START:STOP or KEY=START:STOP:log"));
         !problem.isEmpty())
         return problem;
     if (!parsed.axis.parameter) return wordsProblem(*parsed.axis.words);
@@ -245,7 +244,7 @@ Message SweepAxis::assign(Scenario& scenario, double value) const {
         const Message reason = words->assign(scenario, static_cast<std::size_t>(value));
         return reason.isEmpty()
                    ? reason
-                   : Message(translatable("%1 has no meaning here: %2"), {std::string(key()), reason});
+                   : Message(translatable("%1 does not apply here: %2"), {std::string(key()), reason});
     }
     const Message problem = assignNumber(scenario, *parameter, value);
     return problem.isEmpty() ? problem : Message("%1 %2", {std::string(key()), problem});
@@ -286,7 +285,7 @@ Message followProblem(const SweepAxis& axis) {
     const std::string key(axis.key());
     if (!axis.parameter) return wordsProblem(*axis.words);
     if (axis.parameter->rules.wholeNumber)
-        return {translatable("%1 has whole numbers alone; make a family of them, or sweep it"), {key}};
+        return {translatable("%1 has only whole numbers; make a family of them, or sweep it"), {key}};
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
         return followedForm(key);
     if (!(axis.start < axis.stop)) return mustRise(axis);

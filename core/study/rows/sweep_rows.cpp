@@ -18,15 +18,15 @@ Message pictureProblem(const Sweep& sweep) {
                 {std::to_string(sweep.axes.size())}};
     const std::size_t along = lineAxis(sweep.axes);
     if (along == sweep.axes.size())
-        return translatable("no axis has two numbers or more to draw a curve along");
-    if (sweep.shard.count > 1) return translatable("a part of the rows cannot be drawn; leave out --shard");
+        return translatable("no axis has two or more numeric values to draw a curve along");
+    if (sweep.shard.count > 1) return translatable("pictures need all rows; leave out --shard");
     if (pointCount(sweep) > mostDrawnRows)
         return {translatable("at most %1 rows can be drawn, not %2; take fewer"),
                 {std::to_string(mostDrawnRows), std::to_string(pointCount(sweep))}};
     for (const SweepAxis& axis : sweep.axes)
         if (&axis != &sweep.axes[along] && axis.count > mostDrawnLines)
-            return {translatable("at most %1 curves can be told apart, and %2 has %3 values; take fewer, or "
-                                 "draw a map (drillwave map)"),
+            return {translatable("at most %1 curves can be distinguished, and %2 has %3 values; take fewer, "
+                                 "or draw a map (drillwave map)"),
                     {std::to_string(mostDrawnLines), std::string(axis.key()), std::to_string(axis.count)}};
     if (sweep.columns.size() > mostDrawnOutputs)
         return {translatable("at most %1 outputs can be drawn, not %2; choose with --outputs"),

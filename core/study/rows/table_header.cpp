@@ -79,11 +79,11 @@ std::string_view groupOf(std::string_view name) {
 Message misspelt(std::string_view name, std::string_view group) {
     const std::string near = nearestKey(name), others = std::string(group) + "…";
     if (near.empty())
-        return {translatable("`%1` is not a parameter; write a key that there is, or another name than `%2` "
-                             "for a column that is only to be passed through"),
+        return {translatable("`%1` is not a parameter; write a known key, or another name than `%2` for a "
+                             "column that is only passed through"),
                 {shortened(name), others}};
-    return {translatable("`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column "
-                         "that is only to be passed through?"),
+    return {translatable("`%1` is not a parameter; did you mean `%2`? A column that is only passed through "
+                         "needs another name than `%3`"),
             {shortened(name), near, others}};
 }
 
@@ -101,9 +101,9 @@ Message misnamed(std::string_view cell, std::string_view name) {
     const bool unitInParentheses = name.find('(') != std::string_view::npos;
     return {unitInParentheses
                 ? translatable("`%1` is not a parameter; write `%2`, with its unit in square brackets, or "
-                               "another name for a column that is only to be passed through")
+                               "another name for a column that is only passed through")
                 : translatable("`%1` is not a parameter; write `%2`, or another name for a column that is "
-                               "only to be passed through"),
+                               "only passed through"),
             {shortened(name), key}};
 }
 
@@ -125,7 +125,7 @@ void readUnit(CaseColumn& column, std::string_view unit, std::size_t number, Tab
         {number,
          quantity == Quantity::ratio
              ? Message(translatable("%1 has no unit; write it without `[%2]`"), {key, shortened(unit)})
-             : Message(translatable("%1: unit `%2` is not known here; units that would do: %3"),
+             : Message(translatable("%1: unit `%2` is not known here; allowed units: %3"),
                        {key, shortened(unit), unitList(quantity)})});
 }
 
@@ -134,7 +134,7 @@ void checkTwice(const CaseColumn& column, std::size_t number, TableHeader& heade
     if (earlier == header.columns.end()) return;
     header.problems.push_back(
         {number,
-         {translatable("sets %1 again, column %2 does already; keep one of them"),
+         {translatable("sets %1, which column %2 also sets; keep one of them"),
           {std::string(column.key()), std::to_string(earlier - header.columns.begin() + 1)}}});
 }
 
@@ -148,7 +148,7 @@ void judgeOther(std::string_view cell, std::size_t number, std::span<const Outpu
         header.warnings.push_back(
             {number,
              {translatable(
-                  "`%1` is passed through as it is; the column that is computed follows with the same name"),
+                  "`%1` is passed through unchanged; the computed column with the same name follows"),
               {shortened(trimmed(cell))}}});
     else if (!isOutput(name))
         header.warnings.push_back({number, passedThrough(name)});
@@ -158,8 +158,8 @@ void checkSetsSomething(TableHeader& header) {
     const auto sets = [](const CaseColumn& column) { return column.kind != CaseColumn::Kind::other; };
     if (!header.problems.empty() || std::ranges::any_of(header.columns, sets)) return;
     header.problems.push_back(
-        {0, translatable("no column names a parameter, so that every row would be the same blow; name some "
-                         "in the first row, as `beta` or `rod.length [m]`")});
+        {0, translatable("no column is a parameter, so every row would be the same blow; name parameters in "
+                         "the first row, such as `beta` or `rod.length [m]`")});
 }
 
 }  // namespace

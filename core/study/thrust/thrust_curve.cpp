@@ -23,7 +23,7 @@ struct ScenarioAt {
 ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
     ScenarioAt at{base, {}};
     if (!parameter.applies(base))
-        at.obstacle = about(std::string(parameter.key), translatable("has no meaning in this scenario"));
+        at.obstacle = about(std::string(parameter.key), translatable("does not apply to this scenario"));
     else if (const Message problem = assignNumber(at.scenario, parameter, value); !problem.isEmpty())
         at.obstacle = {"%1 %2", {std::string(parameter.key), problem}};
     if (const auto problems = at.obstacle.isEmpty() ? validate(at.scenario) : std::vector<InputProblem>();

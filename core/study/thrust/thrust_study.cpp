@@ -78,7 +78,7 @@ ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);
     if (study.reason.isEmpty() && gapHasPeriod(scenario))
-        study.reason = translatable("is a uniform rod (`drillwave: 1`) and no string");
+        study.reason = translatable("is a uniform rod (`drillwave: 1`), not a string");
     if (!study.reason.isEmpty()) return study;
     const auto [problem, impact] = solver.solveString(scenario, {.accuracy = accuracy, .wants = {}}, stop);
     study.stopped = stop.stop_requested();

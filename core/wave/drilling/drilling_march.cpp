@@ -63,8 +63,8 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     m_arriving.resize(count);
     if (grid.shortSection()) {
         m_trouble = translatable(
-            "a section is shorter than a cell of the march: take more cells (--cells), or "
-            "leave the section out and give its mass to the section in front of it");
+            "a section is shorter than a time step: take more (--cells), or leave the section out and add "
+            "its mass to the section before it");
         return;
     }
     double passing = 1;  // amplitude that the joint in front of a section passes

@@ -57,8 +57,7 @@ RearNode::RearNode(const Parts& parts, std::span<const double> widths)
         m_machine->damping * body + std::sqrt(m_machine->stiffness * body) + m_machine->stiffness * mobility;
     for (const double width : m_widths)
         if (m_fastest * width / mostOfRate > mostStretches)
-            m_trouble = translatable(
-                "the damper, or the face of the hammer, is too stiff for the cells of the march");
+            m_trouble = translatable("the damper, or the face of the hammer, is too stiff for the time step");
     if (!m_trouble.empty()) return;
     for (const double width : m_widths) m_maps.push_back(pressingMap(width));
 }
@@ -317,7 +316,7 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
     SearchCount uncounted;
     for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces) {
         if (pieces == mostStretches) {
-            m_trouble = translatable("the damper, or the hammer, meets and leaves the rear end without end");
+            m_trouble = translatable("the contact of damper or hammer with the rear end changes without end");
             break;
         }
         const Piece piece = nextPiece(in, from, 1);

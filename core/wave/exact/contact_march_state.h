@@ -231,13 +231,10 @@ class ContactMarch {
     bool failAtLimit() {
         const bool atMemory = m_mostPieces < m_limits.pieces;
         fail(atMemory
-                 ? translatable(
-                       "its histories need more than 4 million wave pieces: each of very many "
-                       "reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow "
-                       "needs fewer")
-                 : translatable("it needs more wave pieces than permitted: each of very many reflections "
-                                "leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs "
-                                "fewer"));
+                 ? translatable("its histories need more than 4 million wave pieces, because of very many "
+                                "reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer")
+                 : translatable("it needs more wave pieces than permitted, because of very many reflections; "
+                                "a stiffer rock, a larger gamma or a shorter blow needs fewer"));
         m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
         return true;
     }

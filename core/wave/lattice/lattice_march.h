@@ -293,8 +293,9 @@ void LatticeMarch<Waves>::decide() {
     if (momentum > uncertain) return skipPeriods(momentum);
     finish();
     if (!touches && momentum > -uncertain)
-        fail(translatable(
-            "the momentum after a separation is zero within rounding: whether the rod returns is undecided"));
+        fail(
+            translatable("the momentum after a separation is zero within rounding: it cannot be decided "
+                         "whether the rod returns"));
 }
 
 template <class Waves>

@@ -192,12 +192,11 @@ Impact LatticeSolver::solve(const Problem& problem, Detail detail, const Lattice
     impact.corError = 2 * spread(impact.cor, options.segments, others, corOf) + rounding;
     if (std::isnan(impact.corError)) {
         impact.outcome = Outcome::notSolved;
-        impact.reason =
-            stop.stop_requested()
-                ? "stopped"
-                : translatable(
-                      "lattices of other step lengths find no solution, so that its error cannot be "
-                      "estimated; use more segments or the exact method");
+        impact.reason = stop.stop_requested()
+                            ? "stopped"
+                            : translatable(
+                                  "lattices with other step lengths have no solution, so the error cannot be "
+                                  "estimated; use more segments or the exact method");
     }
     return impact;
 }

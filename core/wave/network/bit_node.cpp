@@ -377,7 +377,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
     for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = translatable(
-                "bit and rock meet and part, or a small bit mass swings, faster than can be followed");
+                "bit and rock change contact, or a small bit mass oscillates, faster than can be computed");
             break;
         }
         const EventPiece piece = nextPiece(powers, width, from, 1);

@@ -225,7 +225,7 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double time, CutAt cu
     if (!m_now.apart && !m_stiffness && isStill(w)) separate(time);
     for (int pieces = 0; from < 1 && !m_now.released && m_trouble.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
-            m_trouble = translatable("the faces of hammer and string meet and part without end");
+            m_trouble = translatable("the contact of hammer and string changes without end");
             break;
         }
         const EventPiece piece = nextPiece(powers, width, from, 1);

@@ -234,8 +234,8 @@ Impact NetworkMarch::notSolved(Message reason, Hindrance hindrance) {
 std::string_view NetworkMarch::overspent() const {
     if (m_lattice.workOfEvents() > work() / 2)
         return translatable(
-            "bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, "
-            "to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less");
+            "contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, "
+            "no bit mass or a shorter end_time");
     return tooManyCells;
 }
 

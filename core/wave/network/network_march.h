@@ -30,8 +30,8 @@ class NetworkMarch {
     /// Follows the blow that was planned last, with at most as much work as `mostCells` cells times nodes.
     Impact run(long mostCells, const std::stop_token& stop);
     static constexpr std::string_view tooManyCells = translatable(
-        "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
-        "end_time need fewer");
+        "it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a "
+        "shorter end_time");
     /// Cells on their way at the end of the blow.
     double held() const { return m_lattice.held(); }
 

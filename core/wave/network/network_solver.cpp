@@ -177,23 +177,20 @@ double balanceError(const Impact& impact) {
 
 std::string_view networkRefusal(const Problem& problem) {
     if (problem.isForced() && problem.force().isRigidBody())
-        return translatable(
-            "a rod that moves towards the rock as a whole is not for polynomial cells, which follow a "
-            "force or a hammer");
+        return translatable("polynomial cells need a force or a hammer; this rod arrives without waves");
     for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         if (problem.sections[j].decay > 0 ||
             (j + 1 < problem.hammerSections() && problem.sections[j].loss > 0))
             return translatable(
-                "losses inside the hammer are not part of the model: give loss and attenuation to the "
-                "string only");
+                "losses inside the hammer are not modelled: give loss and attenuation only to the string");
     const double mass = problem.sections.back().massAfter;
     if (mass > 0) {
         const double slope = problem.law.beta / problem.law.gamma;
         const OscillationRates rates{problem.sections.back().impedance, mass, slope};
         if (rates.fastest() * roundTripOf(problem) > mostSwings)
             return translatable(
-                "the bit mass swings too fast on this rock to be followed: leave it out, it is too small "
-                "to matter, or give a softer rock");
+                "the bit mass oscillates too fast on this rock: leave it out (it is too small to matter), or "
+                "give a softer rock");
     }
     return {};
 }

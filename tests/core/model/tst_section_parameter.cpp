@@ -180,8 +180,8 @@ void TestSectionParameter::whatIsNotThereIsRefusedWithItsNeighbour_data() {
     row("string.rod.lenght", "did you mean `string.rod.length`?");
     row("sting.rod.length", "did you mean `string.rod.length`?");
     row("rod.length", "only a uniform rod has it");
-    row("pulse.duration", "only a force in place of the hammer has it");
-    row("pulse.shape", "only a force in place of the hammer has it");
+    row("pulse.duration", "only a force instead of the hammer has it");
+    row("pulse.shape", "only a force instead of the hammer has it");
     row("tau", "follows from the lengths of hammer and string");
     row("string", "write it into the scenario file");
 }
@@ -245,7 +245,7 @@ void TestSectionParameter::keysOfOneSectionAreRivals_data() {
     const auto row = [](const char* one, const char* other, const char* problem) {
         QTest::addRow("%s, %s", one, other) << QByteArray(one) << QByteArray(other) << problem;
     };
-    const char* const places = "set one section, which a repeat brings to both places";
+    const char* const places = "both are the same section of a repeat; set one of them";
     row("string.3.length", "string.5.length", places);
     row("string.3.area", "string.7.diameter", places);
     row("string.3.length", "string.4.length", "");

@@ -30,25 +30,25 @@ const std::vector<Example>& examples() {
         {{warning, AlertCode::implausibleValue, "rod.youngs_modulus", {{"value", 210, Quantity::stress}}},
          "The Young's modulus E = 0.00021 MPa is outside the usual range, 60 GPa to 250 GPa."},
         {{warning, AlertCode::longPulse, "tau", {{"late_impulse", 0.1239}}},
-         "The first reflection is back while 12.3 % of the blow is still to come; a real hammer would feel "
-         "it, here its force is prescribed."},
+         "The first reflection returns before the last 12.3 % of the blow. A real hammer would feel it, but "
+         "here the force is prescribed. To include it, use a drill string with a hammer."},
         {{note, AlertCode::defaultHammer, "pulse.impedance_ratio", {}},
-         "The hammer's impedance is that of the rod, the value assumed where none is given: its blow is one "
-         "step."},
+         "The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data "
+         "of the piston."},
         {{note,
           AlertCode::defaultHammer,
           "pulse.length",
           {{"pulse.length", 0.5, Quantity::length},
            {"pulse.diameter", 0.038, Quantity::length},
            {"pulse.velocity", 10, Quantity::velocity}}},
-         "The hammer is the one assumed where none is given (hammer length 500 mm, hammer diameter 38 mm, "
-         "hammer velocity 10 m/s, the material of the rod): give the data of the rock drill's piston."},
+         "The hammer is the default one (hammer length 500 mm, hammer diameter 38 mm, hammer velocity 10 "
+         "m/s, the material of the rod). Give the data of the rock drill's piston."},
         {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 0.5}}},
-         "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod takes "
-         "over more than its momentum."},
+         "The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and "
+         "the rod receives more than its momentum."},
         {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 2}}},
-         "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, assumed "
-         "to run on as if the rod were long."},
+         "The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, "
+         "computed for a long rod."},
         {{note, AlertCode::gapWithoutEffect, "delta", {}},
          "The gap has no effect on a rigid body motion: it only shifts the time of contact."},
         {{warning,
@@ -63,28 +63,28 @@ const std::vector<Example>& examples() {
          "blow is covered by at least 2.8 kN at 50 Hz, or at most 26.7 Hz with this feed. Friction, rotation "
          "and buckling are not modelled."},
         {{note, AlertCode::superRebound, "", {{"cor", 1.25}}},
-         "The rod leaves with more momentum than it came with (e = 1.25): rigid rock, e = 1, would "
-         "underestimate the thrust."},
+         "The rod rebounds with more momentum than it had before impact (e = 1.25). An estimate for rigid "
+         "rock (e = 1) gives too small a feed force."},
         {{note, AlertCode::severalContacts, "", {{"contacts", 3}}},
-         "The bit hits the rock 3 times in this blow: the waves on their way bring it back."},
+         "The bit hits the rock 3 times in this blow: reflected waves push it back to the rock."},
         {{note,
           AlertCode::closedFormInvalid,
           "tau",
           {{"tau", 0.4}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not hold, because the blow is longer than a round trip in "
-         "the rod (tau = 0.4 < 0.5): its e = 0.5 is off by 0.125."},
+         "The closed form for elastic rock does not apply, because the blow is longer than a round trip in "
+         "the rod (tau = 0.4 < 0.5): its e = 0.5 has an error of 0.125."},
         {{note,
           AlertCode::closedFormInvalid,
           "delta",
           {{"delta", 0.3}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not hold, because the bit meets the rock in the middle of a "
-         "wave (delta = 0.3 is not a whole number): its e = 0.5 is off by 0.125."},
+         "The closed form for elastic rock does not apply, because the bit meets the rock in the middle of a "
+         "wave (delta = 0.3 is not a whole number): its e = 0.5 has an error of 0.125."},
         {{note,
           AlertCode::closedFormInvalid,
           "bit_rock.law",
           {{"bit_rock.law", 2}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not hold, because the loading curve of the rock is no "
-         "straight line: its e = 0.5 is off by 0.125."},
+         "The closed form for elastic rock does not apply, because the loading curve of the rock is not a "
+         "straight line: its e = 0.5 has an error of 0.125."},
         {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 1e6, Quantity::force}}},
          "The force of corner 2 = 1000 kN is outside the usual range, 5 kN to 500 kN."},
         {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 9, Quantity::ratio}}},
@@ -93,18 +93,18 @@ const std::vector<Example>& examples() {
           AlertCode::cornersWithoutEffect,
           "bit_rock.law",
           {{"peak_force", 80e3, Quantity::force}, {"corner_force", 90e3, Quantity::force}}},
-         "The force stays below the first corner of the loading curve (80 kN of 90 kN): the law acts as the "
+         "The force stays below the first corner of the loading curve (80 kN of 90 kN): the law acts like a "
          "bilinear one."},
         {{note,
           AlertCode::closedFormInvalid,
           "beta",
           {{"beta", 0.02}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not hold, because the bit is still on the rock when the next "
-         "reflection arrives: its e = 0.5 is off by 0.125."},
+         "The closed form for elastic rock does not apply, because the bit is still on the rock when the "
+         "next reflection arrives: its e = 0.5 has an error of 0.125."},
         {{warning, AlertCode::inputDecides, "", {{"contacts", 40}, {"cor_error", 2e-4}}},
-         "The bit chatters on the rock (40 contacts), so that e depends on the last digits of the input: it "
-         "is known to 0.00021 only, and no calculation knows it better. A longer rod, a shorter blow or a "
-         "softer rock chatters less."},
+         "The bit chatters on the rock (40 contacts), so e depends on the last digits of the input: no "
+         "calculation can know it better than to 0.00021. A longer rod, a shorter blow or a softer rock "
+         "chatters less."},
         {{warning, AlertCode::reducedAccuracy, "", {{"cor_error", 2e-8}}},
          "The numerical error of e may be as large as 2.1e-08."},
         {{warning,
@@ -115,7 +115,7 @@ const std::vector<Example>& examples() {
            {"time", 600e-6, Quantity::time},
            {"strength", 300e6, Quantity::stress}}},
          "The rod would yield: compression reaches 360 MPa, 1.83 m from the hammer at 600 us, during the "
-         "blow, against a strength of 300 MPa."},
+         "blow; its strength is 300 MPa."},
         {{note,
           AlertCode::stressAboveFatigue,
           "rod.fatigue_strength",
@@ -123,21 +123,19 @@ const std::vector<Example>& examples() {
            {"place", 0.915, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 150e6, Quantity::stress}}},
-         "The rod is fatigued by every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, after "
-         "the "
-         "blow, in the waves left (which nothing damps here), against a strength of 150 MPa."},
+         "The rod suffers fatigue at every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, "
+         "after the blow, in the residual waves (undamped here); its strength is 150 MPa."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
-         "The waves of a blow make only 4.5 round trips until the next blow, and meet it undamped: "
-         "penetration may swing by 10 % up or down with frequency times length; "
-         "`drill` follows it."},
+         "The waves of a blow make only 4.5 round trips before the next blow, and meet it undamped. "
+         "Penetration may change by up to 10 % with blow frequency and string length; `drill` computes it."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 2}, {"wave_loss", 0.1}}},
-         "The waves of a blow make only 2 round trips until the next blow, and meet it with 81 % left at a "
-         "wave loss of 10 %: penetration may swing by 10 % up or down with frequency times length; "
-         "`drill` follows it."},
+         "The waves of a blow make only 2 round trips before the next blow, and meet it with 81 % left at a "
+         "wave loss of 10 %. Penetration may change by up to 10 % with blow frequency and string length; "
+         "`drill` "
+         "computes it."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
-         "The waves of a blow make only 4.06 round trips until the next blow, and meet it undamped and "
-         "nearly in step (close to 4): penetration may swing by 10 % up or down; "
-         "`drill` follows it."},
+         "The waves of a blow make only 4.06 round trips before the next blow, and meet it undamped and "
+         "nearly in step (close to 4). Penetration may change by up to 10 %; `drill` computes it."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",
@@ -147,77 +145,74 @@ const std::vector<Example>& examples() {
            {"strength", 300e6, Quantity::stress},
            {"section", 9}},
           Message("3rd rod")},
-         "3rd rod would yield: tension reaches 362.2 MPa, 1.5 m from its rear end at 4 ms, against a "
-         "strength "
-         "of 300 MPa."},
+         "3rd rod would yield: tension reaches 362.2 MPa, 1.5 m from its rear end at 4 ms; its strength is "
+         "300 MPa."},
         {{AlertLevel::information, AlertCode::wavesThinned, "", {{"difference", 2.5e-3}}},
-         "The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, "
-         "whose COR and efficiency differ by at most 0.0026."},
+         "This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR "
+         "and efficiency differ by at most 0.0026."},
         {{warning,
           AlertCode::lengthsRounded,
           "",
           {{"time", 2e-7, Quantity::time}, {"efficiency_error", 1e-3}}},
-         "The transit times of the sections share no cell of time: they were rounded by up to 0.2 us, and "
-         "the efficiency may be off by 0.0011. Lengths in whole millimetres of one steel share one and are "
-         "exact."},
+         "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and "
+         "the efficiency may have an error of 0.0011. Lengths in whole millimetres of one steel share a time "
+         "step and are exact."},
         {{warning, AlertCode::lengthsRounded, "", {{"time", 2e-7, Quantity::time}, {"cor_error", 5e-3}}},
-         "The transit times of the sections share no cell of time: they were rounded by up to 0.2 us, and "
-         "the force on the rock and the rebound are off: e by up to 0.0053. Lengths in whole millimetres of "
-         "one steel share one and are exact."},
+         "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and "
+         "force on the rock and rebound have errors: e by up to 0.0053. Lengths in whole millimetres of one "
+         "steel share a time step and are exact."},
         {{warning,
           AlertCode::lengthsRounded,
           "",
           {{"time", 2e-7, Quantity::time},
            {"efficiency_error", 1e-3},
            {"shared_cell", 4e-7, Quantity::time}}},
-         "The transit times of the sections share but a cell of time of 0.4 us, which would take more work "
-         "than is permitted: they were rounded by up to 0.2 us, and the efficiency may be off by 0.0011. "
-         "Lengths with a larger common divisor share a longer one."},
+         "The transit times of the sections only share a time step of 0.4 us, which takes more work than is "
+         "permitted: they were rounded by up to 0.2 us, and the efficiency may have an error of 0.0011. "
+         "Lengths with a larger common divisor share a longer time step."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
-         "After 16.7 ms the bit may still meet the rock again: these are the numbers at the next blow, not "
+         "After 16.7 ms the bit may still hit the rock again: these are the values at the next blow, not the "
          "final ones."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
-         "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
-         "final "
-         "ones."},
+         "After 16.7 ms bit and rock, or hammer and string, may still meet again: these are the values at "
+         "the next blow, not the final ones."},
         {{warning,
           AlertCode::pushedBack,
           "",
           {{"force", 3000, Quantity::force}, {"needed", 3060, Quantity::force}}},
-         "The feed, 3 kN, is less than the mean reaction of the blows, 3.06 kN, or so near to it that gaps "
-         "grow without bound."},
+         "The feed force of 3 kN is below the mean force of the blows, 3.06 kN, or too close to it: gaps "
+         "grow without bound. Increase the feed force."},
         {{note, AlertCode::noWaveLoss, "", {}},
-         "Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is "
-         "usual."},
+         "Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual."},
         {{warning, AlertCode::restrikeInTheWay, "", {{"share", 0.1234}}},
-         "After it has separated, the piston still passes up to 12.3 % of its momentum: it is in the way of "
-         "the rebounding string, where a machine would have drawn it back; “may strike again” switched off "
-         "(restrike: false in the file) says so."},
+         "After separation the piston still transfers up to 12.3 % of its momentum: it is in the way of the "
+         "rebounding string. If the machine has drawn it back by then, switch off “may strike again” "
+         "(restrike: false in the file)."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
-         "At a blow the shank is up to 6 mm off its mean place in the machine: the stroke, and so the blow, "
-         "would be another one. A dashpot lets it creep; the spring of the damper brings it back."},
+         "At a blow the shank is up to 6 mm away from its mean position in the machine: stroke and blow "
+         "would differ. With only a dashpot it creeps; give the damper a spring."},
         {{note,
           AlertCode::frequencyRounded,
           "",
           {{"frequency", 60, Quantity::frequency}, {"used", 60.01, Quantity::frequency}}},
-         "The blow frequency is marched as 60.01 Hz, so that blows come at the end of a cell."},
+         "The blow frequency is computed as 60.01 Hz, so that each blow falls on a time step."},
         {{warning, AlertCode::notSettled, "", {}},
-         "The means of the first and the second half of the blows differ by more than three of their errors: "
-         "more blows, or more that settle, are needed."},
+         "The means of the first and second half of the blows differ by more than three times their error. "
+         "Increase the number of blows, or of transient blows."},
         {{warning, AlertCode::coexistingMotions, "", {}},
-         "Two motions coexist. The start or the time step decides which one is computed; which one a "
-         "machine takes is not known."},
+         "Two steady motions are possible. The start or the time step decides which one is computed; a real "
+         "drill may settle into either."},
         {{note, AlertCode::irregularMotion, "", {}},
-         "The motion does not repeat: means are results, single blows are none."},
+         "The motion does not repeat: use the means, not the values of single blows."},
         {{warning, AlertCode::energyUnbalanced, "", {{"share", 0.0021}}},
-         "The energy of all blows closes to 0.21 % only: the cells are long for these contacts; shorter ones "
-         "take it "
-         "down with their length."},
+         "The energy balance of all blows has an error of 0.21 %: the time step is long for these contacts. "
+         "A shorter one reduces the error in proportion."},
         {{note, AlertCode::damperAssumed, "", {}},
-         "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod."},
+         "The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times "
+         "the impedance of the rod."},
         {{warning, AlertCode::stressesLeftOut, "", {}},
-         "The largest stresses of the sections take more work than is permitted: they were left out and no "
-         "strength was checked. A shorter end_time may leave room for them."},
+         "The largest stresses of the sections take more work than is permitted. They were not computed, and "
+         "no strength was checked. Try a shorter end_time."},
     };
     return all;
 }

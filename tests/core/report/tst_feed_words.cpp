@@ -131,8 +131,8 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     row("a string, return met", "t38_string", 14e3,
         "14 kN covers this blow and rigid rock, with return in time (13.53 kN); gaps were not examined.");
     row("waves on their way", "t38_string", 14e3,
-        "The single-blow estimate does not apply: the waves of a blow are still in the string when the next "
-        "one comes.",
+        "The single-blow estimate does not apply: the waves of a blow are still in the string at the next "
+        "blow.",
         250);
 }
 
@@ -146,7 +146,7 @@ void TestFeedWords::eachStateHasItsSentence() {
     scenario.drill.blowFrequency = frequency;
     const QStringList sentences = sentencesOf(reportOf(scenario));
     QCOMPARE(sentences.front(), text);
-    QCOMPARE(sentences.at(1), QString("Estimate from single blows; `drill` follows consecutive blows."));
+    QCOMPARE(sentences.at(1), QString("Estimate from single blows; `drill` solves consecutive blows."));
 }
 
 void TestFeedWords::whatIsMissingIsSaid_data() {
@@ -156,15 +156,14 @@ void TestFeedWords::whatIsMissingIsSaid_data() {
     QTest::addColumn<QString>("text");
     QTest::newRow("units")
         << QByteArray("paper_fig4a") << false << false
-        << "The feed is not judged: the scenario is given by its dimensionless groups, not in "
-           "physical units.";
-    QTest::newRow("units of the reference case") << QByteArray("reference_case") << false << false
-                                                 << "The feed is not judged: the scenario is given by its "
-                                                    "dimensionless groups, not in physical units.";
+        << "The feed cannot be judged: the scenario has dimensionless groups, not physical units.";
+    QTest::newRow("units of the reference case")
+        << QByteArray("reference_case") << false << false
+        << "The feed cannot be judged: the scenario has dimensionless groups, not physical units.";
     QTest::newRow("frequency") << QByteArray("t38_medium_rock") << false << true
-                               << "The feed is not judged: no blow frequency is given.";
+                               << "The feed cannot be judged: no blow frequency is given.";
     QTest::newRow("both") << QByteArray("t38_medium_rock") << false << false
-                          << "The feed is not judged: neither blow frequency nor feed force is given.";
+                          << "The feed cannot be judged: neither blow frequency nor feed force is given.";
     QTest::newRow("thrust") << QByteArray("t38_medium_rock") << true << false
                             << "No feed force is given: this blow requires at least 4.38 kN at 60 Hz, rigid "
                                "rock at least 6.12 kN.";
@@ -359,8 +358,8 @@ void TestFeedWords::theWeightAlongTheHoleIsNoThrustToInstall() {
              std::string("This blow is covered by at least 9 kN at 50 Hz, or at most 31.2 Hz with this "
                          "feed."));
     QCOMPARE(sentenceOf(estimateOf({}, 8000)),
-             std::string("No feed force is given: at 50 Hz the weight along the hole alone covers this blow "
-                         "and rigid rock."));
+             std::string("No feed force is given: at 50 Hz the weight along the hole already covers this "
+                         "blow and rigid rock."));
 }
 
 void TestFeedWords::numbersAreThoseOfTheReader() {

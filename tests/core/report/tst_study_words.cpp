@@ -275,7 +275,7 @@ void TestStudyWords::aRepeatingMotionWithPositiveExponentIsNamedUnstable() {
     QVERIFY(words(0.001, 0.006).startsWith("repeats every blow;"));
     QVERIFY(words(-0.3, 0.001).startsWith("repeats every blow;"));
     result.statistics->regime = DrillingRegime::irregular;
-    QVERIFY(words(0.3, 0.001).startsWith("irregular: single blows are no result;"));
+    QVERIFY(words(0.3, 0.001).startsWith("irregular: use means only;"));
     result.statistics->regime = DrillingRegime::rest;
     result.lyapunov.reset();
     QCOMPARE(QString::fromStdString(regimeWords(result).text()), QString("at rest before every blow"));

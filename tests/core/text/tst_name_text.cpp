@@ -32,7 +32,7 @@ void TestNameText::aNameIsOneLineWithALetter_data() {
     for (const char* bad : {"rod\t", "rod\x7F", "rod\xC2\x85", "rod\xE2\x80\xA8", "\xEF\xBB\xBFrod"})
         row(bad, "must have no control characters");
     for (const char* bad : {"rod\u202E", "\u2066rod\u2069", "rod\u200F"})
-        row(bad, "must have no characters that turn the direction of reading");
+        row(bad, "must have no characters that change the reading direction");
     row("rod\xE9", "must be UTF-8");
 }
 

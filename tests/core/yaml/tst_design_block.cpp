@@ -117,7 +117,7 @@ void TestDesignBlock::whatIsNoSetUpIsRefused_data() {
     QTest::newRow("no list") << "design:\n  aims: max:cor@mean\n"
                              << "design.aims (must be a list of texts";
     QTest::newRow("list in a list") << "design:\n  aims: [[a]]\n"
-                                    << "design.aims (has an item that is no text";
+                                    << "design.aims (has an item that is not text";
     QTest::newRow("no truth") << "design:\n  keep_energy: 1\n"
                               << "must be true or false";
     QTest::newRow("no sample") << "design:\n  samples: 0\n"

@@ -205,7 +205,7 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace_data() {
 
     // Values.
     invalid("no unit", with("38 mm", "38"), 5,
-            "rod.diameter = 38 (has no unit: write for example `38 mm`; units that would do: m, mm");
+            "rod.diameter = 38 (has no unit: write for example `38 mm`; allowed units: m, mm");
     invalid("wrong unit", with("38 mm", "38 kN"), 5, "rod.diameter = 38 kN (unit `kN` is not known here");
     invalid("unit on a ratio", with("gamma: 0.1", "gamma: 0.1 m"), 15,
             "bit_rock.gamma = 0.1 m (must be a plain number");

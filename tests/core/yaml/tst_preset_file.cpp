@@ -317,7 +317,7 @@ void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
     row("a source without a letter", with("[15 mm, measured]", "[15 mm, \"...\"]"),
         "rod.bore = ... (the source must have a letter)");
     row("a source that turns the line", with("[15 mm, measured]", "[15 mm, \"\u202Emeasured\"]"),
-        "(the source must have no characters that turn the direction of reading)");
+        "(the source must have no characters that change the reading direction)");
     row("no such law", with("[power, fitted]", "[cubic, fitted]"),
         "mine.yaml:25:11: bit_rock.law = cubic (must be one of bilinear, corners, power)");
     row("corners of no law", with("    law: [corners, drop test]\n", ""),

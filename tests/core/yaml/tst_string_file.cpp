@@ -235,7 +235,7 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
     row("repeat of a word", "repeat: 3", "repeat: thrice", "string.2.repeat = thrice (is not a number)");
     row("repeat missing", "repeat: 3\n    of:", "of:", "s.yaml:13:5: string.2.repeat (is missing");
     row("repeat in a repeat", "{name: rod, length: 3660 mm", "{repeat: 2, length: 3660 mm",
-        "s.yaml:16:9: string.3 (a repeat cannot stand inside another one)");
+        "s.yaml:16:9: string.3 (a repeat cannot contain another one)");
     row("no section", "{length: 250 mm, diameter: 38 mm}", "38 mm",
         "s.yaml:8:7: hammer.2 (must be a section");
     row("no truth", "restrike: true ", "restrike: often ",
@@ -274,7 +274,7 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
         "string.1.name =  (is empty; a section without a name");
     row("a name without a letter", "name: adapter", "name: \"…\"", "string.1.name = … (must have a letter)");
     row("a name that turns the line", "name: adapter", "name: \"rod\u202E\"",
-        "string.1.name = rod\\u202E (must have no characters that turn the direction of reading)");
+        "string.1.name = rod\\u202E (must have no characters that change the reading direction)");
 }
 
 void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong() {

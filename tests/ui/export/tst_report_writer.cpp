@@ -267,7 +267,7 @@ void TestReportWriter::thePreviewHasThePagesAndKeepsTheHead() {
 
 void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     writeTo(path("alone.html"));
-    QVERIFY(!read(path("alone.html")).contains("Beside other runs"));
+    QVERIFY(!read(path("alone.html")).contains("Comparison with other runs"));
     QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
     const double before = window().shown()->summary.cor;
     part<PinnedRuns>(window()).pinAction()->trigger();
@@ -280,10 +280,10 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
     // Both have the margin, of which the window knows that of its blow alone.
     static const QRegularExpression margins(
-        QStringLiteral("thrust margin at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
+        QStringLiteral("feed force margin at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
                        "<td data-value=\"10\\.29[^\"]*\">\\+10\\.292</td>"));
     QVERIFY2(margins.match(QString::fromUtf8(table)).hasMatch(),
-             table.mid(table.indexOf("thrust margin at every gap [%]"), 250));
+             table.mid(table.indexOf("feed force margin at every gap [%]"), 250));
 }
 
 void TestReportWriter::finishedStudiesOfThePresentScenarioAreInTheReport() {
@@ -326,7 +326,8 @@ void TestReportWriter::finishedStudiesOfThePresentScenarioAreInTheReport() {
 void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {
     writeTo(path("computed.html"));
     const QByteArray computed = read(path("computed.html"));
-    QVERIFY(!computed.contains("Beside what was measured") && computed.contains("at the middle of the rod"));
+    QVERIFY(!computed.contains("Comparison with measurements") &&
+            computed.contains("at the middle of the rod"));
     QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
     // Ten times what is computed at most: the axis that has it says so.
     const double peak =
@@ -340,7 +341,7 @@ void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {
     const QByteArray table = page.mid(page.indexOf("id=\"measured-table\""));
     QVERIFY2(table.contains("<td>gauge &lt;3&gt;</td><td>force N at 1.22\u00a0m</td>"), table.left(600));
     QVERIFY(page.contains("The force N where &quot;gauge &lt;3&gt;&quot; was measured"));
-    QVERIFY(page.contains("What was measured is dashed."));
+    QVERIFY(page.contains("Measured signals are dashed."));
     const auto picture = [](const QByteArray& html) {
         const auto at = html.indexOf("<img", html.indexOf("id=\"blow\""));
         return html.mid(at, html.indexOf('>', at) - at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A result that is not of the present input never looks like one, and is never exported as one.
+// A result that is result of an earlier input never looks like one, and is never exported as one.
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>

@@ -31,7 +31,7 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     PlotWidget* plot = arrange({m_run});
     m_plot = new ProofPlot(plot);
     m_plot->setNames([this](int row) { return nameOf(std::size_t(row)); });
-    useFrame(*m_plot, tr("Error against run time, or the hardest cases against their marks"));
+    useFrame(*m_plot, tr("Error against run time, or the hardest cases against their limits"));
     m_tabs->setObjectName(QStringLiteral("proofs"));
     m_tabs->setDocumentMode(true);
     addTable(m_accuracyTable, QStringLiteral("accuracyTable"), tr("This scenario"));
@@ -182,12 +182,13 @@ QString AccuracyPage::sentence() const {
         return tr(
             "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
     if (blow() && blow()->isSolved() && !isFollowedByEvents(blow()->scenario))
-        return tr("The efficiency of %1 is right to %2, the error that the method states.")
+        return tr("The efficiency of %1 is right to within %2, the error bound of the method.")
             .arg(numberText(blow()->summary.energy.rockWork, 6, QLocale()),
                  magnitudeText(blow()->summary.efficiencyError, QLocale()));
-    if (!blow() || !blow()->isSolved()) return tr("How right the numbers are, and what other methods give.");
+    if (!blow() || !blow()->isSolved())
+        return tr("Accuracy of the results, and the results of other methods.");
     const QLocale locale;
-    return tr("e = %1 is right to %2, the bound that the exact solver states.")
+    return tr("e = %1 is right to within %2, the error bound of the exact solver.")
         .arg(numberText(blow()->impact.cor, 6, locale), magnitudeText(blow()->impact.corError, locale));
 }
 

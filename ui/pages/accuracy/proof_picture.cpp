@@ -83,7 +83,7 @@ QString accuracySentence(const Accuracy& accuracy, const QLocale& locale) {
     if (accuracy.rows.empty()) return {};
     const AccuracyRow& exact = accuracy.rows.front();
     if (std::isnan(exact.corError))
-        return tr("The exact solution has no other to be compared with: %1")
+        return tr("The exact solution has nothing to compare with: %1")
             .arg(translated(accuracy.extended.reason));
     QString text = tr("e is right to %1 in %2")
                        .arg(magnitudeText(exact.corError, locale), runTimeText(exact.time.median, locale));
@@ -151,7 +151,7 @@ QString accuracySentence(const StringAccuracy& accuracy, const QLocale& locale) 
 ProofPicture stabilityPicture(const StabilityReport& report, const QLocale& locale) {
     ProofPicture picture;
     picture.xLabel = tr("stiffness over elasticity β/γ, the stiffest rate [1/t₀]");
-    picture.yLabel = tr("worst measure over its mark");
+    picture.yLabel = tr("worst check over its limit");
     picture.caption = stabilitySentence(report, locale);
     picture.mark = 1;
     picture.markName = tr("a case above has failed");
@@ -190,7 +190,7 @@ QString stabilitySentence(const StabilityReport& report, const QLocale& locale) 
                               : tr("%1 of %2 cases failed").arg(locale.toString(bad), locale.toString(all));
     if (!std::isfinite(worst.ratio))
         return count + tr("; not solved: %1").arg(QString::fromStdString(nearest.stabilityCase.name));
-    return count + tr("; the worst: %1, %2 at %3 of its mark")
+    return count + tr("; the worst: %1, %2 at %3 of its limit")
                        .arg(QString::fromStdString(nearest.stabilityCase.name), coreText(worst.measure),
                             numberText(worst.ratio, 2, locale));
 }

@@ -117,7 +117,7 @@ void ProofTable::present(std::shared_ptr<const StringAccuracy> accuracy) {
 }
 
 void ProofTable::present(std::shared_ptr<const StabilityReport> report) {
-    const QStringList titles{tr("case"),          tr("worst check"),   tr("of its mark"),
+    const QStringList titles{tr("case"),          tr("worst check"),   tr("of its limit"),
                              tr("shape"),         QStringLiteral("β"), QStringLiteral("γ"),
                              QStringLiteral("τ"), QStringLiteral("δ"), tr("e"),
                              tr("error of e"),    tr("pieces")};

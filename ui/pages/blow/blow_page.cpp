@@ -48,8 +48,7 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new PlaceField(
-          observation,
-          tr("Where in the rod or string the waves are observed: 0 is the struck end, 1 the bit."), this)),
+          observation, tr("Section at which the waves are shown: 0 is the struck end, 1 the bit."), this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
@@ -140,7 +139,7 @@ void BlowPage::showPlace() {
     const Scenario& scenario = m_blow->request.scenario;
     const double x = m_observation.section() * chainProperties(scenario).length;
     const QString place = quantityText(std::abs(x), m_blow->units.of(UnitKind::length, x), QLocale());
-    m_place->setText((x < 0                   ? tr("%1 behind the face of the hammer")
+    m_place->setText((x < 0                   ? tr("%1 from the face of the hammer")
                       : hasSections(scenario) ? tr("%1 from the shank")
                                               : tr("%1 from the struck end"))
                          .arg(place));
@@ -169,7 +168,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     const auto* curves = blow->page<BlowCurves>();
     showMeasured();  // in the units on show before the axes are fitted to it
     if (curves && !(curves->timeEnd > 0)) {
-        m_plots->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
+        m_plots->showNothing(tr("Nothing to show: this blow has too many waves to keep."));
     } else if (curves) {
         carryCursors();
         m_plots->present(*curves);

@@ -55,10 +55,10 @@ MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* p
     m_box->setIconSize({28, 12});
     m_box->setMinimumContentsLength(10);
     m_place->setObjectName(QStringLiteral("measuredPlace"));
-    m_place->setToolTip(tr("Show the waves at the section where this was measured"));
+    m_place->setToolTip(tr("Shows the waves at the section of this gauge"));
     m_shift->setObjectName(QStringLiteral("measuredShift"));
     m_shift->setAccessibleName(tr("Shift of the measured curve in time"));
-    m_shift->setToolTip(tr("Added to the times of the measured curve; Up and Down move it"));
+    m_shift->setToolTip(tr("Time added to the measured curve; Up and Down change it"));
     m_shift->setStepAtZero(stepMicroseconds * 1e-6);
     m_shift->setTaker([this](double seconds) {
         m_list.setTimeShift(chosen(), seconds, m_gesture);
@@ -66,17 +66,17 @@ MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* p
     });
     connect(m_shift, &QuantityField::editsEnded, this, [this] { ++m_gesture; });
     m_align->setObjectName(QStringLiteral("alignMeasured"));
-    m_align->setToolTip(tr("Shift it to where it fits the computed curve best"));
+    m_align->setToolTip(tr("Shifts the curve to the best fit with the computed one"));
     m_remove->setText(QStringLiteral("×"));
     m_remove->setAutoRaise(true);
     m_remove->setAccessibleName(tr("Remove the measured curve"));
     m_remove->setObjectName(QStringLiteral("removeMeasured"));
-    m_remove->setToolTip(tr("Take this measured curve away; Undo brings it back"));
+    m_remove->setToolTip(tr("Removes this measured curve; Undo brings it back"));
     m_misfit->setObjectName(QStringLiteral("measuredMisfit"));
     m_misfit->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_misfit->setToolTip(
-        tr("Over the time that both have: root of the mean square of their difference; size of the largest "
-           "force, measured less computed; how much later the measured curve comes than where it fits best"));
+        tr("Over the common time: root mean square of the difference; measured minus computed peak; delay of "
+           "the measured curve from the best fit"));
     auto* measured = new QLabel(tr("Measured"), this);
     measured->setBuddy(m_box);
     auto* shift = new QLabel(tr("shift"), this);
@@ -162,7 +162,7 @@ void MeasuredBar::showChosen() {
     m_place->setVisible(hasPlace);
     if (hasPlace) m_place->setText(tr("at %1").arg(m_units.text(signal.place, UnitKind::length)));
     m_shift->setValue(signal.timeShift);
-    m_box->setToolTip(tr("%1 points; no sample of what is taken is further than %2 from them")
+    m_box->setToolTip(tr("%1 points; no sample is further than %2 from the lines between them")
                           .arg(locale().toString(static_cast<qulonglong>(signal.points.size())),
                                m_units.boundText(signal.deviation, UnitKind::force)));
 }

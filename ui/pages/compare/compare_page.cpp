@@ -38,10 +38,10 @@ ComparePage::ComparePage(Runs& runs, const UnitChoice& units, QWidget* parent)
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setText(
-        tr("No runs are pinned yet.\n\nF7 (or Pin, at the right of the tabs) keeps the present "
-           "result with its scenario. Then change something and pin again: the runs stand here "
-           "side by side, and lie over the plots of the other pages.\n\nOn the pages of studies, "
-           "Shift and a click pin the point below the pointer."));
+        tr("No runs are pinned yet.\n\nF7 (or Pin, at the right of the tabs) keeps the present result with "
+           "its scenario. Then change something and pin again: the runs are shown here side by side, and in "
+           "the plots of the other pages.\n\nOn the pages of studies, Shift+click pins the point under the "
+           "pointer."));
     makeTable();
     auto* full = new QWidget(this);
     auto* layout = new QVBoxLayout(full);
@@ -60,15 +60,12 @@ QWidget* ComparePage::makeBar() {
     m_reference = new ChoiceBox(bar);
     m_reference->setObjectName(QStringLiteral("reference"));
     m_reference->setMinimumContentsLength(18);
-    m_reference->setToolTip(
-        tr("What the differences are taken from: here, in the list of runs and in the result"));
+    m_reference->setToolTip(tr("Reference of all differences: here, in the list of runs and in the result"));
     auto* label = new QLabel(tr("Compare with"), bar);
     label->setBuddy(m_reference);
     m_revert = new QPushButton(tr("Revert to this run"), bar);
     m_revert->setObjectName(QStringLiteral("revert"));
-    m_revert->setToolTip(
-        tr("Brings back the scenario of the run whose column is chosen, as one step that can be "
-           "undone"));
+    m_revert->setToolTip(tr("Loads the scenario of the selected run; Undo takes it back"));
     auto* copyAll = new QPushButton(tr("Copy"), bar);
     copyAll->setObjectName(QStringLiteral("copy"));
     copyAll->setToolTip(tr("The whole table with all digits, for a spreadsheet"));

@@ -13,7 +13,7 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/result/feed_text.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -170,10 +170,10 @@ void addMargins(CompareTable& table, const Columns& columns, UnitSystem system, 
                               .words = {},
                               .isSigned = isSigned});
     };
-    add(tr("thrust margin, this blow"), std::move(ofBlow), force, true);
-    add(tr("thrust needed at every gap"), std::move(needed), force, false);
-    add(tr("thrust margin at every gap"), std::move(ofAllGaps), force, true);
-    add(tr("thrust margin at every gap"), std::move(share), {100, QStringLiteral("%"), false}, true);
+    add(tr("feed force margin, this blow"), std::move(ofBlow), force, true);
+    add(tr("feed force required at every gap"), std::move(needed), force, false);
+    add(tr("feed force margin at every gap"), std::move(ofAllGaps), force, true);
+    add(tr("feed force margin at every gap"), std::move(share), {100, QStringLiteral("%"), false}, true);
 }
 
 std::string cell(const QString& text, char separator) {
@@ -210,7 +210,7 @@ CompareTable compareTable(const Columns& columns, std::size_t reference, UnitSys
     CompareTable table;
     table.reference = reference;
     for (const CompareColumn& each : columns) table.titles << each.title;
-    table.rows.push_back(heading(tr("what differs")));
+    table.rows.push_back(heading(tr("differences")));
     addBlow(table, columns);
     std::vector<const Scenario*> scenarios;
     for (const CompareColumn& each : columns) scenarios.push_back(each.scenario);

@@ -19,7 +19,7 @@
 #include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/unfocused_wheel.h"
@@ -71,14 +71,14 @@ QList<QWidget*> CurvePage::makeControls() {
     m_goal = new GoalField(this);
     m_closedForm = new QCheckBox(tr("closed form"), this);
     m_closedForm->setObjectName(QStringLiteral("closedForm"));
-    m_closedForm->setToolTip(
-        tr("The paper's analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)"));
+    m_closedForm->setToolTip(tr(
+        "The paper's analytical solution, drawn where it is valid: rectangular blow, elastic rock (γ = 1)"));
     m_reference = new QComboBox(this);
     ignoreUnfocusedWheel(*m_reference);
     m_reference->setObjectName(QStringLiteral("reference"));
     m_reference->setAccessibleName(tr("Rod without waves"));
     m_reference->setToolTip(
-        tr("The rod that arrives without waves, dotted, over its stiffness in one of two units"));
+        tr("A rod that arrives without waves, dotted, over its stiffness in one of two units"));
     m_reference->addItem(tr("rod without waves: none"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
@@ -97,7 +97,7 @@ QWidget* CurvePage::makePointsBox() {
     m_points = new ChoiceBox(this);
     m_points->setObjectName(QStringLiteral("points"));
     m_points->setAccessibleName(tr("Points of a curve"));
-    m_points->setToolTip(tr("How many blows are solved along a curve of a drill string"));
+    m_points->setToolTip(tr("Number of blows solved along a curve of a drill string"));
     for (const int points : pointsOfCurve) m_points->addItem(QString::number(points), points);
     m_points->setCurrentIndex(m_points->findData(int(sampledPoints)));
     connect(m_points, &QComboBox::currentIndexChanged, this, &CurvePage::askSoon);

@@ -10,7 +10,7 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/pages/study/preset_places.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -166,8 +166,7 @@ QString goalWords(const CurvePicture& picture, const CurveLine& line, const QLoc
         const QString value =
             shownText(answer.nearest->value.value * picture.valueFactor, picture.value, locale);
         const QString at = shownText(answer.nearest->x.value * picture.x.factor, picture.x, locale);
-        if (!isWhole)
-            return tr("nothing that is known gives %1: the nearest is %2 at %3").arg(goal, value, at);
+        if (!isWhole) return tr("no known value gives %1: the nearest is %2 at %3").arg(goal, value, at);
         return tr("no %1 from %2 to %3 gives %4: the nearest is %5 at %6")
             .arg(picture.xName, shownText(picture.from, picture.x, locale),
                  shownText(picture.to, picture.x, locale), goal, value, at);
@@ -243,7 +242,7 @@ QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, cons
     if (study.question.isSampled())
         text += tr(" · %1 points").arg(study.curve.lines.front().points.size());
     else if (!output.grid.empty())
-        text += tr(" · known by points alone in a part of the range");
+        text += tr(" · only points known in a part of the range");
     if (!output.unsolved.empty())
         text += tr(" · no answer in a part of the range: %1").arg(translated(output.unsolved.front().reason));
     return text;

@@ -9,7 +9,7 @@ namespace drillwave {
 
 GoalField::GoalField(QWidget* parent) : QLineEdit(parent), m_unit(&unitsOf(Quantity::ratio).front()) {
     setObjectName(QStringLiteral("goal"));
-    setAccessibleName(tr("Goal: what the result is to be"));
+    setAccessibleName(tr("Goal: wanted result"));
     setPlaceholderText(tr("none"));
     setClearButtonEnabled(true);
     setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.0000 MN/m")) + 40);
@@ -54,9 +54,10 @@ void GoalField::read() {
 }
 
 void GoalField::presentProblem() {
-    setToolTip(m_problem.isEmpty() ? tr("What the result is to be: the values of the parameter that give it "
-                                        "are marked, and a click takes one")
-                                   : QStringLiteral("⚠ ") + m_problem);
+    setToolTip(
+        m_problem.isEmpty()
+            ? tr("Wanted result: the values of the parameter that give it are marked, and a click takes one")
+            : QStringLiteral("⚠ ") + m_problem);
     setAccessibleDescription(toolTip());
     setStyleSheet(m_problem.isEmpty() ? QString()
                                       : QStringLiteral("QLineEdit { border: 2px solid #c62828; }"));

@@ -30,11 +30,11 @@ QString statisticWords(const Statistic& statistic, Sense sense) {
         case mean:
             return AimRow::tr("on average");
         case least:
-            return AimRow::tr("at the least sample");
+            return AimRow::tr("in the smallest sample");
         case Statistic::Kind::largest:
-            return AimRow::tr("at the largest sample");
+            return AimRow::tr("in the largest sample");
         case nominal:
-            return AimRow::tr("as the scenario is");
+            return AimRow::tr("for the values entered");
         case quantile:
             break;
     }
@@ -51,12 +51,12 @@ AimRow::AimRow(const QString& words, QWidget* parent)
       m_statistic(new ChoiceBox(this)),
       m_remove(new QToolButton(this)) {
     m_sense->setObjectName(QStringLiteral("sense"));
-    m_sense->setAccessibleName(tr("Largest or least"));
+    m_sense->setAccessibleName(tr("Maximise or minimise"));
     m_sense->setMinimumContentsLength(6);
     m_sense->addItem(tr("largest"));
     m_sense->addItem(tr("least"));
     m_statistic->setObjectName(QStringLiteral("statistic"));
-    m_statistic->setAccessibleName(tr("By which statistic"));
+    m_statistic->setAccessibleName(tr("Statistic"));
     for (const char* name : offeredStatistics) m_statistic->addItem(QString(), QString::fromLatin1(name));
     m_remove->setObjectName(QStringLiteral("remove"));
     m_remove->setText(QStringLiteral("✕"));
@@ -122,7 +122,7 @@ AimRows::AimRows(QWidget* parent)
     m_layout->setSpacing(2);
     m_add->setObjectName(QStringLiteral("addAim"));
     m_add->setText(tr("+ aim"));
-    m_add->setToolTip(tr("One more aim, for what is best in all of them: the first decides"));
+    m_add->setToolTip(tr("Adds an objective. The first one decides; the others show the trade-off."));
     m_layout->addWidget(m_add);
     connect(m_add, &QToolButton::clicked, this, [this] {
         m_isChosen = true;

@@ -10,7 +10,7 @@ namespace drillwave {
 DensityMark::DensityMark(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(tr("Density"));
-    setToolTip(tr("How often values come, from the least to the largest"));
+    setToolTip(tr("Frequency of the values, from the smallest to the largest"));
 }
 
 void DensityMark::present(const Distribution& distribution) {

@@ -69,7 +69,7 @@ bool isToStay(const DesignReport& report) {
     return headline == DesignHeadline::keep || headline == DesignHeadline::noDifference;
 }
 
-/// The heading of the card, of the design that it is about.
+/// Heading of the card: the design that it is about.
 QString designTitle(const DesignReport& report, const DesignUnits& units) {
     const std::size_t shown = shownDesign(report);
     if (report.study.choices.empty()) return DesignCard::tr("<b>This scenario</b>");
@@ -104,7 +104,8 @@ QString markLines(const DesignReport& report, const DesignUnits& units) {
             names << (names.size() < enough ? units.designName(d) : QStringLiteral("…"));
         }
         if (!names.isEmpty())
-            lines += QStringLiteral("<br>") + words.arg(names.join(QStringLiteral("; ")).toHtmlEscaped());
+            lines += (lines.isEmpty() ? QStringLiteral("<br>") : QStringLiteral(" · ")) +
+                     words.arg(names.join(QStringLiteral("; ")).toHtmlEscaped());
     }
     return lines;
 }
@@ -117,7 +118,7 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const std::size_t shown = shownDesign(report);
     QString text = designTitle(report, units);
     for (const DesignAim& aim : study.aims)
-        text += QStringLiteral("<br>%1 %2").arg(aimName(aim), valueText(report, aim, shown, units));
+        text += QStringLiteral(" · %1 %2").arg(aimName(aim), valueText(report, aim, shown, units));
     text += markLines(report, units);
     if (headlineOf(report) == DesignHeadline::noDifference) return text;
     if (!best.ties.empty() && !isToStay(report) && shown == *best.robust) {
@@ -126,11 +127,11 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
         for (std::size_t i = 0; i < std::min(enough, best.ties.size()); ++i)
             names << units.designName(best.ties[i]);
         if (best.ties.size() > enough) names << QStringLiteral("…");
-        text += QStringLiteral("<p>") +
-                DesignCard::tr("The samples do not tell it apart from %1: any of them will do.")
+        text += QStringLiteral("<br>") +
+                DesignCard::tr("The samples do not distinguish it from %1: any of them will do.")
                     .arg(names.join(QStringLiteral("; ")));
         if (best.nextBest)
-            text += QLatin1Char(' ') + DesignCard::tr("Of them %1 has the %2: %3.")
+            text += QLatin1Char(' ') + DesignCard::tr("Among them, %1 has the %2: %3.")
                                            .arg(units.designName(*best.nextBest), aimWords(study.aims[1]),
                                                 valueText(report, study.aims[1], *best.nextBest, units));
     }
@@ -139,19 +140,22 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const double robust = aimedValue(report, first, *best.robust).value;
     const double other = aimedValue(report, first, *best.nominal).value;
     const QString where = statisticWords(first.statistic, first.sense);
-    text += QStringLiteral("<p>") +
-            (first.sense == Sense::largest
-                 ? DesignCard::tr("The nominal best, %1, would lose %2 % of it %3.")
-                 : DesignCard::tr("The nominal best, %1, would have %2 % more of it %3."))
-                .arg(units.designName(*best.nominal), percentBetween(other, robust, units), where);
+    text +=
+        QStringLiteral("<p>") +
+        (first.sense == Sense::largest
+             ? DesignCard::tr("The best design for the values entered, %1, would lose %2 % of it %3.")
+             : DesignCard::tr("The best design for the values entered, %1, would have %2 % more of it %3."))
+            .arg(units.designName(*best.nominal), percentBetween(other, robust, units), where);
     const std::size_t output = report.study.placeOf(*first.output, {}).output;
     const auto asInFile = [&](std::size_t design) { return report.findings.designs[design].nominal[output]; };
     if (!std::isfinite(asInFile(*best.robust))) return text;  // that one blow could not be solved
     const QString costs = percentBetween(asInFile(*best.robust), asInFile(*best.nominal), units);
     return text + QLatin1Char(' ') +
            (first.sense == Sense::largest
-                ? DesignCard::tr("Where all is as in the file, the robust best has %1 % less.").arg(costs)
-                : DesignCard::tr("Where all is as in the file, the robust best has %1 % more.").arg(costs));
+                ? DesignCard::tr("With the values entered, the best design for uncertain rock has %1 % less.")
+                      .arg(costs)
+                : DesignCard::tr("With the values entered, the best design for uncertain rock has %1 % more.")
+                      .arg(costs));
 }
 
 QString measureSentence(const DesignReport& report, const DesignUnits& units) {
@@ -185,12 +189,12 @@ QString worstSentence(const DesignReport& report, std::size_t a, const DesignUni
                           places.join(QStringLiteral(", "))};
     const std::size_t robust = *report.findings.best.robust;
     if (!report.study.choices.empty() && shownDesign(report) != robust)
-        return (aim.sense == Sense::largest ? DesignCard::tr("Least %1 found with %4: <b>%2</b>, at %3.")
+        return (aim.sense == Sense::largest ? DesignCard::tr("Smallest %1 found with %4: <b>%2</b>, at %3.")
                                             : DesignCard::tr("Largest %1 found with %4: <b>%2</b>, at %3."))
             .arg(words[0], words[1], words[2], units.designName(robust));
     return (aim.sense == Sense::largest
-                ? DesignCard::tr("Least %1 found of the robust best: <b>%2</b>, at %3.")
-                : DesignCard::tr("Largest %1 found of the robust best: <b>%2</b>, at %3."))
+                ? DesignCard::tr("Smallest %1 found for the best design: <b>%2</b>, at %3.")
+                : DesignCard::tr("Largest %1 found for the best design: <b>%2</b>, at %3."))
         .arg(words[0], words[1], words[2]);
 }
 
@@ -199,12 +203,12 @@ QString remarkText(const DesignRemark& remark) {
     if (remark.code == "flat_optimum") return {};  // said already
     if (remark.code == "energy_varies")
         return DesignCard::tr(
-            "The choices change the energy of the blow: machines of different power are "
-            "compared. “keep the energy” keeps it.");
+            "The choices change the blow energy: machines of different power are compared. “keep the energy” "
+            "holds it constant.");
     if (remark.code == "gamma_dominates")
         return DesignCard::tr(
-            "The scatter of the efficiency is nearly all that of γ; work of loading shows "
-            "what wave and machine can do.");
+            "Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of "
+            "loading.");
     return translated(withTitles(remark.text)).toHtmlEscaped();
 }
 
@@ -217,8 +221,9 @@ QString loadLink(const QUrl& to, const QString& words) {
 DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
     setOpenLinks(false);
     setFrameShape(QFrame::NoFrame);
-    setAccessibleName(tr("What the designs say"));
+    setAccessibleName(tr("Answer of the study"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     viewport()->setAutoFillBackground(false);
     connect(this, &QTextBrowser::anchorClicked, this, &DesignCard::follow);
@@ -230,17 +235,16 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const LocalStyle style = units.style();
     const CardNames names(report.study, units, style);
     QStringList paragraphs;
-    if (const Message headline = headlineMessage(report, names); !headline.isEmpty())
-        paragraphs << QStringLiteral("<b>%1</b>").arg(translated(headline).toHtmlEscaped());
     paragraphs << bestSentences(answer, units);
     const std::size_t shown = shownDesign(report);
     if (!report.study.choices.empty() && headlineOf(report) != DesignHeadline::noDifference) {
         if (!isToStay(report))
             paragraphs << loadLink(linkToDesign(shown), shown == *best.robust
-                                                            ? tr("Load the robust best")
+                                                            ? tr("Load the best design for uncertain rock")
                                                             : tr("Load %1").arg(units.designName(shown)));
         if (best.nominal && *best.nominal != shown)
-            paragraphs << loadLink(linkToDesign(*best.nominal), tr("Load the nominal best"));
+            paragraphs << loadLink(linkToDesign(*best.nominal),
+                                   tr("Load the best design for the values entered"));
     }
     if (const QString measure = measureSentence(report, units); !measure.isEmpty()) paragraphs << measure;
     for (std::size_t a = 0; a < report.findings.worst.size(); ++a)
@@ -253,9 +257,24 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     paragraphs << (answer.isRefined()
                        ? tr("%1 samples of each design; errors are of 95 %.").arg(samples)
                        : tr("%1 samples so far, %2 to come.").arg(samples, QString::number(answer.wanted)));
-    QString html =
-        QStringLiteral("<p>") + paragraphs.join(QStringLiteral("</p><p>")) + QStringLiteral("</p>");
+    QString html = paragraphs.join(QStringLiteral("<br/>"));
     setHtml(html.replace(QLatin1String(" %"), QStringLiteral("\u00a0%")));  // "5 %" stays in one line
+    fitHeight();
+}
+
+QString DesignCard::headline(const DesignReport& report, const DesignUnits& units) {
+    return translated(headlineMessage(report, CardNames(report.study, units, units.style())));
+}
+
+void DesignCard::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    fitHeight();
+}
+
+/// As high as the text, so that it needs no scroll bar.
+void DesignCard::fitHeight() {
+    const int height = static_cast<int>(std::ceil(document()->size().height())) + 2 * frameWidth();
+    if (height != maximumHeight()) setFixedHeight(height);
 }
 
 QUrl DesignCard::linkToDesign(std::uint64_t design) {

@@ -15,6 +15,8 @@ class DesignCard : public QTextBrowser {
   public:
     explicit DesignCard(QWidget* parent = nullptr);
 
+    /// Returns what to do, for a report with a best design.
+    static QString headline(const DesignReport& report, const DesignUnits& units);
     /// Of an answer that has a best design.
     void present(const DesignAnswer& answer, const DesignUnits& units);
 
@@ -27,8 +29,12 @@ class DesignCard : public QTextBrowser {
     void designWanted(std::uint64_t design);
     void worstWanted(std::size_t aim);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void follow(const QUrl& link);
+    void fitHeight();
 };
 
 }  // namespace drillwave

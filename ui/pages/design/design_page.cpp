@@ -17,6 +17,7 @@
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"
 #include "ui/form/choice_box.h"
+#include "ui/form/section_box.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
@@ -33,7 +34,6 @@ namespace {
 
 constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
-constexpr int cardCharacters = 16;
 constexpr int plotLinesOfDesigns = 30;   // two rows of axes, legend and readout
 constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
 
@@ -41,18 +41,19 @@ constexpr int plotLinesBesideBars = 22;  // the same without the inside of the r
 
 DesignPage::DesignPage(Document& document, QWidget* parent)
     : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
-    m_card->setMinimumWidth(fontMetrics().averageCharWidth() * cardCharacters);
     QWidget* questions = makeQuestions();
     m_refine = new QPushButton(this);
     m_refine->setObjectName(QStringLiteral("refine"));
     m_refine->setToolTip(tr("Solve all samples of this study; the time is an estimate"));
     m_refine->hide();
     connect(m_refine, &QPushButton::clicked, this, &DesignPage::refine);
-    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this), m_refine}, m_card);
-    static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
+    PlotWidget* widget = arrange({questions, m_keepEnergy, labelled(tr("samples"), m_samples, this)});
+    settingsBox().rememberAs(QStringLiteral("design/settings"), SectionBox::Begin::folded);
+    addAbove(m_card, PartOf::answer);
+    addAbove(m_refine, PartOf::question);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
-    useFrame(*m_plot, tr("Designs over what is not known"));
+    useFrame(*m_plot, tr("Designs for uncertain inputs"));
     watch(m_study.job());
     m_study.job().setTimeLimit(
         std::chrono::milliseconds(0));  // it ends after its own seconds, with whole stages
@@ -71,17 +72,16 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
 QWidget* DesignPage::makeQuestions() {
     auto* questions = new QWidget(this);
     m_uncertain =
-        new RangeRows(RangeUse::uncertain, tr("not known"), 1, mostUncertain, document().units(), this);
+        new RangeRows(RangeUse::uncertain, tr("uncertain"), 1, mostUncertain, document().units(), this);
     m_uncertain->setObjectName(QStringLiteral("uncertain"));
-    m_choices =
-        new RangeRows(RangeUse::chosen, tr("to be chosen"), 0, mostChoicesOfPage, document().units(), this);
+    m_choices = new RangeRows(RangeUse::chosen, tr("design variables"), 0, mostChoicesOfPage,
+                              document().units(), this);
     m_choices->setObjectName(QStringLiteral("choices"));
     m_aims = new AimRows(this);
     m_keepEnergy = new QCheckBox(tr("keep the energy"), this);
     m_keepEnergy->setObjectName(QStringLiteral("keepEnergy"));
     m_keepEnergy->setToolTip(
-        tr("The blow of every design is scaled to the energy of this one: by its impulse, "
-           "or by the velocity of the hammer"));
+        tr("Scales the blow of every design to the present blow energy, by impulse or hammer velocity"));
     m_keepEnergy->setChecked(true);
     m_samples = new ChoiceBox(this);
     m_samples->setObjectName(QStringLiteral("samples"));
@@ -283,12 +283,11 @@ void DesignPage::present() {
     if (!answer->hasBest()) {
         if (m_study.job().state() == StudyState::running) return;
         if (answer->secondsLeft)
-            return refuse(
-                tr("Nothing is solved yet: this study takes more than 10 s. The button Refine starts it."));
+            return refuse(tr("Not solved yet: this study takes more than 10 s. Press Refine to start it."));
         Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.isEmpty()) reason = design.reason;
-        return refuse(tr("Too many of the samples have no answer: %1").arg(translated(withTitles(reason))));
+        return refuse(tr("Too many samples could not be solved: %1").arg(translated(withTitles(reason))));
     }
     const ShownUnits units = shownUnitsOf(answer->report.study.base);
     if (answer != m_shown || !(units == m_shownUnits)) {
@@ -297,7 +296,9 @@ void DesignPage::present() {
         draw(*answer);
     }
     const QString problem = inputProblem();
-    say(problem.isEmpty() ? m_sentence : tr("⚠ %1\nWhat is shown is of the value before.").arg(problem));
+    say(problem.isEmpty() ? m_headline
+                          : tr("⚠ %1\nThe page shows the answer for the value before.").arg(problem),
+        m_sentence);
     showHere();
     showRuns();
 }
@@ -327,10 +328,11 @@ void DesignPage::draw(const DesignAnswer& answer) {
     plot()->reader().setUsual(picture.map ? nullptr : m_plot->graphs()[picture.marked]);
     if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
     m_card->present(answer, units);
+    m_headline = DesignCard::headline(answer.report, units);
     QStringList aims;
     for (const DesignAim& aim : answer.report.study.aims) aims << aimWords(aim);
     m_sentence =
-        aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
+        aims.join(QStringLiteral(" · ")) + QStringLiteral(" · ") +
         (answer.isRefined()   ? tr("%1 samples of each design").arg(answer.wanted)
          : answer.secondsLeft ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
                               : tr("%1 samples of each design so far, refined to %2")
@@ -434,7 +436,7 @@ QString DesignPage::obstacle() const {
     if (!m_problem.isEmpty()) return m_problem;
     if (QString problem = inputProblem(); !problem.isEmpty()) return problem;
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
-    return m_shown ? QString() : tr("There is no design to be told of.");
+    return m_shown ? QString() : tr("There is no design study to report.");
 }
 
 void DesignPage::addTo(ReportStudies& studies) const {

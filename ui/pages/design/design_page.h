@@ -84,8 +84,8 @@ class DesignPage : public StudyPage {
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
     QString m_problem;
-    QString m_sentence;   // of what is shown
-    int m_customary = 0;  // samples, of what was asked last
+    QString m_headline, m_sentence;  // of what is shown
+    int m_customary = 0;             // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
     DesignSetup m_setup;                               // of the document, as it was shown last

@@ -10,7 +10,7 @@
 #include "ui/pages/design/design_map.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -208,7 +208,7 @@ DesignPicture designPicture(const DesignReport& report, const DesignUnits& units
         addSeries(picture, report, units);
     addPareto(picture, report, units);
     addBars(picture, report);
-    picture.summary = drillwave::tr("%1 of %2 designs, robust best %3")
+    picture.summary = drillwave::tr("%1 of %2 designs, best for uncertain rock %3")
                           .arg(picture.aimName, QString::number(study.designCount()),
                                units.designName(*report.findings.best.robust));
     return picture;

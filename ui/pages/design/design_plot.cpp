@@ -87,7 +87,7 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
     m_high->setChannelFillGraph(m_low);
     for (QCPGraph* edge : {m_low, m_high}) edge->setSelectable(QCP::stNone);
     m_mean = curve(tr("mean"));
-    m_nominal = curve(tr("as it is"));
+    m_nominal = curve(tr("present"));
     const auto mark = [&](const QString& name) {
         QCPGraph* graph = m_plot->addGraph(x(), y());
         graph->setLineStyle(QCPGraph::lsNone);
@@ -95,9 +95,9 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
         graph->setSelectable(QCP::stNone);
         return graph;
     };
-    m_ties = mark(tr("ties"));
-    m_nominalMark = mark(tr("nominal best"));
-    m_robustMark = mark(tr("robust best"));
+    m_ties = mark(tr("equally good"));
+    m_nominalMark = mark(tr("best for the values entered"));
+    m_robustMark = mark(tr("best for uncertain rock"));
     addHere();
     addRunMarks();
     connect(plot, &QCustomPlot::beforeReplot, this,
@@ -136,7 +136,7 @@ void DesignPlot::addRects() {
     m_best = points();
     constexpr int fewTicks = 3;  // of long numbers in a narrow plot
     m_scatterRect->axis(QCPAxis::atBottom)->ticker()->setTickCount(fewTicks);
-    m_barRect->axis(QCPAxis::atBottom)->setLabel(tr("share of the scatter\n(filled: alone)"));
+    m_barRect->axis(QCPAxis::atBottom)->setLabel(tr("share of the scatter\n(filled: by itself)"));
     m_barRect->axis(QCPAxis::atBottom)->setNumberPrecision(2);
 }
 
@@ -289,7 +289,7 @@ void DesignPlot::showBars() {
     double place = 0;
     for (const DesignPicture::Bars& output : m_picture.bars) {
         auto* name = addItem<QCPItemText>(m_barRect);
-        name->setText(output.bars.isEmpty() ? tr("%1: does not scatter").arg(output.output) : output.output);
+        name->setText(output.bars.isEmpty() ? tr("%1: no scatter").arg(output.output) : output.output);
         name->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
         name->position->setCoords(0.01, place);
         m_barNames.append(name);

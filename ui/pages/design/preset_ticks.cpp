@@ -46,7 +46,7 @@ PresetTicks::PresetTicks(QWidget* parent) : QWidget(parent) {
         auto* button = new QToolButton(this);
         button->setObjectName(QString::fromUtf8(name(part).data(), qsizetype(name(part).size())));
         button->setPopupMode(QToolButton::InstantPopup);
-        button->setToolTip(tr("Ticked presets are designs to choose from"));
+        button->setToolTip(tr("Ticked presets are compared as designs"));
         button->setMenu(new QMenu(button));
         layout->addWidget(button);
         m_parts.push_back({part, button, {}, {}});

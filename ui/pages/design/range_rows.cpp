@@ -96,7 +96,7 @@ RangeRow::RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent)
       m_remove(new QToolButton(this)) {
     m_parameters->setObjectName(QStringLiteral("parameter"));
     m_parameters->setAccessibleName(use == RangeUse::uncertain ? tr("Uncertain parameter")
-                                                               : tr("Chosen parameter"));
+                                                               : tr("Design variable"));
     m_parameters->setMinimumContentsLength(nameLength);
     m_parameters->followText();
     auto* layout = new FlowLayout(this);
@@ -122,14 +122,14 @@ RangeRow::RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent)
 void RangeRow::addKind() {
     m_kind = new ChoiceBox(this);
     m_kind->setObjectName(QStringLiteral("kind"));
-    m_kind->setAccessibleName(tr("How it scatters"));
+    m_kind->setAccessibleName(tr("Distribution"));
     m_kind->setMinimumContentsLength(kindLength);
     m_kind->followText();
-    for (const QString& kind : {tr("even"), tr("even in log"), tr("bell"), tr("bell in log")})
+    for (const QString& kind : {tr("even"), tr("even in log"), tr("normal"), tr("normal in log")})
         m_kind->addItem(kind);
     m_kind->setToolTip(
-        tr("Every value between the ends as often as another, or a bell curve of which 95 % lie "
-           "between them; in the value or in its logarithm"));
+        tr("Equally likely between the limits, or a normal distribution with 95 % between them; in the value "
+           "or in its logarithm"));
     m_density = new DensityMark(this);
     layout()->addWidget(m_kind);
     layout()->addWidget(m_density);
@@ -143,7 +143,7 @@ void RangeRow::addKind() {
 void RangeRow::addCount() {
     m_logarithmic = new QCheckBox(tr("log"), this);
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
-    m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
+    m_logarithmic->setToolTip(tr("Even ratios instead of even steps"));
     m_count = new QSpinBox(this);
     ignoreUnfocusedWheel(*m_count);
     m_count->setObjectName(QStringLiteral("count"));
@@ -230,7 +230,7 @@ QString RangeRow::take(double StudyRange::*end, double si) {
     range.*end = si;
     if (range.start == range.stop) return tr("must differ from the other end");
     if (m_use == RangeUse::uncertain) {
-        if (range.start > range.stop) return tr("the range is upside down: the first end is the lower one");
+        if (range.start > range.stop) return tr("the range is reversed: give the lower end first");
         // In the words of the command, which refuses what has no logarithm, or a bell that reaches zero.
         const StudyRange before = std::exchange(m_range, range);
         const ParsedUncertain parsed = parseUncertain(text());
@@ -296,8 +296,8 @@ QString RangeRow::problem() const {
 void RangeRow::follow() {
     if (!m_range.parameter) return;
     m_remove->setAccessibleName(tr("Remove %1").arg(parameterName(*m_range.parameter)));
-    m_remove->setToolTip(m_use == RangeUse::uncertain ? tr("This one is known")
-                                                      : tr("This one stays as it is"));
+    m_remove->setToolTip(m_use == RangeUse::uncertain ? tr("Removes this row: the parameter is known")
+                                                      : tr("Removes this row: the parameter is not varied"));
     if (m_density) {
         const ParsedUncertain parsed = parseUncertain(text());
         m_density->setVisible(parsed.problem.isEmpty());
@@ -319,9 +319,9 @@ RangeRows::RangeRows(RangeUse use, const QString& words, std::size_t least, std:
     m_add->setObjectName(QStringLiteral("add"));
     m_add->setText(QStringLiteral("+"));
     m_add->setAccessibleName(use == RangeUse::uncertain ? tr("Add an uncertain parameter")
-                                                        : tr("Add a chosen parameter"));
-    m_add->setToolTip(use == RangeUse::uncertain ? tr("One more number that is not known")
-                                                 : tr("One more number that can be chosen"));
+                                                        : tr("Add a design variable"));
+    m_add->setToolTip(use == RangeUse::uncertain ? tr("Adds an uncertain parameter")
+                                                 : tr("Adds a design variable"));
     auto* heading = new QHBoxLayout;
     heading->addWidget(new QLabel(words, this));
     heading->addWidget(m_add);

@@ -14,12 +14,14 @@
 #include "core/report/report_studies.h"
 #include "core/report/sequence_words.h"
 #include "ui/form/rig_dialog.h"
+#include "ui/form/section_box.h"
 #include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_table.h"
 #include "ui/pages/drilling/march_rects.h"
 #include "ui/pages/drilling/scan_rects.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/command_text.h"
+#include "ui/pages/study/parameter_names.h"
 #include "ui/pages/thrust/missing_fields.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/language.h"
@@ -29,9 +31,10 @@
 namespace drillwave {
 namespace {
 
-constexpr int plotLinesOfMarch = 30;  // two rows of axes, whose titles stand upright beside them
-constexpr int plotLinesOfScan = 16;   // one more
-constexpr int clickedDigits = 3;      // a value that the hand has chosen to a pixel
+constexpr int plotLinesOfRow = 16;      // one row of axes
+constexpr int plotLinesOfDetails = 30;  // two more
+constexpr double mostSecondsUnasked = 2;
+constexpr int clickedDigits = 3;  // a value that the hand has chosen to a pixel
 
 }  // namespace
 
@@ -46,10 +49,18 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
       m_scan(answerDrillingScan),
       m_runMeans(runMeans) {
     m_axis = new AxisFields(tr("scan over"), {"drill.thrust"}, document.units(), this, StudyOf::manyBlows);
-    PlotWidget* widget = arrange({m_missing, m_axis, makeScanControls()});
-    addBelow(m_table);
-    setLeastLines(plotLinesOfMarch);
+    QWidget* scanControls = makeScanControls();
+    PlotWidget* widget = arrange({m_axis, m_bracket});
+    settingsBox().rememberAs(QStringLiteral("drilling/settings"), SectionBox::Begin::folded);
+    addAbove(m_missing, PartOf::question);
+    addAbove(scanControls, PartOf::question);
+    auto* details = new SectionBox(tr("Details"), this);
+    details->setObjectName(QStringLiteral("details"));
+    (new QVBoxLayout(details->content()))->addWidget(m_table);
+    addBelow(details);
     m_plot = new DrillingPlot(widget);
+    connect(details, &SectionBox::toggled, this, &DrillingPage::setDetailed);
+    details->rememberAs(QStringLiteral("drilling/details"), SectionBox::Begin::folded);
     useFrame(*m_plot, tr("Many blows under a feed"));
     watch(m_march.job());
     watchBeside(m_scan.job());
@@ -74,22 +85,22 @@ QWidget* DrillingPage::makeScanControls() {
     m_scanButton = new QPushButton(tr("Scan"), controls);
     m_scanButton->setObjectName(QStringLiteral("scan"));
     m_scanButton->setToolTip(
-        tr("The statistics at values of this parameter, each from rest and from bouncing"));
-    connect(m_scanButton, &QPushButton::clicked, this, &DrillingPage::scan);
-    m_bracket = new QCheckBox(tr("bracket"), controls);
+        tr("Statistics at values of this parameter, each started at rest and started bouncing"));
+    connect(m_scanButton, &QPushButton::clicked, this,
+            [this] { m_scan.job().state() == StudyState::running ? stopScan() : scan(); });
+    m_bracket = new QCheckBox(tr("bracket"), this);
     m_bracket->setObjectName(QStringLiteral("bracket"));
     m_bracket->setToolTip(
-        tr("Also under a constant force, and with a dashpot of half the impedance where there is a machine "
-           "mass: no maker publishes its damper"));
+        tr("Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: "
+           "makers do not publish their dampers"));
     row->addWidget(m_scanButton);
-    row->addWidget(m_bracket);
+    row->addStretch();
     return controls;
 }
 
 QString DrillingPage::elsewhere() const {
-    return tr("Drilling is of scenarios in physical units, and this one is given by its dimensionless "
-              "groups: "
-              "it has no blow frequency and no thrust.") +
+    return tr("Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no "
+              "blow frequency and no feed force.") +
            QLatin1Char(' ') + waysToPhysicalUnits();
 }
 
@@ -113,13 +124,15 @@ DrillingScanQuestion DrillingPage::scanQuestion() const {
 }
 
 void DrillingPage::scan() {
-    if (m_scan.job().state() == StudyState::running) {
-        m_wantsScan = false;
-        m_scan.job().cancel();
-    } else if (m_axis->isValid()) {
-        m_wantsScan = true;
-        m_scan.ask(scanQuestion());
-    }
+    if (!m_axis->isValid()) return;
+    m_wantsScan = true;
+    m_scan.ask(scanQuestion());
+    present();
+}
+
+void DrillingPage::stopScan() {
+    m_wantsScan = false;
+    m_scan.job().cancel();
     present();
 }
 
@@ -141,12 +154,24 @@ void DrillingPage::present() {
     if (!answer->refusals.empty()) return refuse(answer->refusals);
     if (answer->isComplete()) m_complete = answer;
     draw(*answer);
+    scanIfQuick(*answer);
 }
 
-// All pages are as tall as the tallest one: a scan that is out of sight lets the others be.
+// Starts the scan of the fields after the march, where it takes little time. One that was stopped stays so.
+void DrillingPage::scanIfQuick(const DrillingAnswer& answer) {
+    if (!answer.isComplete() || answer.question != drillingQuestion(scenario()) || !m_axis->isValid()) return;
+    const DrillingScanQuestion question = scanQuestion();
+    if ((m_scan.question() && *m_scan.question() == question) || scanSeconds(question) > mostSecondsUnasked)
+        return;
+    m_wantsScan = true;
+    m_scan.ask(question);
+    showScanState();
+}
+
+// All pages are as tall as the tallest one: details that are out of sight do not count.
 void DrillingPage::hideEvent(QHideEvent* event) {
     StudyPage::hideEvent(event);
-    if (!event->spontaneous()) setLeastLines(plotLinesOfMarch);
+    if (!event->spontaneous()) setLeastLines(plotLinesOfRow);
 }
 
 void DrillingPage::refuse(const std::vector<Message>& problems) {
@@ -167,7 +192,7 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
         picture.before =
             blowPoints(m_before->blows(), drillingUnitsOf(m_before->question.scenario), picture.units);
     addScan(picture);
-    setLeastLines(plotLinesOfMarch + (picture.scan ? plotLinesOfScan : 0));
+    setDetailed(m_plot->isDetailed());
     m_plot->present(picture);
     showRuns(picture.units);
     const QString blow = tr("blow");
@@ -185,8 +210,14 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
         m_table->present(*answer.result, document().units());
     else
         m_table->clearNumbers();
-    say(answer.result ? wordsOf(answer) : tr("Following the blows one after another …"));
+    say(answer.result ? wordsOf(answer) : QStringList{tr("Solving the blows one after another …")});
     redraw();
+}
+
+void DrillingPage::setDetailed(bool isDetailed) {
+    m_plot->setDetailed(isDetailed);
+    setLeastLines(plotLinesOfRow + (isDetailed ? plotLinesOfDetails : 0));
+    plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void DrillingPage::addScan(DrillingPicture& picture) const {
@@ -202,11 +233,17 @@ void DrillingPage::addScan(DrillingPicture& picture) const {
             picture.installed = *value * picture.units.along.factor;
 }
 
+QString DrillingPage::scanName() const {
+    const KeptParameter along = m_axis->range().parameter;
+    return along ? tr("Scan %1").arg(parameterName(*along)) : tr("Scan");
+}
+
 void DrillingPage::showScanState() {
     const StudyActivity& job = m_scan.job();
     const StudyProgress progress = job.progress();
     const bool isRunning = job.state() == StudyState::running;
-    m_scanButton->setText(isRunning ? tr("Stop %1/%2").arg(progress.done).arg(progress.wanted) : tr("Scan"));
+    m_scanButton->setText(isRunning ? tr("Stop %1/%2").arg(progress.done).arg(progress.wanted) : scanName());
+    m_scanButton->setHidden(isScanNew());
     const DrillingScanAnswer* answer = m_scan.value();
     QString problem = job.problem();
     if (answer && job.isCurrent() && !answer->refusals.empty())
@@ -215,16 +252,16 @@ void DrillingPage::showScanState() {
     m_scanButton->setStatusTip(problem);
 }
 
-QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
+QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     const DrillingResult& result = *answer.result;
     const LocalStyle style = LocalStyle::of(document().units());
-    QStringList sentences{translatedAll(sequenceSentences(result, style))};
+    QStringList sentences = translatedEach(sequenceSentences(result, style));
     QString numbers = tr("φ = %1, %2 round trips between blows")
                           .arg(numberText(result.groups.phi, 4, locale()),
                                numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers +=
-            tr("; in contact is within %1 of the rock; %2")
+            tr("; in contact means within %1 of the rock; %2")
                 .arg(QString::fromStdString(style.quantity(
                          contactLimit / lawUnitOfPenetration * result.units.length(), Quantity::length, 2)),
                      translated(regimeWords(result, style)));
@@ -236,9 +273,10 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const Message& refusal : scan->refusals) sentences << tr("No scan: %1").arg(translated(refusal));
         const std::optional<Sequence> present = sequenceOf(result);
-        if (scan->scan && isScanNew()) sentences << translatedAll(scanSentences(*scan->scan, present, style));
+        if (scan->scan && isScanNew())
+            sentences.front() += QLatin1Char(' ') + translatedAll(scanSentences(*scan->scan, present, style));
     }
-    return sentences.join(QLatin1Char(' '));
+    return sentences;
 }
 
 // At their mean penetrations, and along the scan at their mean rates.
@@ -280,8 +318,8 @@ void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
         return QString::fromStdString(style.quantity(value * units.length(), Quantity::length, 3));
     };
     emit blowOpened({answer.question.settings, number},
-                    tr("Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap "
-                       "%3, penetration %4. What Result says is of a single blow that begins at rest.")
+                    tr("Blow %1 of %2 under the feed, with the waves and the motion it started with: gap %3, "
+                       "penetration %4. The panel Result shows a single blow from rest.")
                         .arg(number)
                         .arg(answer.question.settings.blows)
                         .arg(length(opened.gap), length(opened.penetration)));

@@ -43,7 +43,7 @@ class DrillingPage : public StudyPage {
     const StudyActivity& scanActivity() const { return m_scan.job(); }
 
   public slots:
-    /// Scans over what the fields say; stops the scan where one runs.
+    /// Starts the scan over the range of the fields.
     void scan();
 
   signals:
@@ -65,14 +65,18 @@ class DrillingPage : public StudyPage {
     void keepBefore();
     void refuse(const std::vector<Message>& problems);
     void draw(const DrillingAnswer& answer);
+    void scanIfQuick(const DrillingAnswer& answer);
+    void stopScan();
     void addScan(DrillingPicture& picture) const;
     /// Returns whether the march, or the scan, is of the present scenario and complete.
     bool isMarchNew() const;
     bool isScanNew() const;
     QByteArray scanCsv() const;
     std::string scenarioWith(const DrillingSettings& settings) const;
+    QString scanName() const;
     void showScanState();
-    QString wordsOf(const DrillingAnswer& answer) const;
+    void setDetailed(bool isDetailed);
+    QStringList wordsOf(const DrillingAnswer& answer) const;
     void openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void takeScanned(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void openBlow(long number, Qt::KeyboardModifiers modifiers);

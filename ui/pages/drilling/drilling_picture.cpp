@@ -27,9 +27,9 @@ QVector<MarchPicture::Share> energyShares(const DrillingLedger& ledger) {
     if (!(given > 0)) return {};
     QVector<MarchPicture::Share> shares{{tr("rock"), ledger.rock / given},
                                         {tr("damper"), ledger.damper / given},
-                                        {tr("waves, lost"), ledger.waves / given},
-                                        {tr("left behind"), ledger.faces / given},
-                                        {tr("still there"), ledger.stored / given}};
+                                        {tr("lost waves"), ledger.waves / given},
+                                        {tr("remaining behind"), ledger.faces / given},
+                                        {tr("remaining energy"), ledger.stored / given}};
     return shares;
 }
 
@@ -111,7 +111,7 @@ MarchPicture marchPicture(const std::vector<DrillingBlow>& blows, const Drilling
         picture.returns.append({gaps[i].y(), gaps[i + 1].y()});
     picture.lastReturns =
         picture.returns.sliced(std::max<qsizetype>(0, picture.returns.size() - joinedReturns));
-    picture.summary = tr("Gap and penetration of %1 of %2 blows; the first %3 settle and do not count.")
+    picture.summary = tr("Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.")
                           .arg(blows.size())
                           .arg(settings.blows)
                           .arg(settings.settle);

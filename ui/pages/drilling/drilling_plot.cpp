@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/drilling/drilling_plot.h"
 
+#include <algorithm>
+
 #include "ui/pages/drilling/march_rects.h"
 #include "ui/pages/drilling/scan_rects.h"
 #include "ui/plot/legend_entries.h"
@@ -9,6 +11,7 @@ namespace drillwave {
 namespace {
 
 constexpr int mostColumnsOfScan = 5;  // of the legend
+constexpr double noStretchOfLegend = 1e-3;
 
 bool isSameAxis(const DrillingPicture& a, const DrillingPicture& b) {
     if (a.march.has_value() != b.march.has_value() || a.scan.has_value() != b.scan.has_value()) return false;
@@ -22,8 +25,15 @@ bool isSameAxis(const DrillingPicture& a, const DrillingPicture& b) {
 
 DrillingPlot::DrillingPlot(QCustomPlot* plot) : StudyFrame(plot) {
     layOutAnew();
-    m_march = new MarchRects(*plot, this);
     useLegend(QMargins(7, 6, 7, 0));
+    if (!m_legend->layer()) m_legend->setLayer(QStringLiteral("legend"));
+    plot->plotLayout()->addElement(m_legend);
+    for (QCPLayoutGrid** grid : {&m_front, &m_gaps}) {
+        *grid = new QCPLayoutGrid;
+        (*grid)->setColumnSpacing(6);
+        plot->plotLayout()->addElement(*grid);
+    }
+    m_march = new MarchRects(*plot, this);
     m_scan = new ScanRects(*plot, *m_legend, this);
     m_legend->setWrap(mostColumnsOfScan);
     connect(plot, &QCustomPlot::beforeReplot, this,
@@ -43,7 +53,7 @@ void DrillingPlot::present(const DrillingPicture& picture) {
     if (!picture.message.isEmpty()) return showNothing(picture.message);
     const bool otherAxes = !isSameAxis(m_picture, picture);
     m_picture = picture;
-    arrange(picture.march.has_value(), picture.scan.has_value());
+    arrange();
     m_march->present(picture.march.value_or(MarchPicture{}), picture.before, picture.units);
     m_view->adjust(
         [&] { m_scan->present(picture.scan.value_or(ScanPicture{}), picture.units, picture.isScanOld); });
@@ -64,36 +74,51 @@ void DrillingPlot::showRuns(const QVector<RunMark>& means, const QVector<RunMark
 void DrillingPlot::clear() {
     m_march->presentRuns({});
     m_picture = {};
-    arrange(true, false);
+    arrange();
     m_march->present({}, {}, {});
     m_scan->present({}, {}, false);
 }
 
-// What has nothing to show leaves its room to the others.
-void DrillingPlot::arrange(bool hasMarch, bool hasScan) {
-    QCPLayoutGrid* layout = m_plot->plotLayout();
-    struct Row {
-        QCPLayoutGrid* grid;
+void DrillingPlot::setDetailed(bool isDetailed) {
+    m_isDetailed = isDetailed;
+    arrange();
+}
+
+// Parts with nothing to show leave their room to the others.
+void DrillingPlot::arrange() {
+    const bool hasScan = m_picture.scan.has_value(), hasMarch = m_picture.march || !hasScan;
+    struct Part {
+        QCPLayout* parent;
+        QCPLayoutElement* element;
         bool isShown;
+        double stretch = 1;
     };
-    const Row rows[] = {
-        {m_march->above(), hasMarch}, {m_march->middle(), hasMarch}, {m_scan->grid(), hasScan}};
-    int row = 0;
-    bool isArranged = true;
-    for (const auto& [grid, isShown] : rows) {
-        isArranged &= (grid->layout() == layout) == isShown;
-        row += isShown;
-    }
-    if (isArranged) return;
-    for (const auto& [grid, isShown] : rows)
-        if (grid->layout()) layout->take(grid);
-    layout->simplify();
-    row = 0;
-    for (const auto& [grid, isShown] : rows) {
-        grid->setVisible(isShown);
-        if (!isShown) continue;
-        layout->addElement(row, 0, grid);
-        layout->setRowStretchFactor(row++, 1);
+    QCPLayoutGrid* all = m_plot->plotLayout();
+    const Part parts[] = {{m_front, m_scan->rates(), hasScan},
+                          {m_front, m_march->penetrations(), hasMarch},
+                          {m_gaps, m_march->gaps(), hasMarch && m_isDetailed},
+                          {m_gaps, m_scan->gaps(), hasScan && m_isDetailed},
+                          {all, m_legend, hasScan, noStretchOfLegend},
+                          {all, m_front, true},
+                          {all, m_gaps, m_isDetailed},
+                          {all, m_march->details(), hasMarch && m_isDetailed}};
+    if (std::ranges::all_of(
+            parts, [](const Part& part) { return (part.element->layout() == part.parent) == part.isShown; }))
+        return;
+    for (const Part& part : parts)
+        if (QCPLayout* layout = part.element->layout()) layout->take(part.element);
+    for (QCPLayoutGrid* grid : {m_front, m_gaps, all}) grid->simplify();
+    for (const Part& part : parts) {
+        part.element->setVisible(part.isShown);
+        if (!part.isShown) continue;
+        if (part.parent != all) {
+            auto* row = static_cast<QCPLayoutGrid*>(part.parent);
+            row->addElement(0, row->columnCount(), part.element);
+        } else {
+            const int row = all->rowCount();
+            all->addElement(row, 0, part.element);
+            all->setRowStretchFactor(row, part.stretch);
+        }
     }
 }
 

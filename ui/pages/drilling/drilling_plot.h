@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows: gaps and penetrations, how the gaps scatter and follow each other, where the energy goes, and a
-// scan over a parameter.
+// Plots of many blows: penetration rate over a parameter and penetration blow by blow; gaps, their
+// distribution and the energy as details.
 #pragma once
 
 #include "ui/pages/drilling/drilling_picture.h"
@@ -11,8 +11,8 @@ namespace drillwave {
 class MarchRects;
 class ScanRects;
 
-/// Shows a march, a scan below it, or one of them alone. One is at the value that the scenario has along the
-/// scan.
+/// Shows a sequence of blows, a scan of sequences, or both. The mark "here" is at the scenario's value along
+/// the scan.
 class DrillingPlot : public StudyFrame {
     Q_OBJECT
 
@@ -23,6 +23,9 @@ class DrillingPlot : public StudyFrame {
     void present(const DrillingPicture& picture);
     /// Pinned runs: mean penetrations, and where they are along the scan, which may be nowhere.
     void showRuns(const QVector<RunMark>& means, const QVector<RunMark>& along);
+    /// Shows or hides the plots of gaps, their distribution and the energy.
+    void setDetailed(bool isDetailed);
+    bool isDetailed() const { return m_isDetailed; }
     const DrillingPicture& picture() const { return m_picture; }
     const MarchRects& march() const { return *m_march; }
     const ScanRects& scan() const { return *m_scan; }
@@ -35,10 +38,13 @@ class DrillingPlot : public StudyFrame {
     void clear() override;
     void restyle() override;
     void setRanges() override;
-    void arrange(bool hasMarch, bool hasScan);
+    void arrange();
 
     MarchRects* m_march;
     ScanRects* m_scan;
+    QCPLayoutGrid* m_front;  // rates and penetrations
+    QCPLayoutGrid* m_gaps;   // blow by blow, and over the scanned parameter
+    bool m_isDetailed = false;
     DrillingPicture m_picture;
 };
 

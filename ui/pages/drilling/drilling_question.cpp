@@ -127,6 +127,14 @@ DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyR
     return question;
 }
 
+double scanSeconds(const DrillingScanQuestion& question) {
+    constexpr double startsOfValue = 2;  // at rest and bouncing
+    const double scans = question.hasBracket ? 3 : 1;
+    const double values = double(question.range.pointsWithin(scanPoints));
+    return scans * values * startsOfValue * drillingWork(question.scenario, question.settings, quickWants()) /
+           workOfSecond / availableThreads();
+}
+
 DrillingScanAnswer answerDrillingScan(const DrillingScanQuestion& question,
                                       const StudyFeed<DrillingScanAnswer>& feed) {
     DrillingScanAnswer found;

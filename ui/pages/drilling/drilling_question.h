@@ -69,6 +69,8 @@ inline constexpr std::uint64_t scanPoints = 25;
 inline constexpr double strongDashpot = 0.5;
 
 DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyRange& range, bool hasBracket);
+/// Time of a scan on a machine of usual speed [s].
+double scanSeconds(const DrillingScanQuestion& question);
 /// The axis as the command takes it.
 std::string scanAxisText(const StudyRange& range);
 

@@ -32,7 +32,7 @@ DrillingTable::DrillingTable(QWidget* parent) : QTableWidget(parent), m_rows(row
     setHorizontalHeaderLabels({tr("mean"), QStringLiteral("±"), tr("deviation"), QStringLiteral("5 %"),
                                tr("median"), QStringLiteral("95 %")});
     horizontalHeaderItem(error)->setToolTip(
-        tr("Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change"));
+        tr("95 % error of the mean, from batches of blows and from longer and shorter time steps"));
     for (int row = 0; row < rowCount(); ++row) {
         const BlowQuantity& quantity = blowQuantities[m_rows[std::size_t(row)]];
         auto* header = new QTableWidgetItem(translated(Message(quantity.title)));

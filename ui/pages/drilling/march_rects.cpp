@@ -33,14 +33,12 @@ void setPoints(QCPGraph& graph, const QVector<QPointF>& points) {
 }  // namespace
 
 MarchRects::MarchRects(QCustomPlot& plot, QObject* parent)
-    : QObject(parent), m_plot(plot), m_above(new QCPLayoutGrid), m_middle(new QCPLayoutGrid) {
-    for (QCPLayoutGrid* grid : {m_above, m_middle}) {
-        grid->setColumnSpacing(6);
-        plot.plotLayout()->addElement(grid);
-    }
-    m_gaps = addSeries(0);
-    m_penetrations = addSeries(1);
-    addMiddle();
+    : QObject(parent), m_plot(plot), m_details(new QCPLayoutGrid) {
+    m_details->setColumnSpacing(6);
+    plot.plotLayout()->addElement(m_details);
+    m_gaps = addSeries();
+    m_penetrations = addSeries();
+    addDetails();
     m_runs = new RunMarks(&plot, below(m_penetrations.rect), beside(m_penetrations.rect));
 }
 
@@ -51,11 +49,11 @@ QCPGraph* MarchRects::addPoints(QCPAxisRect* rect) {
     return graph;
 }
 
-MarchRects::Series MarchRects::addSeries(int column) {
+MarchRects::Series MarchRects::addSeries() {
     Series series{};
     series.rect = newAxisRect(m_plot, Sides::linked);
     series.rect->setMinimumMargins(QMargins(4, 6, 10, 4));
-    m_above->addElement(0, column, series.rect);
+    m_plot.plotLayout()->addElement(series.rect);
     series.settled = addItem<QCPItemRect>(series.rect, QStringLiteral("grid"));
     for (QCPItemPosition* corner : {series.settled->topLeft, series.settled->bottomRight})
         corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
@@ -63,12 +61,12 @@ MarchRects::Series MarchRects::addSeries(int column) {
     series.before = addPoints(series.rect);
     series.before->setLayer(ghostLayer(m_plot));
     series.now = addPoints(series.rect);
-    below(series.rect)->setLabel(tr("blow (shaded: used for statistics)"));
+    below(series.rect)->setLabel(tr("blow (shaded: counted)"));
     below(series.rect)->ticker()->setTickCount(fewTicksOfMarch);
     return series;
 }
 
-void MarchRects::addMiddle() {
+void MarchRects::addDetails() {
     m_partsRect = newAxisRect(m_plot, Sides::free);
     m_returnRect = newAxisRect(m_plot, Sides::linked);
     m_energyRect = newAxisRect(m_plot, Sides::linked);
@@ -77,7 +75,7 @@ void MarchRects::addMiddle() {
     for (QCPAxisRect* rect : {m_partsRect, m_returnRect, m_energyRect}) {
         rect->setMinimumMargins(QMargins(4, 6, 10, 4));
         rect->setMarginGroup(QCP::msBottom, bottoms);
-        m_middle->addElement(0, column++, rect);
+        m_details->addElement(0, column++, rect);
         below(rect)->ticker()->setTickCount(fewestTicksOfMarch);
     }
     m_parts = new QCPBars(below(m_partsRect), beside(m_partsRect));
@@ -88,7 +86,7 @@ void MarchRects::addMiddle() {
     right->setVisible(true);
     right->setTickLabels(true);
     right->ticker()->setTickCount(fewTicksOfMarch);
-    right->setLabel(tr("e of this gap"));
+    right->setLabel(tr("e at this gap"));
     m_cor = addCurve(below(m_partsRect), right);
     m_cor->setSelectable(QCP::stNone);
     m_returnPoints = addPoints(m_returnRect);
@@ -97,7 +95,7 @@ void MarchRects::addMiddle() {
     m_energy = new QCPBars(beside(m_energyRect), below(m_energyRect));
     m_energy->setSelectable(QCP::stNone);
     m_energy->setWidth(0.7);
-    below(m_energyRect)->setLabel(tr("of the energy [%]"));
+    below(m_energyRect)->setLabel(tr("share of the energy [%]"));
     for (QCPAxis* axis : {below(m_energyRect), beside(m_energyRect)})
         axis->grid()->setVisible(false);  // it would strike the numbers through
 }
@@ -128,7 +126,7 @@ void MarchRects::present(const MarchPicture& picture, const BlowPoints& before, 
     for (const QPointF& step : picture.lastReturns) path.append({double(path.size()), step.x(), step.y()});
     m_returns->data()->set(path, true);
     below(m_returnRect)
-        ->setLabel(units.length.axisLabel(tr("gap")) + tr("\na projection of more dimensions"));
+        ->setLabel(units.length.axisLabel(tr("gap")) + tr("\na projection from more dimensions"));
     beside(m_returnRect)->setLabel(units.length.axisLabel(tr("next gap")));
     showEnergy(picture);
 }

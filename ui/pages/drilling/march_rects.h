@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rects of a march: gaps and penetrations above; in the middle how gaps scatter and follow each other,
-// and where the energy goes.
+// Axis rects of a sequence of blows: gap and penetration blow by blow; distribution of the gaps, next gap
+// over gap, and energy in a row of details.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,15 +13,14 @@
 
 namespace drillwave {
 
-/// Lives as a child of what fits the plot.
+/// Lives as a child of the frame that fits the plot and places gaps(), penetrations() and details().
 class MarchRects : public QObject {
     Q_OBJECT
 
   public:
     MarchRects(QCustomPlot& plot, QObject* parent);
 
-    QCPLayoutGrid* above() const { return m_above; }
-    QCPLayoutGrid* middle() const { return m_middle; }
+    QCPLayoutGrid* details() const { return m_details; }
     QCPAxisRect* gaps() const { return m_gaps.rect; }
     QCPAxisRect* penetrations() const { return m_penetrations.rect; }
     QCPGraph* gapPoints() const { return m_gaps.now; }
@@ -48,15 +47,15 @@ class MarchRects : public QObject {
         QCPGraph *now, *before;
         QCPItemRect* settled;
     };
-    Series addSeries(int column);
-    void addMiddle();
+    Series addSeries();
+    void addDetails();
     QCPGraph* addPoints(QCPAxisRect* rect);
     void showSettled(const Series& series, const MarchPicture& picture);
     void showEnergy(const MarchPicture& picture);
     void fitSeries(const Series& series);
 
     QCustomPlot& m_plot;
-    QCPLayoutGrid *m_above, *m_middle;
+    QCPLayoutGrid* m_details;
     Series m_gaps, m_penetrations;
     QCPAxisRect *m_partsRect, *m_returnRect, *m_energyRect;
     QCPBars *m_parts, *m_energy;

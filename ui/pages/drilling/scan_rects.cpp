@@ -11,41 +11,31 @@ namespace drillwave {
 namespace {
 
 constexpr double roomAboveScan = 0.16;  // the marks have their words there
-constexpr double noStretchOfLegend = 1e-3;
 constexpr int fewTicksOfScan = 4;
 
 }  // namespace
 
 ScanRects::ScanRects(QCustomPlot& plot, QCPLegend& legend, QObject* parent)
-    : QObject(parent), m_plot(plot), m_legend(legend), m_grid(new QCPLayoutGrid) {
-    plot.plotLayout()->addElement(m_grid);
-    m_grid->setRowSpacing(0);
-    m_grid->addElement(0, 0, &legend);
-    if (!legend.layer()) legend.setLayer(QStringLiteral("legend"));
-    m_grid->setRowStretchFactor(0, noStretchOfLegend);
-    auto* rects = new QCPLayoutGrid;
-    rects->setColumnSpacing(6);
-    m_grid->addElement(1, 0, rects);
+    : QObject(parent), m_plot(plot), m_legend(legend) {
     m_rates = newAxisRect(plot, Sides::free);
     m_gaps = newAxisRect(plot, Sides::linked);
-    int column = 0;
     for (QCPAxisRect* rect : {m_rates, m_gaps}) {
         rect->setMinimumMargins(QMargins(4, 4, 10, 4));
-        rects->addElement(0, column++, rect);
+        plot.plotLayout()->addElement(rect);
     }
     QCPAxis *left = m_rates->axis(QCPAxis::atLeft), *right = m_rates->axis(QCPAxis::atRight);
     right->setVisible(true);
     right->setTickLabels(true);
-    right->setLabel(tr("from contact [%]"));  // blows, as the legend has them
+    right->setLabel(tr("blows in contact [%]"));  // blows, as the legend has them
     right->ticker()->setTickCount(fewTicksOfScan);
     m_low = add(m_rates, left, {}, false);
     m_high = add(m_rates, left, {}, false);
     m_high->setChannelFillGraph(m_low);
-    m_share = add(m_rates, right, tr("blows from contact"), false);
+    m_share = add(m_rates, right, tr("blows in contact"), false);
     m_constantForce = add(m_rates, left, tr("constant force"), false);
     m_strongDamper = add(m_rates, left, tr("dashpot of half the impedance"), false);
     m_rate = add(m_rates, left, tr("penetration rate"), false);
-    m_other = add(m_rates, left, tr("begun bouncing"), true);
+    m_other = add(m_rates, left, tr("started bouncing"), true);
     m_dots = add(m_gaps, m_gaps->axis(QCPAxis::atLeft), {}, true);
     m_otherDots = add(m_gaps, m_gaps->axis(QCPAxis::atLeft), {}, true);
     for (QCPGraph* graph : {m_low, m_high, m_dots, m_otherDots}) graph->setSelectable(QCP::stNone);

@@ -9,14 +9,13 @@
 
 namespace drillwave {
 
-/// Lives as a child of what fits the plot.
+/// Lives as a child of the frame that fits the plot and places rates() and gaps().
 class ScanRects : public QObject {
     Q_OBJECT
 
   public:
     ScanRects(QCustomPlot& plot, QCPLegend& legend, QObject* parent);
 
-    QCPLayoutGrid* grid() const { return m_grid; }
     QCPAxisRect* rates() const { return m_rates; }
     QCPAxisRect* gaps() const { return m_gaps; }
     QCPGraph* rate() const { return m_rate; }
@@ -45,7 +44,6 @@ class ScanRects : public QObject {
 
     QCustomPlot& m_plot;
     QCPLegend& m_legend;
-    QCPLayoutGrid* m_grid;
     QCPAxisRect *m_rates, *m_gaps;
     QCPGraph *m_low, *m_high, *m_rate, *m_other, *m_share, *m_constantForce, *m_strongDamper, *m_dots,
         *m_otherDots;

@@ -48,9 +48,8 @@ void LevelField::read() {
 }
 
 void LevelField::presentProblem() {
-    setToolTip(m_problem.isEmpty()
-                   ? tr("The values of which the map has contours, in the units on show: 0.95; 1; 1.05")
-                   : QStringLiteral("⚠ ") + m_problem);
+    setToolTip(m_problem.isEmpty() ? tr("Values of the contours, in the present units: 0.95; 1; 1.05")
+                                   : QStringLiteral("⚠ ") + m_problem);
     setStyleSheet(m_problem.isEmpty() ? QString()
                                       : QStringLiteral("QLineEdit { border: 2px solid #c62828; }"));
 }

@@ -66,7 +66,7 @@ ChoiceBox* MapPage::pointsBox() {
     auto* box = new ChoiceBox(this);
     box->setObjectName(QStringLiteral("points"));
     box->setAccessibleName(tr("Points of the map"));
-    box->setToolTip(tr("How many values each of the two parameters takes"));
+    box->setToolTip(tr("Number of values of each of the two parameters"));
     for (const int points : pointsEachWay) box->addItem(QStringLiteral("%1 × %1").arg(points), points);
     box->setCurrentIndex(box->findData(usualPoints));
     return box;
@@ -203,14 +203,13 @@ void MapPage::draw() {
 }
 
 void MapPage::speak() {
-    say(m_plot->textSummary() + QLatin1Char('\n') + (m_readout.isEmpty() ? hereText() : m_readout));
+    say(m_plot->textSummary(), m_readout.isEmpty() ? hereText() : m_readout);
 }
 
 // The blow of the crosshair, solved on its own.
 QString MapPage::hereText() const {
     const QString help =
-        tr("A click on a line or a preset takes over the point there, with Shift it pins it; the crosshair "
-           "can be dragged.");
+        tr("Click on a line or preset to use that point; Shift+click pins it. The crosshair can be dragged.");
     if (!blow() || !blow()->fault.isEmpty()) return help;
     const OutputColumn& column = m_shown->study.output;
     const auto value = column.value({blow()->summary, blow()->scenario}, blow()->scales);

@@ -11,7 +11,7 @@
 #include "ui/pages/map/map_raster.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

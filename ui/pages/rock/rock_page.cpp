@@ -22,9 +22,9 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     m_instant->setObjectName(QStringLiteral("instant"));
     m_instant->setWordWrap(true);
     m_instant->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_instant->setToolTip(tr("State of the rock at the time cursor, the larger point on the path"));
+    m_instant->setToolTip(tr("State of the rock at the time cursor, shown by the larger point"));
     auto* fitButton = new QPushButton(tr("Fit"), this);
-    fitButton->setToolTip(tr("Bring the whole path into view (double-click in the plot)"));
+    fitButton->setToolTip(tr("Shows the whole path (double-click in the plot)"));
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
@@ -69,7 +69,7 @@ void RockPage::setRuns(const RunListPtr& runs) {
 void RockPage::setResult(const SolvedBlowPtr& blow) {
     const auto* curve = blow->page<RockCurve>();
     if (curve && curve->path->isEmpty()) {
-        m_rock->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
+        m_rock->showNothing(tr("Nothing to show: this blow has too many waves to keep."));
     } else if (curve) {
         m_rock->present(*curve);
         const CurveMeaning meaning{.xUnit = blow->units.penetration.unit, .yUnit = blow->units.force.unit};

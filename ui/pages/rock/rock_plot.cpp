@@ -111,7 +111,7 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
            "enclosed area: %6.")
             .arg(loading, force, largest, unloading, residual, energy);
     if (!behind.isEmpty())
-        m_summary += tr(" Behind its corners it loads along %1.").arg(behind.join(QStringLiteral(", ")));
+        m_summary += tr(" Above its corners it loads along %1.").arg(behind.join(QStringLiteral(", ")));
 }
 
 // Beside the lines they name, at any zoom: above the loading line, below the unloading line, the residual

@@ -12,8 +12,8 @@
 namespace drillwave {
 namespace {
 
-constexpr const char* columnNames[] = {"compression", "tension", "compression of the waves left",
-                                       "tension of the waves left"};
+constexpr const char* columnNames[] = {"compression", "tension", "compression of residual waves",
+                                       "tension of residual waves"};
 
 GraphData curveOf(const RodCurves& curves, Load line) {
     QVector<QCPGraphData> points;

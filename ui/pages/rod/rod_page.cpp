@@ -28,11 +28,11 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
       m_readout(new QLabel(this)),
       m_plot(makePlot()),
       m_rod(new RodPlot(m_plot)) {
-    auto* section = new PlaceField(observation,
-                                   tr("The dotted line: where in the rod one looks, 0 is the struck end, 1 "
-                                      "the bit.\nA click in the plot moves it, and the time cursor to when "
-                                      "the stress there is largest."),
-                                   this);
+    auto* section =
+        new PlaceField(observation,
+                       tr("Section shown by the dotted line: 0 is the struck end, 1 the bit.\nA click in the "
+                          "plot moves it, and moves the time cursor to the largest stress there."),
+                       this);
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(section);
     m_readout->setObjectName(QStringLiteral("readout"));
@@ -91,7 +91,7 @@ const RodCurves* RodPage::curves() const {
 
 void RodPage::setResult(const SolvedBlowPtr& blow) {
     if (const auto* curves = blow->page<RodCurves>(); curves && curves->string && !curves->string->waves) {
-        m_rod->showNothing(tr("Nothing to show: there are too many waves to be kept."));
+        m_rod->showNothing(tr("Nothing to show: there are too many waves to keep."));
         m_plot->setDataText({});
     } else if (curves) {
         m_rod->present(*curves);
@@ -159,7 +159,7 @@ void RodPage::showReadout() {
                                       .arg(place, words(Load::compression), words(Load::tension), in.words) +
                                   strengthText(shown->string->sectionAt(m_observation.section())));
     }
-    m_readout->setText(tr("At %1 in the blow: %2 and %3\nof the waves left: %4 and %5")
+    m_readout->setText(tr("At %1 in the blow: %2 and %3\nin the residual waves: %4 and %5")
                            .arg(place, words(Load::compression), words(Load::tension),
                                 words(Load::compressionAfter), words(Load::tensionAfter)) +
                        strengthText(0));

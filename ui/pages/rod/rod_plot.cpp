@@ -34,9 +34,9 @@ QString nameOf(Load line) {
         case Load::tension:
             return RodPlot::tr("largest tension in the blow");
         case Load::compressionAfter:
-            return RodPlot::tr("compression of the waves left");
+            return RodPlot::tr("compression of residual waves");
         case Load::tensionAfter:
-            return RodPlot::tr("tension of the waves left");
+            return RodPlot::tr("tension of residual waves");
     }
     return {};
 }
@@ -303,11 +303,11 @@ void RodPlot::nameNumbers() {
         strength.showName(m_curves, [this](double stress) { return stressText(stress); });
     const double missed = m_curves.envelope.missed * m_curves.units.stress.factor;
     m_caption->setText(
-        m_curves.string ? tr("of uniform sections; threads and changes of diameter raise stresses locally")
-        : missed > 0
-            ? tr("so many waves that between the peaks a curve may be too low by %1").arg(stressText(missed))
-            : tr("of the uniform rod; couplings and threads raise stresses locally, nothing "
-                 "damps the waves left"));
+        m_curves.string
+            ? tr("stresses of uniform sections; threads and changes of diameter raise them locally")
+        : missed > 0 ? tr("many waves: between peaks the curve may be too low by %1").arg(stressText(missed))
+                     : tr("stresses of the uniform rod; couplings and threads raise them locally; residual "
+                          "waves are undamped"));
 }
 
 void RodPlot::summarize() {

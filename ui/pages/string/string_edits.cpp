@@ -60,27 +60,25 @@ StringEdits::StringEdits(Document& document, StringModel& model, QTableView& tab
       m_table(table),
       m_addMenu(new QMenu(&table)),
       m_replaceMenu(new QMenu(&table)) {
-    m_add = newAction(
-        QStringLiteral("add"), tr("Add"),
-        tr("Put a section behind the selected one: like it, a preset, or one of the example "
-           "strings; after the last section of a repeat it comes after the repeat; adapters go to the "
-           "shank, bits to the rock"),
-        QKeySequence(Qt::Key_Insert), [this] {
-            const std::optional<SectionSpot> spot = current();
-            if (!spot) return;
-            Section section = sectionAt(m_document.scenario().drillString, *spot);
-            section.name.clear();
-            add({section});
-        });
+    m_add = newAction(QStringLiteral("add"), tr("Add"),
+                      tr("Adds a section after the selected one: a copy, a preset or a section of the "
+                         "example strings. Adapters go to the shank, bits to the rock."),
+                      QKeySequence(Qt::Key_Insert), [this] {
+                          const std::optional<SectionSpot> spot = current();
+                          if (!spot) return;
+                          Section section = sectionAt(m_document.scenario().drillString, *spot);
+                          section.name.clear();
+                          add({section});
+                      });
     m_add->setMenu(m_addMenu);
     m_replace = newAction(QStringLiteral("replace"), tr("Replace by preset"),
                           tr("Replace the selected sections by a preset"), QKeySequence(Qt::CTRL | Qt::Key_H),
                           [this] { m_replaceMenu->popup(QCursor::pos()); });
     m_replace->setMenu(m_replaceMenu);
     m_duplicate = newAction(QStringLiteral("duplicate"), tr("Duplicate"),
-                            tr("Put the selected section there once more, with its name"),
+                            tr("Duplicates the selected section, with its name"),
                             QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate(); });
-    m_remove = newAction(QStringLiteral("remove"), tr("Remove"), tr("Take the selected sections away"),
+    m_remove = newAction(QStringLiteral("remove"), tr("Remove"), tr("Removes the selected sections"),
                          QKeySequence(Qt::Key_Delete), [this] { remove(); });
     m_up = newAction(QStringLiteral("up"), tr("Towards the hammer"),
                      tr("Move the selected section one step towards the rear, into or out of a repeat"),
@@ -88,11 +86,9 @@ StringEdits::StringEdits(Document& document, StringModel& model, QTableView& tab
     m_down = newAction(QStringLiteral("down"), tr("Towards the bit"),
                        tr("Move the selected section one step towards the bit, into or out of a repeat"),
                        QKeySequence(Qt::ALT | Qt::Key_Down), [this] { move(MoveTo::bit); });
-    m_repeat =
-        newAction(QStringLiteral("repeat"), tr("Repeat…"),
-                  tr("Let the selected sections follow one another several times; in a repeat, type how "
-                     "often"),
-                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { repeat(); });
+    m_repeat = newAction(QStringLiteral("repeat"), tr("Repeat…"),
+                         tr("Repeats the selected sections; inside a repeat, type the number of times"),
+                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { repeat(); });
     connect(m_addMenu, &QMenu::aboutToShow, this, &StringEdits::fillAddMenu);
     connect(m_replaceMenu, &QMenu::aboutToShow, this, &StringEdits::fillReplaceMenu);
     connect(table.selectionModel(), &QItemSelectionModel::selectionChanged, this, &StringEdits::offer);
@@ -176,7 +172,7 @@ void StringEdits::addRods(QMenu& menu, const std::function<void(Section)>& then,
 void StringEdits::addPieces(QMenu& menu, SectionPresetKind kind,
                             const std::function<void(const SectionPreset&)>& then) {
     static_assert(sectionPresetKinds.size() == 4, "a title for each kind");
-    const std::array<QString, sectionPresetKinds.size()> titles{tr("Hammer, in place of this one"),
+    const std::array<QString, sectionPresetKinds.size()> titles{tr("Hammer, instead of this one"),
                                                                 tr("Adapters"), tr("Couplings"), tr("Bits")};
     const LocalStyle style = LocalStyle::of(m_document.units());
     QMenu* pieces = newMenu(menu, titles[static_cast<std::size_t>(kind)]);
@@ -377,7 +373,7 @@ void StringEdits::moveRow(int from, int to) {
             moveSection(changed.drillString, spot, to < from ? MoveTo::rear : MoveTo::bit);
         if (!next)
             return emit refused(
-                tr("Sections of the hammer stay in the hammer, those of the string behind it."));
+                tr("Sections of the hammer stay in the hammer, sections of the string in the string."));
         spot = *next;
     }
     if (take(changed, tr("move %1").arg(name))) select(spot);

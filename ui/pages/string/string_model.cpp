@@ -52,7 +52,7 @@ bool isLossOnTheWay(int column) {
 
 // The label of the parameter, in two lines where it is long.
 QString columnTitle(int column) {
-    if (column == StringModel::massAfter) return StringModel::tr("mass\nbehind");
+    if (column == StringModel::massAfter) return StringModel::tr("mass at\nend");
     if (column == StringModel::attenuation) return StringModel::tr("attenu-\nation");
     QString title = coreText(findSectionField(fieldKey(column))->label);
     return title.replace(QLatin1Char(' '), QLatin1Char('\n'));
@@ -249,35 +249,30 @@ QString StringModel::toolTip(const QModelIndex& index) const {
     const int column = index.column();
     if (column == repeat)
         return row.repeat
-                   ? tr("These sections come %1 times, one after another. Type another number; 1 takes the "
-                        "repeat away.")
+                   ? tr("These sections are repeated %1 times. Type another number; 1 removes the repeat.")
                          .arg(row.repeat->times)
                    : QString();
-    if (column == sectionName) return tr("Name of the section; parameters go by it, too");
-    if (column == presetName)
-        return tr("The preset that the section is from; the name goes when a number is changed");
+    if (column == sectionName) return tr("Name of the section, also used in keys of parameters");
+    if (column == presetName) return tr("Preset of the section; the name is removed when a number changes");
     if (isResult(column)) {
         if (!m_results) return {};
         const RowResult& result = m_results->rows[static_cast<std::size_t>(index.row())];
         if (column == strengthShare) return result.use ? useText(row, result) : tr("No strength is given");
         if (column == reflected)
-            return result.reflected
-                       ? tr("Share of the energy of the hammer that the joint behind %1 throws back of "
-                            "what comes from the hammer")
-                             .arg(row.nameAt(result.reflected->section))
-                       : QString();
+            return result.reflected ? tr("Share of the hammer energy reflected by the joint after %1")
+                                          .arg(row.nameAt(result.reflected->section))
+                                    : QString();
         const bool isTension = column == tension;
         const auto text = [&](const RowPeak& peak) {
             return row.nameAt(peak.section) + QStringLiteral(": ") + peakText(peak);
         };
         const RowPeak& after = isTension ? result.tensionAfter : result.compressionAfter;
         const QString during = text(isTension ? result.tension : result.compression);
-        return after.size > 0 ? during + tr("\nof the waves that the blow leaves: %1").arg(text(after))
-                              : during;
+        return after.size > 0 ? during + tr("\nin the residual waves: %1").arg(text(after)) : during;
     }
     if (const KeptParameter parameter = parameterAt(index)) return coreText(parameter->meaning);
-    if (isLossOnTheWay(column)) return tr("The hammer loses nothing inside");
-    return tr("The section is given by its cross-section, not by diameters");
+    if (isLossOnTheWay(column)) return tr("The hammer has no internal losses");
+    return tr("The section has a cross-section instead of diameters");
 }
 
 QVariant StringModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -288,17 +283,17 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         return m_rows[static_cast<std::size_t>(section)].words;
     }
     if (role == Qt::ToolTipRole) {
-        if (section == compression) return tr("Largest compression of the section while the blow lasts");
-        if (section == tension) return tr("Largest tension of the section while the blow lasts");
+        if (section == compression) return tr("Largest compression of the section during the blow");
+        if (section == tension) return tr("Largest tension of the section during the blow");
         if (section == reflected)
             return tr(
-                "Share of the energy of the hammer that the joint behind the section throws back of what "
-                "comes from the hammer; of a repeat, by the joint that throws back most");
+                "Share of the hammer energy reflected by the joint after the section; of a repeat, by the "
+                "joint that reflects most");
         if (section == strengthShare)
             return tr(
-                "Largest stress while the blow lasts as a share of the strength: tension of the fatigue "
-                "strength, or either of the yield strength, whichever is more");
-        if (section == presetName) return tr("The preset that the section is from");
+                "Largest stress during the blow as a share of the strength: tension over fatigue strength, "
+                "or any stress over yield strength, whichever is larger");
+        if (section == presetName) return tr("Preset of the section");
         if (const std::string_view field = fieldKey(section); !field.empty())
             return coreText(findSectionField(field)->meaning);
         return {};
@@ -361,7 +356,7 @@ bool StringModel::setTimes(const StringRow& row, double times) {
     Scenario changed = m_document.scenario();
     setRepeat(changed.drillString, row.spot.part, static_cast<int>(times));
     return told(m_document.useScenario(changed, times == 1
-                                                    ? tr("take the repeat of %1 away").arg(row.name())
+                                                    ? tr("remove the repeat of %1").arg(row.name())
                                                     : tr("repeat %1 %2 times").arg(row.name()).arg(times)));
 }
 

@@ -47,7 +47,7 @@ StringPage::StringPage(Document& document, QWidget* parent)
     m_words->setMargin(4);
     // Three lines are reserved: nothing jumps.
     m_words->setMinimumHeight(3 * m_words->fontMetrics().lineSpacing() + 8);
-    m_words->setToolTip(tr("Of uniform sections: threads and shoulders raise stresses locally"));
+    m_words->setToolTip(tr("Stresses of uniform sections: threads and shoulders raise them locally"));
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -125,8 +125,8 @@ QWidget* StringPage::makeBar() {
     m_allColumns->setText(tr("All columns"));
     m_allColumns->setCheckable(true);
     m_allColumns->setFocusPolicy(Qt::TabFocus);
-    m_allColumns->setToolTip(tr(
-        "Also cross-section, Young's modulus, density and strengths where no section has them of its own"));
+    m_allColumns->setToolTip(
+        tr("Also shows cross-section, Young's modulus, density and strengths that no section gives itself"));
     m_allColumns->setChecked(Settings().value(allColumnsKey, false).toBool());
     connect(m_allColumns, &QToolButton::toggled, this, [this](bool all) {
         Settings().setValue(allColumnsKey, all);

@@ -43,7 +43,7 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
     m_parameters->setAccessibleName(tr("%1: parameter").arg(words));
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setAccessibleName(tr("%1: logarithmic").arg(words));
-    m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
+    m_logarithmic->setToolTip(tr("Even ratios instead of even steps"));
     auto* choice = new QWidget(this);
     for (QWidget* part : {choice, m_startPart, m_stopPart}) rowIn(*part);
     choice->layout()->addWidget(label);

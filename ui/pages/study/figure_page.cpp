@@ -130,8 +130,8 @@ void FigurePage::draw() {
     if (figure.isPreview)
         say(translated(m_study.firstLook));
     else
-        say(translatedAll(m_shown.answer->sentences(LocalStyle::of(document().units()))) + QLatin1Char(' ') +
-            translated(m_study.clickHelp));
+        say(translatedEach(m_shown.answer->sentences(LocalStyle::of(document().units())))
+            << translated(m_study.clickHelp));
     redraw();
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/yaml/scenario_file.h"
+#include "ui/form/section_box.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/plot/plot_widget.h"
@@ -37,54 +38,78 @@ StudyPage::StudyPage(Document& document, QWidget* parent) : PlotPage(parent), m_
     connect(&document, &Document::replaced, this, &StudyPage::forget);
 }
 
-PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside) {
-    auto* row = new FlowLayout;
-    for (QWidget* control : controls) row->addWidget(control);
-    auto* copy = new QPushButton(tr("Copy as command line"), this);
-    copy->setObjectName(QStringLiteral("copyCommand"));
-    copy->setToolTip(tr("The command that writes the same numbers as CSV, for a terminal"));
-    connect(copy, &QPushButton::clicked, this, &StudyPage::copyCommand);
-    row->addWidget(copy);
-    auto* copyAnswer = new QPushButton(tr("Copy answer"), this);
-    copyAnswer->setObjectName(QStringLiteral("copyAnswer"));
-    copyAnswer->setToolTip(tr("The sentence below, as text"));
-    connect(copyAnswer, &QPushButton::clicked, this,
-            [this] { QGuiApplication::clipboard()->setText(m_words->text()); });
-    row->addWidget(copyAnswer);
+PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls) {
+    m_answerWords = new QLabel(this);
+    m_answerWords->setObjectName(QStringLiteral("answer"));
+    QFont bold = m_answerWords->font();
+    bold.setBold(true);
+    m_answerWords->setFont(bold);
     auto* words = new QLabel;
     words->setObjectName(QStringLiteral("words"));
-    words->setWordWrap(true);
-    words->setMargin(4);
-    words->setMinimumHeight(2 * words->fontMetrics().lineSpacing() + 8);  // so that the plot does not jump
-    words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_words = new ScrolledLabel(words, mostOfWindowForWords, this);
-
-    PlotWidget* plot = makePlot();
-    setLeastLines(plotLines);
-    m_veil = new StaleVeil(plot);
-    m_veil->cover(m_words);
-    connect(&m_late, &QTimer::timeout, this, [this] { setStale(true); });
-    auto* center = new QHBoxLayout;
-    center->setSpacing(0);
-    center->addWidget(plot, 3);
-    if (beside) {
-        center->addWidget(beside, 1);
-        m_veil->cover(beside);
-        m_answer.append(beside);
+    for (QLabel* label : {m_answerWords, words}) {
+        label->setWordWrap(true);
+        label->setMargin(4);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     }
+    m_words = new ScrolledLabel(words, mostOfWindowForWords, this);
+    auto* copyAnswer = newButton(QStringLiteral("copyAnswer"), tr("Copy answer"),
+                                 tr("Copies answer and sentences below it as text"));
+    connect(copyAnswer, &QPushButton::clicked, this, &StudyPage::copyAnswer);
+    auto* answer = new QHBoxLayout;
+    answer->addWidget(m_answerWords, 1);
+    answer->addWidget(copyAnswer, 0, Qt::AlignTop);
+
+    m_settings = new SectionBox(tr("Settings"), this);
+    auto* row = new FlowLayout(m_settings->content());
+    for (QWidget* control : controls) row->addWidget(control);
+    auto* copy = newButton(QStringLiteral("copyCommand"), tr("Copy as command line"),
+                           tr("Copies the command that writes the same numbers as CSV"));
+    connect(copy, &QPushButton::clicked, this, &StudyPage::copyCommand);
+    row->addWidget(copy);
+
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    layout->addLayout(row);
+    layout->addLayout(answer);
     layout->addWidget(m_words);
-    layout->addLayout(center, 1);
+    layout->addWidget(m_settings);
+    PlotWidget* plot = makePlot();
+    layout->addWidget(plot, 1);
+    setLeastLines(plotLines);
+    m_veil = new StaleVeil(plot);
+    m_veil->cover(m_answerWords);
+    m_veil->cover(m_words);
+    connect(&m_late, &QTimer::timeout, this, [this] { setStale(true); });
     return plot;
 }
 
+QPushButton* StudyPage::newButton(const QString& name, const QString& text, const QString& tip) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    return button;
+}
+
+void StudyPage::copyAnswer() {
+    QString text = m_answerWords->text();
+    if (!m_words->text().isEmpty()) text += QLatin1Char('\n') + m_words->text();
+    QGuiApplication::clipboard()->setText(text);
+}
+
+void StudyPage::addAbove(QWidget* widget, PartOf part) {
+    auto* column = static_cast<QBoxLayout*>(layout());
+    column->insertWidget(column->indexOf(m_settings), widget);
+    if (part == PartOf::answer) takeIntoAnswer(widget);
+}
+
 void StudyPage::addBelow(QWidget* table) {
-    static_cast<QBoxLayout*>(layout())->addWidget(table);
-    m_veil->cover(table);
-    m_answer.append(table);
+    layout()->addWidget(table);
+    takeIntoAnswer(table);
+}
+
+void StudyPage::takeIntoAnswer(QWidget* widget) {
+    m_veil->cover(widget);
+    m_answer.append(widget);
 }
 
 // Links and buttons of an old answer do nothing.
@@ -181,9 +206,14 @@ void StudyPage::hideEvent(QHideEvent* event) {
     m_due = true;
 }
 
-void StudyPage::say(const QString& sentence) {
-    m_sentence = sentence;
+void StudyPage::say(const QString& answer, const QString& more) {
+    m_sentence = answer;
+    m_more = more;
     showWords();
+}
+
+void StudyPage::say(const QStringList& sentences) {
+    say(sentences.value(0), sentences.mid(1).join(QLatin1Char(' ')));
 }
 
 void StudyPage::showNothing(const QString& why) {
@@ -193,11 +223,13 @@ void StudyPage::showNothing(const QString& why) {
 }
 
 void StudyPage::showWords() {
-    const QString problem = m_activity->problem();
-    m_words->setText(!m_refusal.isEmpty() ? QStringLiteral("⚠ ") + m_refusal
-                     : !problem.isEmpty() ? QStringLiteral("⚠ ") + problem
-                     : m_isForeign        ? QString()
-                                          : m_sentence);
+    const QString fault = !m_refusal.isEmpty() ? m_refusal : m_activity->problem();
+    const bool hasAnswer = fault.isEmpty() && !m_isForeign;
+    m_answerWords->setText(!fault.isEmpty() ? QStringLiteral("⚠ ") + fault
+                           : m_isForeign    ? QString()
+                                            : m_sentence);
+    m_words->setText(hasAnswer ? m_more : QString());
+    m_words->setVisible(!m_words->text().isEmpty());
     layout()->activate();  // a sentence of more lines has its room at once
 }
 

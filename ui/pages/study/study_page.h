@@ -9,16 +9,20 @@
 #include "ui/job/study_job.h"
 #include "ui/pages/plot_page.h"
 
+class QLabel;
+class QPushButton;
+
 namespace drillwave {
 
 class ScrolledLabel;
+class SectionBox;
 class StaleVeil;
 
-/// A page around one plot of a study of the scenario that is being edited. Its controls stand above the plot,
-/// with a line of words between. A study that may have changed is asked for while the page can be seen, or
-/// as soon as it can; a page that goes out of sight stops its study. Sentence, plot and what stands beside
-/// and below them are veiled where they are of an earlier input for more than a moment, and hidden where they
-/// are of another scenario.
+/// A page around one plot of a study of the scenario that is being edited. The answer comes first, in bold,
+/// then further sentences, the controls in a box that folds, the plot and its details. A study that may have
+/// changed is asked for while the page can be seen, or as soon as it can; a page that goes out of sight stops
+/// its study. Sentence, plot and what stands beside and below them are veiled where they are of an earlier
+/// input for more than a moment, and hidden where they are of another scenario.
 ///
 /// A page implements ask() (hand its question to its job, whose question is compared with the last),
 /// present(), csv() and commandWords(), and calls arrange() and watch() as it is made.
@@ -57,10 +61,15 @@ class StudyPage : public PlotPage {
     /// none.
     virtual QStringList commandWords() const = 0;
 
-    /// Puts the controls in a row that wraps, the plot below, `beside` to its right; returns the plot. Once.
-    PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
-    /// Puts it below the plot, where it belongs to the answer.
+    /// Builds the page: answer, controls in a row that wraps, plot. Returns the plot. Call it once.
+    PlotWidget* arrange(const QList<QWidget*>& controls);
+    enum class PartOf { question, answer };
+    /// Adds a widget between the sentences and the controls, in view even while the controls are folded.
+    void addAbove(QWidget* widget, PartOf part);
+    /// Adds a widget below the plot as a part of the answer.
     void addBelow(QWidget* table);
+    /// Box of the controls.
+    SectionBox& settingsBox() const { return *m_settings; }
     /// The page's job. Once.
     void watch(StudyActivity& activity);
     /// Jobs beside it: present() is called when one has news, and out of sight they are stopped, to
@@ -68,9 +77,11 @@ class StudyPage : public PlotPage {
     void watchBeside(StudyActivity& activity);
     /// The question may be another one: ask() now, or as soon as the page can be seen.
     void askSoon();
-    /// Words below the controls: what the study says in a sentence. Its problem is shown in their place.
-    void say(const QString& sentence);
-    /// No curves: the reason is in their place, and below the controls.
+    /// Shows the answer in bold and further sentences below it. A problem of the study replaces both.
+    void say(const QString& answer, const QString& more = {});
+    /// The same with the first sentence as the answer.
+    void say(const QStringList& sentences);
+    /// Shows the reason instead of the curves, and as the answer.
     void showNothing(const QString& why);
     /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
     void load(const std::vector<ParameterValue>& values);
@@ -93,6 +104,9 @@ class StudyPage : public PlotPage {
     void hideEvent(QHideEvent* event) override;
 
   private:
+    QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
+    void copyAnswer();
+    void takeIntoAnswer(QWidget* widget);
     void askNow();
     void follow();
     void forget();
@@ -106,8 +120,11 @@ class StudyPage : public PlotPage {
     QVector<StudyActivity*> m_beside;
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input
+    QLabel* m_answerWords = nullptr;
     ScrolledLabel* m_words = nullptr;
+    SectionBox* m_settings = nullptr;
     QString m_sentence;
+    QString m_more;
     QString m_refusal;         // why a value could not be taken over
     QList<QWidget*> m_answer;  // what stands beside and below the plot
     StaleVeil* m_veil = nullptr;

@@ -124,7 +124,7 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
         plot()->setMeaning(m_plot->feed(), meaning);
     }
     m_table->present(answer.here.feed, m_units);
-    say(translatedAll(
+    say(translatedEach(
         thrustSentences(answer.scenario, answer.here.feed, {}, LocalStyle::of(document().units()))));
     redraw();
 }

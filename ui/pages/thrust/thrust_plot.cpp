@@ -66,7 +66,7 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     listKnown();
     m_feed->setData(dataOf(picture.feed));
     m_feed->setName(picture.isWeighted ? tr("effective force, with weight along the hole")
-                                       : tr("installed thrust"));
+                                       : tr("installed feed force"));
     x()->setScaleType(picture.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     x()->setTicker(picture.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new NumberTicks<QCPAxisTickerLog>)
                                          : QSharedPointer<QCPAxisTicker>(new NumberTicks<QCPAxisTicker>));

@@ -79,7 +79,7 @@ void PlayBar::addControls() {
     m_slider->setToolTip(tr("Moves the time cursor through the times in view"));
     m_speed->setObjectName(QStringLiteral("speed"));
     for (const int seconds : {2, 5, 10, 20, 60}) m_speed->addItem(tr("in %1 s").arg(seconds), seconds);
-    m_speed->setAccessibleName(tr("How long the times in view take to play"));
+    m_speed->setAccessibleName(tr("Duration of playing the times in view"));
     m_speed->setToolTip(m_speed->accessibleName());
     m_loop->setObjectName(QStringLiteral("loop"));
     m_loop->setCheckable(true);

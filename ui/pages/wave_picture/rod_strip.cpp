@@ -113,7 +113,7 @@ QString RodStrip::stateText() const {
     const ShownUnit& depth = m_blow->units.penetration;
     const BlowWaves waves(*m_blow);
     if (m_time > waves.end())
-        return tr("t = %1 · later than the blow was followed, which is to %2")
+        return tr("t = %1 · after the end of the computed time, %2")
             .arg(timeText(m_time, picture().interesting, units.time, locale()),
                  timeText(waves.end(), picture().interesting, units.time, locale()));
     const BitState bit = waves.bit(picture().contacts, m_time);

@@ -43,11 +43,10 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_field(new QComboBox(this)),
       m_fronts(new QCheckBox(tr("Fronts"), this)),
-      m_section(new PlaceField(observation,
-                               tr("The dashed line: where in the rod the waves of the page Blow are "
-                                  "observed; 0 is the struck end, "
-                                  "1 the bit."),
-                               this)),
+      m_section(new PlaceField(
+          observation,
+          tr("Section shown by the dashed line, also used on the page Blow: 0 is the struck end, 1 the bit."),
+          this)),
       m_readout(new QLabel(this)),
       m_plot(makePlot()),
       m_picture(new WavePicturePlot(m_plot)),
@@ -85,13 +84,13 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_field->addItem(tr("Force N"));
     m_field->addItem(tr("Particle velocity v"));
     m_field->setMinimumWidth(90);
-    m_field->setAccessibleName(tr("What the colours show"));
+    m_field->setAccessibleName(tr("Quantity shown by the colours"));
     m_field->setToolTip(
         tr("Normal force (tension positive) or particle velocity (towards the rock positive)"));
     m_fronts->setObjectName(QStringLiteral("fronts"));
     m_fronts->setToolTip(
-        tr("Lines where the hammer force begins (solid), jumps or ends (dashed), running with "
-           "the wave speed"));
+        tr("Lines that start where the hammer force begins (solid), jumps or ends (dashed), and move at the "
+           "wave speed"));
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(m_section);
     m_readout->setObjectName(QStringLiteral("readout"));
@@ -172,7 +171,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     else if (!blow->fault.isEmpty())
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->fault));
     else if (!blow->impact.hasHistories())
-        m_picture->showNothing(tr("Nothing to show: there are too many waves to be kept."));
+        m_picture->showNothing(tr("Nothing to show: there are too many waves to keep."));
     else
         return;  // the answer to an older request, before this page was there to ask
     m_profile->setBlow(m_picture->shown());

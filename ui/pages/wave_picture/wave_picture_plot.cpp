@@ -191,7 +191,7 @@ QString WavePicturePlot::stringReadout(double x, double t) const {
                                    timeText(t, m_window.time, units.time, locale));
     const BlowWaves waves(*m_blow);
     const double force = waves.value(WaveQuantity::force, x, t);
-    if (!std::isfinite(force)) return place + tr(" · later than the blow was followed");
+    if (!std::isfinite(force)) return place + tr(" · after the computed time");
     return place + tr(" · N = %1 · σ = %2 · v = %3")
                        .arg(text(force, units.force),
                             text(stressOf(section, force, section.shareAt(x)), units.stress),

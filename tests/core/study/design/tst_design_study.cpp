@@ -239,7 +239,7 @@ DesignStudy studyOf(std::initializer_list<const char*> uncertain) {
 
 }  // namespace
 
-// Over a whole period, all gaps alike: the statistics of the curve, which is exact.
+// Over a whole period, all gaps equally likely: the statistics of the curve, which is exact.
 void TestDesignStudy::gapsAloneAreThoseOfTheGapStudy() {
     DesignStudy study = studyOf({"bit_rock.gap=0mm:1mm"});
     const Scales scales = scalesOf(study.base);
@@ -431,7 +431,7 @@ void TestDesignStudy::headlinesWarnOfOverloadedRods() {
     QCOMPARE(report.findings.recommended, std::optional<std::size_t>(1));
     const Scenario heavy = designScenario(study, 1);
     study.base.rod.fatigueStrength = 350e6;
-    QVERIFY2(headline().contains("Warning for heavy drifter, piston: The rod is fatigued by every blow"),
+    QVERIFY2(headline().contains("Warning for heavy drifter, piston: The rod suffers fatigue at every blow"),
              qPrintable(headline()));
     QCOMPARE(report.findings.alerts.front().code, AlertCode::stressAboveFatigue);
     QVERIFY(designJson(report).find("\"stress_above_fatigue\"") != std::string::npos);

@@ -174,7 +174,7 @@ void TestDesignTexts::presetsExcludeWhatTheySet_data() {
     QTest::newRow("chosen and uncertain")
         << "rod.length=3m,4m"
         << "pulse.duration=100us:200us" << false
-        << "pulse.duration is chosen and uncertain: only +-P% about the choice can be both";
+        << "pulse.duration is both design variable and uncertain: only +-P% about its value can be both";
     QTest::newRow("energy kept")
         << "rod.length=3m,4m"
         << "bit_rock.gap=0mm:1mm" << true

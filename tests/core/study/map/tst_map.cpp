@@ -272,7 +272,7 @@ void TestMap::whatCannotBeMappedIsSaid_data() {
                             << "the axis pulse.shape of a map needs START:STOP:COUNT or START:STOP:COUNT:log";
     QTest::newRow("too many")
         << mapOf(blowInGroups, "beta=1:2:4001", "delta=0:1:4000")
-        << "the map has more than 16000000 points; take fewer, or `drillwave sweep`, which keeps none";
+        << "the map has more than 16000000 points; take fewer, or use `drillwave sweep`, which has no limit";
     QTest::newRow("the same twice")
         << mapOf(Scenario(), "beta=1:2:4", "bit_rock.stiffness=10MN/m:20MN/m:4")
         << "the axes beta and bit_rock.stiffness set the same thing; vary one of them";

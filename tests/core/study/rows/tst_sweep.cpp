@@ -231,14 +231,14 @@ void TestSweep::pointsThatAreNoScenarioAreEmptyAndCounted_data() {
         "110011", "pulse.fall rise and fall together must not exceed 1");
     row("a parameter of one shape",
         sweepOf(blowInGroups, {"pulse.rise=0.1,0.5", "pulse.shape=trapezoid,triangular"}, "cor"), "1010",
-        "pulse.rise has no meaning here: only a trapezoid has it, the shape is triangular");
+        "pulse.rise does not apply here: only for a trapezoid; the shape is triangular");
     row("a place that a repeat leaves none",
         sweepOf(withString(), {"string.repeat=1:3:3", "string.7.length=1m,2m"}, "cor"), "000011",
-        "string.7.length has no meaning here: the string has only 4 sections");
+        "string.7.length does not apply here: the string has only 4 sections");
     row("a place that a repeat makes another",
         sweepOf(withString(), {"string.repeat=1,2", "string.2.length=0.1m,0.2m", "string.4.length=0.3m"},
                 "cor"),
-        "1100", "string.2.length and string.4.length set one section, which a repeat brings to both places");
+        "1100", "string.2.length and string.4.length both are the same section of a repeat; set one of them");
     row("table without points", sweepOf(blowInGroups, {"pulse.shape=half_sine,table", "beta=1,2"}, "cor"),
         "1100", "pulse.points needs at least two points");
 }
@@ -315,13 +315,13 @@ void TestSweep::impossibleSweepsAreRefused_data() {
         << "at rod.bore = 40 mm: rod.bore = 40 mm (must be less than the diameter";
     QTest::newRow("two places of one section")
         << sweepOf(withString(), {"string.3.length=2m,3m", "string.5.length=2m,3m"}, "cor")
-        << "string.3.length and string.5.length set one section, which a repeat brings to both places";
+        << "string.3.length and string.5.length both are the same section of a repeat; set one of them";
     QTest::newRow("name and place of one section")
         << sweepOf(withString(), {"string.3.length=2m,3m", "string.rod.length=2m,3m"}, "cor")
         << "string.3.length and string.rod.length set one section: section 3 of the string is called rod";
     QTest::newRow("a shape over a string")
         << sweepOf(withString(), {"pulse.shape=rectangular,half_sine"}, "cor")
-        << "the axis pulse.shape has no meaning here: only a force in place of the hammer has it";
+        << "the axis pulse.shape does not apply here: only a force instead of the hammer has it";
     QTest::newRow("too many points") << sweepOf(groups, {"beta=1:2:1000001", "delta=0:1:1000000"}, "cor")
                                      << "more than 1000000000000 points";
     QTest::newRow("SI without units")

@@ -32,7 +32,7 @@ Scenario drill(double gamma = 0.1) {
     return scenario;
 }
 
-/// Without an installed thrust, 60 blows a second.
+/// Without an installed feed force, 60 blows a second.
 Scenario t38String() {
     Scenario scenario = test::losslessString();
     scenario.drill.thrust.reset();
@@ -127,7 +127,7 @@ void TestThrust::marginsAndFrequencyLimitFollowFromTheInstalledThrust() {
     const ThrustStudy study = studyThrust(scenario);
     QCOMPARE(*study.need(ThrustCase::rigidRock).margin, 0.25);  // 4000 N needed
     QCOMPARE(*study.need(ThrustCase::rigidRock).frequencyLimit, 62.5);
-    // At the limit the installed thrust is just what is needed.
+    // At the limit the installed feed force is just what is needed.
     scenario.drill.blowFrequency = *study.need(ThrustCase::elasticWorst).frequencyLimit;
     QVERIFY(std::abs(*studyThrust(scenario).need(ThrustCase::elasticWorst).margin) < 1e-12);
 }

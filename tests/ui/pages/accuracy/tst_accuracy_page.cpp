@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/report/accuracy_columns.h"
+#include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/accuracy/proof_picture.h"
@@ -42,7 +43,7 @@ class TestAccuracyPage : public QObject {
     QPushButton* button() const { return m_page->findChild<QPushButton*>("run"); }
     QTabWidget* tabs() const { return m_page->findChild<QTabWidget*>("proofs"); }
     QTableView* table(const char* name) const { return m_page->findChild<QTableView*>(name); }
-    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
+    QString words() const { return pageWords(*m_page); }
     int points() const;
 
     Accuracy m_measured;

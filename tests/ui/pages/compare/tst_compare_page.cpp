@@ -395,7 +395,7 @@ void TestComparePage::marginsOfTheThrustAreCompared() {
         return row ? row->numbers : std::vector<std::optional<double>>(3);
     };
     const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
-    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::all_of(margins("thrust margin at every gap"), isThere), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::all_of(margins("feed force margin at every gap"), isThere), 60000);
     Scenario first = m_document->scenario();
     findParameter("rod.length")->assign(first, 3.66);
     for (const auto& [column, scenario] : {std::pair(std::size_t{1}, first), {2, m_document->scenario()}}) {
@@ -406,15 +406,15 @@ void TestComparePage::marginsOfTheThrustAreCompared() {
         const auto isShown = [&](const char* name, double newton) {
             return std::abs(*margins(name)[column] - newton / 1e3) < 1e-9;
         };
-        QVERIFY(isShown("thrust margin, this blow", installed - needed));
-        QVERIFY(isShown("thrust needed at every gap", everywhere));
-        QVERIFY(isShown("thrust margin at every gap", installed - everywhere));
+        QVERIFY(isShown("feed force margin, this blow", installed - needed));
+        QVERIFY(isShown("feed force required at every gap", everywhere));
+        QVERIFY(isShown("feed force margin at every gap", installed - everywhere));
     }
-    const CompareRow* margin = rowOf(m_page->table(), "thrust margin at every gap");
+    const CompareRow* margin = rowOf(m_page->table(), "feed force margin at every gap");
     QVERIFY(*margin->numbers[1] > 0);  // and told with its sign
     QCOMPARE(margin->text(1, QLocale::c()).front(), QChar('+'));
     m_page->setResult(solve(UnitSystem::dimensionless));
-    QVERIFY(!rowOf(m_page->table(), "thrust margin, this blow"));
+    QVERIFY(!rowOf(m_page->table(), "feed force margin, this blow"));
 }
 
 // Of a string only this blow and rigid rock are known, whatever its largest need is called elsewhere.
@@ -434,8 +434,8 @@ void TestComparePage::stringsHaveNoMarginAtEveryGap() {
             all << row.name;
         return all;
     };
-    QVERIFY(names(true).contains("thrust needed at every gap"));
-    QVERIFY(!names(false).contains("thrust needed at every gap"));
+    QVERIFY(names(true).contains("feed force required at every gap"));
+    QVERIFY(!names(false).contains("feed force required at every gap"));
 }
 
 void TestComparePage::whatRoundingMakesIsNoDifference() {

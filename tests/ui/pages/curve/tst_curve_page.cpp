@@ -14,6 +14,7 @@
 #include "core/report/curve_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/curve_page_fixture.h"
+#include "tests/support/page_words.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/study/axis_fields.h"
@@ -329,7 +330,7 @@ void TestCurvePage::whatCannotBeStudiedIsSaid() {
     showPage();
     StudyFamily family{findParameter("beta"), {1, 2}};
     m_page->family()->setFamily(family);
-    QTRY_VERIFY(m_page->findChild<QLabel*>("words")->text().contains("set the same thing"));
+    QTRY_VERIFY(pageWords(*m_page).contains("set the same thing"));
     QCOMPARE(m_page->curvePlot()->graphs().size(), 0);
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     m_page->family()->setFamily({});

@@ -10,6 +10,7 @@
 #include "core/report/drilling_report.h"
 #include "core/report/report_text.h"
 #include "core/report/sequence_words.h"
+#include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
@@ -55,7 +56,7 @@ class TestDrillingPage : public QObject {
     void showPage();
     bool isAnswered() const;
     void set(const char* key, double si) const;
-    QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
+    QString words() const { return pageWords(*m_page); }
 
     QTemporaryDir m_folder;
     std::unique_ptr<Document> m_document;
@@ -122,7 +123,7 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     }
     QCOMPARE(march.parts()->dataCount(), 20);
     QVERIFY(march.cor()->dataCount() > 20);
-    // Where the energy went is all of what was given, but for the residual of the cells.
+    // Energy balance is all of what was given, but for the residual of the cells.
     double share = 0;
     for (const QCPBarsData& part : *march.energy()->data()) share += part.value;
     QVERIFY(std::abs(share - 100) < 1);
@@ -216,9 +217,7 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     // Another place along it is the same scan; another wave loss is not.
     QVERIFY(!m_page->drillingPlot().picture().isScanOld);
     // its sentence, and its command below that of the march
-    QVERIFY(m_page->findChild<QLabel*>(QStringLiteral("words"))
-                ->text()
-                .contains("Friction, rotation and buckling are not modelled."));
+    QVERIFY(words().contains("Friction, rotation and buckling are not modelled."));
     QVERIFY(shell(m_page->command()).out.contains("drill.thrust [kN],start,"));
     // The rows of that command can be had from the page, too.
     const PageExport exported = m_page->exports().at(1);

@@ -218,8 +218,8 @@ void TestRodPage::theDataHaveThePlaceAndTimeOfEveryPoint() {
     const QList<QByteArray> rows = m_page->plot()->csv().trimmed().split('\n');
     QCOMPARE(rows.first(),
              QByteArray("position [m],compression [MPa],time [ms],position [m],tension [MPa],time [ms],"
-                        "position [m],compression of the waves left [MPa],time [ms],"
-                        "position [m],tension of the waves left [MPa],time [ms]"));
+                        "position [m],compression of residual waves [MPa],time [ms],"
+                        "position [m],tension of residual waves [MPa],time [ms]"));
     const RodCurves& curves = *blow->page<RodCurves>();
     std::size_t most = 0;
     for (const Load line : loads) most = std::max(most, curves.forces(line).size());
@@ -411,7 +411,7 @@ void TestRodPage::theDataOfAStringHaveTheWavesLeft() {
     const QList<QByteArray> rows = m_page->plot()->csv().trimmed().split('\n');
     QVERIFY(rows.first().startsWith(
         "position [m],compression [MPa],time [ms],position [m],tension [MPa],time [ms]"));
-    QVERIFY(rows.first().endsWith("tension of the waves left [MPa],time [ms]"));
+    QVERIFY(rows.first().endsWith("tension of residual waves [MPa],time [ms]"));
     QCOMPARE(std::size_t(rows.size()), blow->page<RodCurves>()->forces(Load::tension).size() + 1);
     for (const QByteArray& row : rows) QCOMPARE(row.count(','), 11);
     QVERIFY(rows.at(1).toDouble() < 0 || rows.at(1).startsWith('-'));  // the hammer

@@ -536,7 +536,7 @@ void TestStringPage::aNewcomerBuildsTheStringFromPresets() {
     part<FormNotice>(window()).toString()->trigger();
     settle();
     QCOMPARE(model().rowCount(), 2);
-    choose(QStringLiteral("Hammer, in place of this one"), QStringLiteral("T38 drifter, 50 and 38 mm"));
+    choose(QStringLiteral("Hammer, instead of this one"), QStringLiteral("T38 drifter, 50 and 38 mm"));
     QCOMPARE(model().rowCount(), 3);
     QVERIFY(undoText().contains(QStringLiteral("T38 drifter")));
     select(2);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/yaml/examples.h"
+#include "tests/support/page_words.h"
 #include "ui/job/study_job.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/command_text.h"
@@ -164,7 +165,7 @@ void TestStudyPage::anotherScenarioHidesTheFormerAnswer() {
     QCOMPARE(m_document->startFrom(findExample("t51_soft_rock")->text, QStringLiteral("other")), QString());
     auto* veil = m_page->findChild<StaleVeil*>();
     QVERIFY(veil->isVisible());
-    QCOMPARE(m_page->findChild<QLabel*>(QStringLiteral("words"))->text(), QString());
+    QCOMPARE(pageWords(*m_page), QString());
     // Nothing shows through.
     const QColor window = m_page->palette().color(QPalette::Window);
     const QPoint corner = veil->geometry().bottomLeft() + QPoint(2, -2);
@@ -206,10 +207,9 @@ void TestStudyPage::aClickIsOneUndoStep() {
 void TestStudyPage::whatCannotBeTakenOverIsSaid() {
     m_page->loadStiffness(-1);
     QCOMPARE(m_document->undoStack().count(), 0);
-    auto* words = m_page->findChild<QLabel*>(QStringLiteral("words"));
-    QVERIFY2(words->text().contains(QStringLiteral("must be")), qPrintable(words->text()));
+    QVERIFY2(pageWords(*m_page).contains(QStringLiteral("must be")), qPrintable(pageWords(*m_page)));
     m_page->loadStiffness(5e8);
-    QVERIFY(!words->text().contains(QStringLiteral("must be")));
+    QVERIFY(!pageWords(*m_page).contains(QStringLiteral("must be")));
 }
 
 void TestStudyPage::anUnfinishedStudyIsNotWritten() {

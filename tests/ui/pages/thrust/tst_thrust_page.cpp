@@ -12,6 +12,7 @@
 #include "core/report/thrust_report.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/yaml/examples.h"
+#include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
@@ -67,7 +68,7 @@ class TestThrustPage : public QObject {
     QStringList legendNames() const;
     void showPage();
     bool isAnswered() const;
-    QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
+    QString words() const { return pageWords(*m_page); }
     QString wordsOf(const ThrustStudy& study) const;
     QPointF feedPixel() const;
     void drag(QPointF from, double pixels) const;
@@ -316,8 +317,8 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     m_document->clear(*findParameter("drill.blow_frequency"), m_document->newGesture());
     m_document->clear(*findParameter("drill.thrust"), m_document->newGesture());
     m_page->show();
-    QTRY_COMPARE(words(),
-                 QStringLiteral("The feed is not judged: neither blow frequency nor feed force is given."));
+    QTRY_COMPARE(words(), QStringLiteral(
+                              "The feed cannot be judged: neither blow frequency nor feed force is given."));
     QVERIFY(m_page->command().isEmpty());
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     auto* field = m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.blow_frequency"));
@@ -430,7 +431,7 @@ void TestThrustPage::aStringIsToldOfItsBlowAndRigidRock() {
         QVERIFY2(std::abs(QLocale().toDouble(shown) * 1000 / need.thrust - 1) < 1e-3, qPrintable(shown));
     }
     QCOMPARE(legendNames(), (QStringList{QStringLiteral("this blow"), QStringLiteral("rigid rock"),
-                                         QStringLiteral("installed thrust")}));
+                                         QStringLiteral("installed feed force")}));
     QVERIFY(!m_page->thrustPlot().textSummary().contains(QStringLiteral("95 %")));
 }
 

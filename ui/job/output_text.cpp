@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 
 #include <algorithm>
 #include <cmath>
