@@ -184,6 +184,26 @@ void Arguments::replaceValue(std::string_view option, std::string value) {
         std::move(value);
 }
 
+std::vector<std::string> Arguments::listed(std::string_view option, std::span<const std::string_view> known,
+                                           const char* pattern) const {
+    const std::optional<std::string> list = value(option);
+    if (!list) return {};
+    std::vector<std::string> words;
+    for (std::size_t begin = 0; begin <= list->size();) {
+        const std::size_t end = std::min(list->find(',', begin), list->size());
+        const std::string word = list->substr(begin, end - begin);
+        begin = end + 1;
+        if (std::ranges::find(known, word) == known.end()) {
+            std::string choices;
+            for (const std::string_view each : known)
+                choices += (choices.empty() ? "" : ", ") + std::string(each);
+            refuse({pattern, {shortened(*list), word, choices}});
+        }
+        if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+    }
+    return words;
+}
+
 void Arguments::checkOnePrinted() const {
     if (has("json") && value("o") == "-")
         refuse({translatable("--json and -o - would both print to standard output; take one")});

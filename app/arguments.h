@@ -47,6 +47,11 @@ class Arguments {
     void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
 
+    /// Returns the words of an option that takes a list with commas, each once; none without the option. For
+    /// a word that is not known, throws CommandError (usage) with `pattern` about list, word and known words.
+    std::vector<std::string> listed(std::string_view option, std::span<const std::string_view> known,
+                                    const char* pattern) const;
+
     /// Throws CommandError (usage) where --json and -o - would both print to standard output.
     void checkOnePrinted() const;
 

@@ -6,10 +6,10 @@
 #include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/design_options.h"
+#include "app/design_run.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/output_folder.h"
-#include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
@@ -17,7 +17,6 @@
 #include "core/archive/result_scenario.h"
 #include "core/numeric/run_time.h"
 #include "core/report/design_report.h"
-#include "core/report/design_words.h"
 
 namespace drillwave {
 
@@ -39,45 +38,6 @@ const std::string& fileOf(const Arguments& arguments) {
     }
     if (!file) throw CommandError(ExitCode::usage, translatable("needs FILE"));
     return *file;
-}
-
-DesignFindings solve(const DesignStudy& study, int jobs, const ReadingStyle& style,
-                     const Interruption& interruption) {
-    ProgressBar bar(designSolves(study), translatable("blows"), style);
-    std::uint64_t solved = 0;
-    DesignFindings findings =
-        runDesign(study, {.jobs = jobs, .stop = interruption.token(), .progress = [&](std::uint64_t more) {
-                              bar.show(std::min(solved += more, designSolves(study)));
-                          }});
-    interruption.check();
-    return findings;
-}
-
-/// Throws where no design can be taken: none has statistics, or none meets the limits.
-void checkFeasible(const DesignStudy& study, const DesignFindings& findings, const std::string& path,
-                   const ReadingStyle& style) {
-    if (findings.best.robust) return;
-    if (!findings.unsolved.isEmpty())
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           couldNotBeSolved(path, reasonWithHint(findings.unsolved, study.workLimit)));
-    std::vector<Message> lines;
-    for (const DesignSamples& design : findings.designs) {
-        if (design.hasStatistics(study.samples) || !lines.empty()) continue;
-        lines.emplace_back(
-            translatable("%1: too many samples could not be solved, so designs have no statistics: %2 of %3; "
-                         "the first: %4"),
-            std::vector<Message>{path, std::to_string(design.unsolved), std::to_string(study.samples),
-                                 reasonWithHint(design.reason, study.workLimit)});
-    }
-    if (!study.limits.empty()) {
-        lines.push_back(
-            about(path, translatable("no design meets all limits; loosen one or widen the choices")));
-        for (Message& line : nearestToLimits(study, findings, style)) lines.push_back(std::move(line));
-    }
-    if (lines.empty())
-        lines.push_back(
-            about(path, translatable("the scenario could not be solved with the values entered")));
-    throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
 }
 
 FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::vector<NamedFile> pictures) {
@@ -140,9 +100,8 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     remarkOnValues(document.scenario, path, arguments.style());
     remarkOnSamples(arguments, report.study.samples);
     const Stopwatch watch;
-    report.findings = solve(report.study, jobs, arguments.style(), interruption);
+    report.findings = findDesigns(report.study, {jobs, path, arguments.style()}, interruption);
     report.runTime = watch.seconds();
-    checkFeasible(report.study, report.findings, path, arguments.style());
     if (folder)
         writeFolder(*folder, filesOf(report, document, plots.draw(&report, drawing, interruption)), overwrite,
                     &interruption);

@@ -8,6 +8,7 @@
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/report_studies.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/report_file.h"
@@ -120,6 +121,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     const ReportHead head = headOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    const ReportStudyPlan studies(arguments, document, path);
     check(place, arguments, document, overwrite);
 
     const Interruption interruption;
@@ -131,6 +133,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
             ExitCode::unsolvedOrFailed,
             couldNotBeSolved(path, reasonWithHint(report.blow.impact.reason, arguments, document.scenario,
                                                   report.blow.impact.hindrance)));
+    report.studies = studies.run(interruption);
     std::vector<NamedFile> files;
     if (drawing)
         files = drawing->report(report, {std::string(stem), place.formats, interruption.token()});
@@ -153,8 +156,8 @@ const Command& reportCommand() {
         .summary = "write a report: inputs with sources, results, verdict, plots, scenario",
         .details =
             "FILE.html holds everything in one file, its pictures and the scenario too, and can be run\n"
-            "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to five pages of\n"
-            "A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
+            "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.\n"
+            "DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
             "Of a\n"
             "drill string also its sections, drawn to scale, with their largest stresses.",
@@ -163,7 +166,9 @@ const Command& reportCommand() {
              {"author", "TEXT", "author"},
              {"customer", "TEXT", "customer"},
              {"date", "TEXT", "date as text (default: none)"},
+             reportStudiesSpec(),
              {withoutPlots, "", "leave the plots out, and with them the PDF: works without the window"},
+             {"j", "N", "number of threads of --with (default: all)"},
              workLimitSpec(),
              {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
              {"force", "", "overwrite existing files"}}),

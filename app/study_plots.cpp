@@ -1,39 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_plots.h"
 
-#include <algorithm>
-
 #include "app/command_error.h"
 #include "app/scenario_argument.h"
-#include "core/text/decimal_text.h"
 
 namespace drillwave {
 
 namespace {
-
-/// "png, svg, pdf".
-std::string knownFormats() {
-    std::string known;
-    for (const std::string_view format : pictureFormats)
-        known += (known.empty() ? "" : ", ") + std::string(format);
-    return known;
-}
-
-/// Splits a list at its commas.
-std::vector<std::string> formatsIn(const std::string& list) {
-    std::vector<std::string> formats;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        const std::string format = list.substr(begin, end - begin);
-        begin = end + 1;
-        if (std::ranges::find(pictureFormats, format) == pictureFormats.end())
-            throw CommandError(ExitCode::usage,
-                               Message(translatable("--plots %1: `%2` is not a plot format; choose from %3"),
-                                       {shortened(list), format, knownFormats()}));
-        if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
-    }
-    return formats;
-}
 
 /// Returns the place given by -o; throws if pictures cannot be there.
 std::string placeOf(const Arguments& arguments, const char* what) {
@@ -52,8 +25,8 @@ std::string prefixOf(const std::string& path) {
 }  // namespace
 
 std::vector<std::string> plotFormats(const Arguments& arguments) {
-    const std::optional<std::string> list = arguments.value("plots");
-    return list ? formatsIn(*list) : std::vector<std::string>();
+    return arguments.listed("plots", pictureFormats,
+                            translatable("--plots %1: `%2` is not a plot format; choose from %3"));
 }
 
 bool asksForPlots(const Arguments& arguments) {

@@ -73,7 +73,7 @@ _drillwave_kind() {
         file) _drillwave_files -f ;;
         scenario) _drillwave_offer scenario && _drillwave_files -f ;;
         parameter | choice | aim | limit) _drillwave_stage "$1" ;;
-        outputs | formats) compopt -o nospace 2>/dev/null && _drillwave_offer "$1" list ;;
+        outputs | formats | report_studies) compopt -o nospace 2>/dev/null && _drillwave_offer "$1" list ;;
         *) _drillwave_offer "$1" ;;
     esac
 }

@@ -87,7 +87,7 @@ std::string fishFunction(ValueKind kind) {
                 "\n    end\n";
         return text + "    __drillwave_stage $words\nend\n";
     }
-    if (kind == ValueKind::outputs || kind == ValueKind::formats)
+    if (isList(kind))
         return text + "    set -l before (string match -r '.*,' -- (commandline -ct))\n    for word in" +
                list +
                "\n        string match -q -- \"*,$word,*\" \",$before\"; or printf '%s%s\\n' \"$before\" "

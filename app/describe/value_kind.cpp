@@ -12,6 +12,7 @@
 #include "core/model/parameter_text.h"
 #include "core/model/preset.h"
 #include "core/model/section_field.h"
+#include "core/report/report_studies.h"
 #include "core/study/design/statistic.h"
 #include "core/text/enum_names.h"
 #include "core/text/languages.h"
@@ -23,35 +24,28 @@ namespace drillwave {
 
 namespace {
 
-constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
-                                          {ValueKind::folder, "folder"},
-                                          {ValueKind::file, "file"},
-                                          {ValueKind::scenario, "scenario"},
-                                          {ValueKind::example, "example"},
-                                          {ValueKind::parameter, "parameter"},
-                                          {ValueKind::choice, "choice"},
-                                          {ValueKind::aim, "aim"},
-                                          {ValueKind::limit, "limit"},
-                                          {ValueKind::statistic, "statistic"},
-                                          {ValueKind::output, "output"},
-                                          {ValueKind::outputs, "outputs"},
-                                          {ValueKind::formats, "formats"},
-                                          {ValueKind::method, "method"},
-                                          {ValueKind::language, "language"},
-                                          {ValueKind::rod, "rod"},
-                                          {ValueKind::hammer, "hammer"},
-                                          {ValueKind::rock, "rock"},
-                                          {ValueKind::topic, "topic"}}};
+constexpr EnumNames<ValueKind> kindNames{
+    {{ValueKind::free, "free"},       {ValueKind::folder, "folder"},
+     {ValueKind::file, "file"},       {ValueKind::scenario, "scenario"},
+     {ValueKind::example, "example"}, {ValueKind::parameter, "parameter"},
+     {ValueKind::choice, "choice"},   {ValueKind::aim, "aim"},
+     {ValueKind::limit, "limit"},     {ValueKind::statistic, "statistic"},
+     {ValueKind::output, "output"},   {ValueKind::outputs, "outputs"},
+     {ValueKind::formats, "formats"}, {ValueKind::reportStudies, "report_studies"},
+     {ValueKind::method, "method"},   {ValueKind::language, "language"},
+     {ValueKind::rod, "rod"},         {ValueKind::hammer, "hammer"},
+     {ValueKind::rock, "rock"},       {ValueKind::topic, "topic"}}};
 
 /// Options with a kind by their name, because the placeholder of their value says less.
 struct NamedKind {
     std::string_view option;
     ValueKind kind;
 };
-constexpr NamedKind namedKinds[]{
-    {"outputs", ValueKind::outputs}, {"output", ValueKind::output},     {"plots", ValueKind::formats},
-    {"method", ValueKind::method},   {"language", ValueKind::language}, {"rod", ValueKind::rod},
-    {"hammer", ValueKind::hammer},   {"rock", ValueKind::rock},         {"choose", ValueKind::choice}};
+constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs}, {"output", ValueKind::output},
+                                 {"plots", ValueKind::formats},   {"with", ValueKind::reportStudies},
+                                 {"method", ValueKind::method},   {"language", ValueKind::language},
+                                 {"rod", ValueKind::rod},         {"hammer", ValueKind::hammer},
+                                 {"rock", ValueKind::rock},       {"choose", ValueKind::choice}};
 
 /// "string.rod.length" and "hammer.1.length", with the names that the built-in strings give to sections.
 std::vector<std::string> sectionKeys() {
@@ -175,6 +169,10 @@ bool isStaged(ValueKind kind) {
            kind == ValueKind::limit;
 }
 
+bool isList(ValueKind kind) {
+    return kind == ValueKind::outputs || kind == ValueKind::formats || kind == ValueKind::reportStudies;
+}
+
 std::vector<std::string> wordsOf(ValueKind kind) {
     switch (kind) {
         case ValueKind::scenario:
@@ -195,6 +193,8 @@ std::vector<std::string> wordsOf(ValueKind kind) {
             return outputWords();
         case ValueKind::formats:
             return {pictureFormats.begin(), pictureFormats.end()};
+        case ValueKind::reportStudies:
+            return {reportStudyNames.begin(), reportStudyNames.end()};
         case ValueKind::method:
             return {methodNames().begin(), methodNames().end()};
         case ValueKind::language:

@@ -88,6 +88,7 @@ std::string zshFunction(ValueKind kind) {
             break;
         case ValueKind::outputs:
         case ValueKind::formats:
+        case ValueKind::reportStudies:
             text += "    _sequence compadd - -a words\n";
             break;
         case ValueKind::scenario:

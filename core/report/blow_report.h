@@ -10,6 +10,7 @@
 #include "core/blow/blow.h"
 #include "core/report/gap_report.h"
 #include "core/report/report_numbers.h"
+#include "core/report/report_studies.h"
 #include "core/report/thrust_report.h"
 #include "core/signal/alignment.h"
 
@@ -69,6 +70,7 @@ struct BlowReport {
     Message gapProblem;                         ///< why not, in a sentence, else empty; empty of a string
     std::optional<ThrustReport> thrust;         ///< with study and curve, where blows have a frequency
     Message thrustProblem;                      ///< why not, likewise
+    ReportStudies studies = {};                 ///< as asked for
 };
 
 /// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and

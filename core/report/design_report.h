@@ -3,9 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/report/report_text.h"
 #include "core/study/design/design_study.h"
 #include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -20,6 +23,20 @@ struct DesignReport {
 /// Returns what was varied, the best designs, ties, Pareto set, indices, worst cases and remarks, in this
 /// order.
 std::string designText(const DesignReport& report, const ReadingStyle& style = plainStyle());
+
+/// Returns sentences on the question: uncertain inputs, choices, designs and samples.
+std::vector<Message> designQuestionSentences(const DesignReport& report,
+                                             const ReadingStyle& style = plainStyle());
+/// Returns sentences on the answer: the cost of the robust best, worst cases, remarks.
+std::vector<Message> designAnswerSentences(const DesignReport& report,
+                                           const ReadingStyle& style = plainStyle());
+
+/// Number of designs up to which designsGrid() has all of them.
+inline constexpr std::size_t mostShownDesigns = 24;
+
+/// Returns a line of titles and a line for each design: its marks, its choices, and its aims without and with
+/// scatter. If there are more than mostShownDesigns, only those with a mark.
+TextGrid designsGrid(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// Returns one JSON object, SI or dimensionless as the scenario is.
 std::string designJson(const DesignReport& report);

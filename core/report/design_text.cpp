@@ -6,6 +6,7 @@
 
 #include "core/model/parameter.h"
 #include "core/report/design_words.h"
+#include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/text/handy_text.h"
 #include "core/text/message.h"
@@ -35,14 +36,18 @@ Message uncertainMessage(const DesignStudy& study, const ReadingStyle& style) {
     return {translatable("Uncertain: %1."), {list}};
 }
 
-Message chosenMessage(const DesignStudy& study) {
+Message chosenMessage(const DesignStudy& study, const ReadingStyle& style) {
     Message list;
     for (const SweepAxis& axis : study.choices) {
         list =
             joined(std::move(list), "%1, %2",
                    {translatable("%1 (%2 values)"), {std::string(axis.key()), std::to_string(axis.count)}});
     }
-    if (list.isEmpty()) list = translatable("nothing, only the design of FILE");
+    if (list.isEmpty())
+        list = style.isPrinted() ? translatable("nothing, only the present design")
+                                 : translatable("nothing, only the design of FILE");
+    if (study.keepsEnergy && style.isPrinted())
+        return {translatable("Design variables: %1. All blows have the energy of the present one."), {list}};
     return {study.keepsEnergy ? translatable("Design variables: %1; every blow has the energy of FILE.")
                               : translatable("Design variables: %1."),
             {list}};
@@ -86,6 +91,7 @@ class DesignTable {
         m_grid.add(cells);
     }
 
+    const TextGrid& grid() const { return m_grid; }
     std::string text() const { return m_grid.text(); }
 
   private:
@@ -104,8 +110,9 @@ std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     return table.text();
 }
 
-/// What it costs to be safe, and what it brings.
-std::string costText(const DesignReport& report, const ReadingStyle& style) {
+/// Returns what the robust best costs where all is as in the file, and what it brings; empty if the nominal
+/// best is the same.
+Message costMessage(const DesignReport& report, const ReadingStyle& style) {
     const BestDesigns& best = report.findings.best;
     if (!best.nominal || *best.nominal == *best.robust) return {};
     const DesignAim& aim = report.study.aims.front();
@@ -117,10 +124,10 @@ std::string costText(const DesignReport& report, const ReadingStyle& style) {
     const auto change = [&](double difference) {
         return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, style, 3);
     };
-    return paragraph(style.said(
-        {translatable("%1 instead of %2: %3 %4, with the values of FILE %5."),
-         {designName(report.study, *best.robust, style), designName(report.study, *best.nominal, style),
-          aimedName(aim), change(brings), change(costs)}}));
+    return {style.isPrinted() ? translatable("%1 instead of %2: %3 %4, with the values entered %5.")
+                              : translatable("%1 instead of %2: %3 %4, with the values of FILE %5."),
+            {designName(report.study, *best.robust, style), designName(report.study, *best.nominal, style),
+             aimedName(aim), change(brings), change(costs)}};
 }
 
 std::string paretoText(const DesignReport& report, const ReadingStyle& style) {
@@ -210,20 +217,60 @@ Message worstMessage(const DesignReport& report, std::size_t a, const ReadingSty
              std::to_string(worst.agreeing)}};
 }
 
+/// Returns worst cases, then remarks.
+std::vector<Message> closingSentences(const DesignReport& report, const ReadingStyle& style) {
+    std::vector<Message> sentences;
+    for (std::size_t a = 0; a < report.findings.worst.size(); ++a)
+        if (report.findings.worst[a]) sentences.push_back(worstMessage(report, a, style));
+    for (DesignRemark& remark : remarksOn(report, style)) sentences.push_back(std::move(remark.text));
+    return sentences;
+}
+
+/// Returns a mark of marksOf() in words.
+const char* markWords(std::string_view mark) {
+    if (mark == "best_uncertain") return translatable("best for uncertain rock");
+    if (mark == "best_nominal") return translatable("best for the values entered");
+    return mark == "equal" ? translatable("equally good") : translatable("present design");
+}
+
 }  // namespace
+
+std::vector<Message> designQuestionSentences(const DesignReport& report, const ReadingStyle& style) {
+    return {uncertainMessage(report.study, style), chosenMessage(report.study, style),
+            samplesMessage(report.study)};
+}
+
+std::vector<Message> designAnswerSentences(const DesignReport& report, const ReadingStyle& style) {
+    std::vector<Message> sentences;
+    if (Message cost = costMessage(report, style); !cost.isEmpty()) sentences.push_back(std::move(cost));
+    append(sentences, closingSentences(report, style));
+    return sentences;
+}
+
+TextGrid designsGrid(const DesignReport& report, const ReadingStyle& style) {
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    const std::size_t count = report.findings.designs.size();
+    DesignTable table(report, "", style);
+    for (std::size_t d = 0; d < count; ++d) {
+        std::string marks;
+        for (const std::string_view mark : marksOf(report, d, present))
+            marks += (marks.empty() ? "" : ", ") + style.said(markWords(mark));
+        if (count <= mostShownDesigns || !marks.empty()) table.add(marks, d);
+    }
+    return table.grid();
+}
 
 std::string designText(const DesignReport& report, const ReadingStyle& style) {
     std::string text = titleLine(report.study.base);
-    const auto add = [&](const Message& message) { text += paragraph(style.said(message)); };
-    if (const Message headline = headlineMessage(report, style); !headline.isEmpty()) add(headline);
-    add(uncertainMessage(report.study, style));
-    add(chosenMessage(report.study));
-    add(samplesMessage(report.study));
-    text += "\n" + bestText(report, style) + costText(report, style) + paretoText(report, style) +
-            sensitivityText(report, style) + "\n";
-    for (std::size_t a = 0; a < report.findings.worst.size(); ++a)
-        if (report.findings.worst[a]) add(worstMessage(report, a, style));
-    for (const DesignRemark& remark : remarksOn(report, style)) add(remark.text);
+    const auto add = [&](const Message& message) {
+        if (!message.isEmpty()) text += paragraph(style.said(message));
+    };
+    add(headlineMessage(report, style));
+    for (const Message& sentence : designQuestionSentences(report, style)) add(sentence);
+    text += "\n" + bestText(report, style);
+    add(costMessage(report, style));
+    text += paretoText(report, style) + sensitivityText(report, style) + "\n";
+    for (const Message& sentence : closingSentences(report, style)) add(sentence);
     return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/blow/feed_estimate.h"
 #include "core/blow/outputs.h"
+#include "core/report/report_text.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/scan/drilling_scan.h"
@@ -55,6 +56,11 @@ std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUni
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
 /// The blows that are told in full, instant by instant.
 std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units);
+
+/// Returns a line of titles, then mean, error, deviation and quantiles of each quantity of a blow. Requires
+/// statistics.
+TextGrid sequenceGrid(const DrillingResult& result, OutputUnits units,
+                      const ReadingStyle& style = plainStyle());
 
 /// Returns statements on the feed, spreads of gap, penetration, impulse and force, whether the motion
 /// repeats, energy and balances, alerts.

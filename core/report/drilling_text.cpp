@@ -35,38 +35,6 @@ std::string percent(double share, int digits, const ReadingStyle& style) {
     return style.number(100 * share, digits) + " %";
 }
 
-std::string statisticsTable(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
-    const auto titles = [&]() -> std::vector<std::string> {
-        return {style.said({translatable("%1 blows"),
-                            {std::to_string(result.settings.blows - result.settings.settle)}}),
-                style.said(translatable("mean")),
-                "+-",
-                style.said(translatable("deviation")),
-                "5 %",
-                style.said(translatable("median")),
-                "95 %"};
-    };
-    TextGrid grid;
-    grid.add(titles());
-    for (std::size_t q = 0; q < blowQuantities.size(); ++q) {
-        const BlowQuantity& quantity = blowQuantities[q];
-        if (!quantity.title) continue;
-        const DrillingScale scale = scaleOf(quantity.measure, result);
-        const auto told = [&](double number, int digits) {
-            const double shown = scale.value(number, units);
-            return units == OutputUnits::si && quantity.measure != DrillingMeasure::count
-                       ? style.quantity(shown, scale.quantity, digits)
-                       : style.number(shown, digits);
-        };
-        const BlowSpread& spread = result.spread(q);
-        const std::optional<double> error = result.meanError(q);
-        grid.add({style.said(quantity.title), told(spread.mean, statisticDigits),
-                  error ? told(withoutRounding(*error), 2) : "", told(withoutRounding(spread.deviation), 3),
-                  told(spread.q05, 4), told(spread.q50, 4), told(spread.q95, 4)});
-    }
-    return grid.text();
-}
-
 /// 0.05 d0.
 std::string contactLimitText(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
     const double limit =
@@ -110,6 +78,38 @@ std::string balanceLines(const DrillingResult& result, const ReadingStyle& style
 
 }  // namespace
 
+TextGrid sequenceGrid(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
+    const auto titles = [&]() -> std::vector<std::string> {
+        return {style.said({translatable("%1 blows"),
+                            {std::to_string(result.settings.blows - result.settings.settle)}}),
+                style.said(translatable("mean")),
+                style.isPrinted() ? "±" : "+-",
+                style.said(translatable("deviation")),
+                "5 %",
+                style.said(translatable("median")),
+                "95 %"};
+    };
+    TextGrid grid;
+    grid.add(titles());
+    for (std::size_t q = 0; q < blowQuantities.size(); ++q) {
+        const BlowQuantity& quantity = blowQuantities[q];
+        if (!quantity.title) continue;
+        const DrillingScale scale = scaleOf(quantity.measure, result);
+        const auto told = [&](double number, int digits) {
+            const double shown = scale.value(number, units);
+            return units == OutputUnits::si && quantity.measure != DrillingMeasure::count
+                       ? style.quantity(shown, scale.quantity, digits)
+                       : style.number(shown, digits);
+        };
+        const BlowSpread& spread = result.spread(q);
+        const std::optional<double> error = result.meanError(q);
+        grid.add({style.said(quantity.title), told(spread.mean, statisticDigits),
+                  error ? told(withoutRounding(*error), 2) : "", told(withoutRounding(spread.deviation), 3),
+                  told(spread.q05, 4), told(spread.q50, 4), told(spread.q95, 4)});
+    }
+    return grid;
+}
+
 std::string drillingText(const DrillingReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingResult& result = report.result;
     std::string text = headingOf(result.scenario, style);
@@ -122,7 +122,7 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
                     {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
         "\n";
     if (result.statistics)
-        text += "\n" + statisticsTable(result, units, style) + "\n" + motionLines(result, units, style);
+        text += "\n" + sequenceGrid(result, units, style).text() + "\n" + motionLines(result, units, style);
     if (!result.blows.empty()) text += balanceLines(result, style);
     if (!result.alerts.empty()) text += "\n";
     for (const Alert& alert : result.alerts) text += paragraph(alertText(alert, style));

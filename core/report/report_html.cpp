@@ -8,12 +8,13 @@
 #include "core/model/blow_traits.h"
 #include "core/model/section_field.h"
 #include "core/model/version.h"
-#include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
 #include "core/report/gap_report.h"
 #include "core/report/html_text.h"
 #include "core/report/paper_text.h"
+#include "core/report/report_elements.h"
 #include "core/report/report_numbers.h"
+#include "core/report/report_studies.h"
 #include "core/report/section_grid.h"
 #include "core/report/strength_words.h"
 #include "core/text/json.h"
@@ -52,15 +53,6 @@ constexpr std::string_view paperStyle =
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
 
-/// A reason with a capital and a full stop; names such as e stay as they are.
-std::string sentence(std::string text) {
-    const bool beginsWithWord = text.size() > 1 && ((text[1] >= 'a' && text[1] <= 'z') ||
-                                                    static_cast<unsigned char>(text[1]) >= 0x80);
-    if (beginsWithWord && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    if (!text.empty() && !text.ends_with('.')) text += '.';
-    return text;
-}
-
 /// What paper shows of texts that may be of any length, so that they do not fill it: of a line of the
 /// scenario as many columns as 180 mm have of 6.5 pt; of a title, of a cell, and of a list of gaps.
 constexpr std::size_t paperColumns = 120;
@@ -70,22 +62,22 @@ constexpr std::size_t mostTitleColumns = 160, mostCellColumns = 120, mostListCol
 class Page {
   public:
     Page(const BlowReport& report, ReportMedium medium, const ReadingStyle& style, std::size_t paperLines)
-        : m_report(report), m_medium(medium), m_style(style), m_paperLines(paperLines) {}
+        : m_report(report), m_style(style), m_elements(medium, m_style), m_paperLines(paperLines) {}
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
         return htmlElement("h1", bounded(reportTitle(m_report, m_style), mostTitleColumns)) + "\n" + head() +
                decision() + lead(pictures) + feed() + alerts() + results() + others() + misfits() +
-               energies() + stresses() + thrust() + gap() + inputs() + sections() + scales() +
-               plots(pictures) + scenario() + solver();
+               energies() + stresses() + thrust() + gap() + studiesHtml(m_report.studies, m_elements) +
+               inputs() + sections() + scales() + plots(pictures) + scenario() + solver();
     }
 
   private:
-    bool isScreen() const { return m_medium == ReportMedium::screen; }
+    bool isScreen() const { return m_elements.isScreen(); }
     const Blow& blow() const { return m_report.blow; }
 
     std::string said(const Message& message) const { return m_style.said(message); }
-    std::string paragraph(const Message& text) const { return htmlElement("p", said(text)) + "\n"; }
-    std::string heading(const Message& text) const { return htmlElement("h2", said(text)) + "\n"; }
+    std::string paragraph(const Message& text) const { return m_elements.paragraph(text); }
+    std::string heading(const Message& text) const { return m_elements.heading(text); }
 
     /// A text that may be of any length.
     std::string bounded(std::string_view text, std::size_t mostColumns = mostCellColumns) const {
@@ -155,17 +147,12 @@ class Page {
             for (const Message& sentence : sentences | std::views::drop(2)) html += paragraph(sentence);
             return html;
         }
-        return html + paragraph(sentence(said(m_report.thrustProblem)));
+        return html + paragraph(asSentence(said(m_report.thrustProblem)));
     }
 
     std::string alerts() const {
         std::string html = heading(translatable("Alerts and remarks"));
-        for (const Alert& alert : blow().alerts) {
-            const bool isWarning = alert.level == AlertLevel::warning;
-            html += std::string("<p class=\"") + (isWarning ? "warning" : "note") + "\"><b>" +
-                    escapedHtml(said(isWarning ? translatable("Warning:") : translatable("Note:"))) +
-                    "</b> " + escapedHtml(alertText(alert, m_style)) + "</p>\n";
-        }
+        for (const Alert& alert : blow().alerts) html += m_elements.alert(alert);
         for (const Message& remark : m_report.recordRemarks)
             html += "<p class=\"warning\"><b>" + escapedHtml(said(translatable("Record:"))) + "</b> " +
                     escapedHtml(said(remark)) + "</p>\n";
@@ -180,11 +167,8 @@ class Page {
         return "<td data-value=\"" + formatNumber(*number) + "\">" + escapedHtml(text) + "</td>";
     }
 
-    /// With a rule below each line, of which paper has less room for.
     std::string tableOf(const std::string& id, const std::string& rows) const {
-        return (isScreen() ? "<table id=\"" + id + "-table\">\n"
-                           : "<table class=\"ruled\" cellspacing=\"0\" border=\"0\">\n") +
-               rows + "</table>\n";
+        return m_elements.table(id, rows);
     }
 
     std::string table(const std::string& id, const std::vector<Message>& titles,
@@ -375,12 +359,12 @@ class Page {
     std::string gap() const {
         if (!gapHasPeriod(blow().scenario)) return {};
         std::string html = heading(translatable("All gaps between bit and rock"));
-        if (!m_report.gap) return html + paragraph(sentence(said(m_report.gapProblem)));
+        if (!m_report.gap) return html + paragraph(asSentence(said(m_report.gapProblem)));
         if (const Message remark = periodRemark(*m_report.gap, m_style); !remark.isEmpty())
             html += paragraph(remark);
         html += tableOf("gap", htmlRows(gapGrid(*m_report.gap, m_style).rows()));
         for (const std::string& remark : gapRemarks(*m_report.gap, m_style))
-            html += paragraph(bounded(sentence(remark), mostListColumns));
+            html += paragraph(bounded(asSentence(remark), mostListColumns));
         return html;
     }
 
@@ -420,8 +404,8 @@ class Page {
     }
 
     const BlowReport& m_report;
-    ReportMedium m_medium;
     PrintedStyle m_style;
+    ReportElements m_elements;
     std::size_t m_paperLines;
 };
 

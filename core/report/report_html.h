@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/report/blow_report.h"
+#include "core/report/report_elements.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -21,20 +22,14 @@ struct ReportPicture {
 /// The name of the one that shows the sections of a string.
 inline constexpr std::string_view stringPicture = "string";
 
-/// What the page is for.
-enum class ReportMedium {
-    screen,  ///< a file of its own, valid HTML 5, with the record from which it can be run again
-    paper,   ///< the little HTML that QTextDocument knows; long scenarios are cut short
-};
-
 /// Lines of the scenario on paper: two pages of small ones.
 inline constexpr std::size_t mostPaperLines = 180;
 
 /// Title with the head of the report, what is to be done about the feed, the first of the pictures, verdict,
-/// alerts, results, studies, inputs with sources, the other pictures, scenario, and last how well it is
-/// solved; no time and no place but those of the head. Numbers are in the style of the reader. On the screen
-/// each number stands in full in `data-value` of its cell, and a page without pictures says that they were
-/// left out by --no-plots. The blow must be solved.
+/// alerts, results, studies of the blow and of ReportStudies, inputs with sources, the other pictures,
+/// scenario, and last how well it is solved; no time and no place but those of the head. Numbers are in the
+/// style of the reader. On the screen each number stands in full in `data-value` of its cell, and a page
+/// without pictures says that they were left out by --no-plots. The blow must be solved.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium, const ReadingStyle& style = plainStyle(),
                        std::size_t paperLines = mostPaperLines);

@@ -8,26 +8,13 @@
 #include <vector>
 
 #include "core/model/blow_traits.h"
-#include "core/text/text_edit.h"
 #include "core/yaml/design_setup_text.h"
 #include "core/yaml/list_pairs.h"
 #include "core/yaml/scenario_text.h"
-#include "core/yaml/yaml_extent.h"
+#include "core/yaml/yaml_edits.h"
 
 namespace drillwave {
 namespace {
-
-using Extent = TextExtent;
-
-/// Thrown inside this file if the text has to be rewritten.
-struct NotPatchable {};
-
-/// Returns the place of a scalar, with its quotes. Only for scalars that are there literally.
-Extent literalExtent(std::string_view text, const YamlNode& scalar) {
-    const std::optional<Extent> extent = extentOf(text, scalar);
-    if (!extent) throw NotPatchable();
-    return *extent;
-}
 
 /// The keys of lists, which are no values of a map.
 bool isListKey(std::string_view section, std::string_view key) {
@@ -36,15 +23,16 @@ bool isListKey(std::string_view section, std::string_view key) {
     return key == "sections" || key == "of";
 }
 
+/// Finds what a scenario changes in the text of another one.
 class Patcher {
   public:
     Patcher(std::string_view text, const Scenario& scenario, const DesignSetup& design)
         : m_text(text),
+          m_edits(text),
           m_scenario(scenario),
           m_isOfSections(hasSections(scenario)),
           m_design(design),
           m_values(savedValues(scenario)) {
-        m_lineEnd = text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
         std::ranges::copy(savedDesignValues(design), std::back_inserter(m_values));
         for (const SavedValue& value : m_values) m_sections[value.section].push_back(&value);
     }
@@ -68,7 +56,7 @@ class Patcher {
         });
         patchOrReplace(root, "drill", {});
         patchDesign(root);
-        return edited(m_text, std::move(m_edits));
+        return std::move(m_edits).edited();
     }
 
   private:
@@ -112,19 +100,7 @@ class Patcher {
                     patchList(root.children[at + 1], section, key, listItems(m_scenario, path));
         }
         if (indexOf(root, designKey) < root.children.size() || !m_design.isEmpty()) throw NotPatchable();
-        return edited(m_text, std::move(m_edits));
-    }
-
-    /// Runs a patch; without effect and false where it cannot be made.
-    bool attempt(const std::function<void()>& patch) {
-        const std::size_t before = m_edits.size();
-        try {
-            patch();
-            return true;
-        } catch (const NotPatchable&) {
-            m_edits.resize(before);
-            return false;
-        }
+        return std::move(m_edits).edited();
     }
 
     /// Whether a section has something to say. One that is absent need not state defaults.
@@ -140,7 +116,7 @@ class Patcher {
         const bool isThere = at < root.children.size();
         const bool isWanted = isSectionWanted(section, isThere);
         if (!isThere) {
-            if (isWanted) append(sectionText(m_scenario, section));
+            if (isWanted) m_edits.append(sectionText(m_scenario, section));
             return;
         }
         const YamlNode& value = root.children[at + 1];
@@ -150,30 +126,8 @@ class Patcher {
             patchMap(value, section);
             if (patchLists) patchLists(value);
         };
-        if (!attempt(patch))
-            replaceSection(root, at, isWanted ? sectionText(m_scenario, section) : std::string());
-    }
-
-    /// Exchanges a section for a text. Lines that are only comments stay, above the text.
-    void replaceSection(const YamlNode& root, std::size_t at, const std::string& text) {
-        const YamlNode& key = root.children[at];
-        const YamlNode& value = root.children[at + 1];
-        const bool isNull = value.kind == YamlKind::null;
-        const std::size_t end = isNull ? literalExtent(m_text, key).end : endOfValue(value);
-        const Extent lines = linesOf(m_text, {literalExtent(m_text, key).begin, end});
-        m_edits.push_back({lines.begin, lines.end - lines.begin, commentLines(lines) + inLines(text)});
-    }
-
-    std::string commentLines(Extent lines) const {
-        std::string comments;
-        for (std::size_t at = lines.begin; at < lines.end;) {
-            const Extent line = linesOf(m_text, {at, at});
-            const std::size_t word = m_text.find_first_not_of(" \t", at);
-            if (word < line.end && m_text[word] == '#')
-                comments += m_text.substr(line.begin, line.end - line.begin);
-            at = line.end;
-        }
-        return comments;
+        if (!m_edits.attempt(patch))
+            m_edits.replaceEntry(root, at, isWanted ? sectionText(m_scenario, section) : std::string());
     }
 
     void patchHammer(const YamlNode& map) {
@@ -186,7 +140,7 @@ class Patcher {
         const auto patch = [&] {
             patchSections(root.children[at + 1], "string", listItems(m_scenario, "string"));
         };
-        if (!attempt(patch)) replaceSection(root, at, sectionText(m_scenario, "string"));
+        if (!m_edits.attempt(patch)) m_edits.replaceEntry(root, at, sectionText(m_scenario, "string"));
     }
 
     static const YamlNode& valueOf(const YamlNode& map, std::string_view key) {
@@ -261,7 +215,7 @@ class Patcher {
         if (items.empty() && !isThere) return;
         if (map.children.empty()) throw NotPatchable();
         if (map.flow) return patchFlowList(map, section, key, items);
-        if (!isThere) return insertList(map, key, items);
+        if (!isThere) return m_edits.addList(map, key, items);
         const YamlNode& list = map.children[at + 1];
         const auto like = [&](std::size_t i, std::size_t j) {
             return itemLikeness(list.children[i], section, j, items[j]);
@@ -272,13 +226,7 @@ class Patcher {
         };
         const bool isBlock = list.kind == YamlKind::sequence && !list.flow && !list.children.empty();
         if (!isBlock && isListSame(list, like, items.size())) return;
-        if (!isBlock || items.empty()) {
-            const Extent lines =
-                linesOf(m_text, {literalExtent(m_text, map.children[at]).begin, endOfValue(list)});
-            m_edits.push_back({lines.begin, lines.end - lines.begin,
-                               commentLines(lines) + (items.empty() ? "" : blockList(map, key, items))});
-            return;
-        }
+        if (!isBlock || items.empty()) return m_edits.replaceList(map, at, items);
         patchItems(list, items, like, exchange);
     }
 
@@ -322,63 +270,31 @@ class Patcher {
             return;
         }
         const auto pairs = listPairs(list.children.size(), items.size(), likeness);
-        std::vector<Extent> lines;
-        for (const YamlNode& item : list.children) lines.push_back(itemLines(item));
-        const std::size_t column = m_text.find('-', lines.front().begin) - lines.front().begin;
+        std::vector<TextExtent> lines;
+        for (const YamlNode& item : list.children) lines.push_back(m_edits.itemLines(item));
+        const std::size_t column = m_edits.dashColumn(lines.front());
         std::size_t next = 0;  // item to be written
         const auto insertUpTo = [&](std::size_t end, std::size_t place) {
             if (next >= end) return;
-            const std::vector<std::string> added(items.begin() + static_cast<std::ptrdiff_t>(next),
-                                                 items.begin() + static_cast<std::ptrdiff_t>(end));
-            insertLines(place, inLines(listText(added, column)));
+            m_edits.addItems(place,
+                             {items.begin() + static_cast<std::ptrdiff_t>(next),
+                              items.begin() + static_cast<std::ptrdiff_t>(end)},
+                             column);
             next = end;
         };
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            const Extent line = lines[i];
             if (!pairs[i]) {
-                m_edits.push_back({line.begin, line.end - line.begin, commentLines(line)});
+                m_edits.replaceItem(lines[i], {}, column);
                 continue;
             }
-            insertUpTo(*pairs[i], i == 0 ? line.begin : lines[i - 1].end);
+            insertUpTo(*pairs[i], i == 0 ? lines[i].begin : lines[i - 1].end);
             const Likeness like = likeness(i, next);
             // A comment on an item that shares nothing with this one was about that item.
-            if (!like.isEqual && (like.shared == 0 || !attempt([&] { exchange(i, next); })))
-                m_edits.push_back({line.begin, line.end - line.begin,
-                                   commentLines(line) + inLines(listText({items[next]}, column))});
+            if (!like.isEqual && (like.shared == 0 || !m_edits.attempt([&] { exchange(i, next); })))
+                m_edits.replaceItem(lines[i], {items[next]}, column);
             ++next;
         }
         insertUpTo(items.size(), lines.back().end);
-    }
-
-    /// The lines of an item of a list, which begin with its dash.
-    Extent itemLines(const YamlNode& item) const {
-        const Extent lines = linesOf(m_text, {item.offset, endOfValue(item)});
-        const std::string_view before = m_text.substr(lines.begin, item.offset - lines.begin);
-        const std::size_t dash = before.find_first_not_of(' ');
-        if (dash == std::string_view::npos || before[dash] != '-' ||
-            before.find_first_not_of(' ', dash + 1) != std::string_view::npos)
-            throw NotPatchable();
-        return lines;
-    }
-
-    /// Lines in front of a line, or behind a last line that is open.
-    void insertLines(std::size_t place, std::string text) {
-        const bool isOpen = place == m_text.size() && !m_text.ends_with('\n');
-        if (isOpen) text.insert(0, m_lineEnd);
-        m_edits.push_back({place, 0, std::move(text)});
-    }
-
-    std::string blockList(const YamlNode& map, std::string_view key,
-                          const std::vector<std::string>& items) const {
-        const std::size_t column =
-            map.children[0].offset - linesOf(m_text, literalExtent(m_text, map.children[0])).begin;
-        return inLines(std::string(column, ' ') + std::string(key) + ":\n" + listText(items, column + 2));
-    }
-
-    /// A list behind the last entry of a map.
-    void insertList(const YamlNode& map, std::string_view key, const std::vector<std::string>& items) {
-        insertLines(linesOf(m_text, {map.children[0].offset, endOfValue(map)}).end,
-                    blockList(map, key, items));
     }
 
     void patchFlowList(const YamlNode& map, std::string_view section, std::string_view key,
@@ -395,27 +311,13 @@ class Patcher {
             if (isListSame(old, like, items.size())) return;
         }
         if (items.empty() || items.size() > mostInLine) throw NotPatchable();
-        std::string list;
-        for (const std::string& item : items) list += (list.empty() ? "" : ", ") + item;
-        if (at < map.children.size()) {
-            const YamlNode& old = map.children[at + 1];
-            m_edits.push_back({old.offset, endOfValue(old) - old.offset, "[" + list + "]"});
-        } else {
-            m_edits.push_back(
-                {endOfValue(map.children.back()), 0, ", " + std::string(key) + ": [" + list + "]"});
-        }
-    }
-
-    std::size_t endOfValue(const YamlNode& node) const {
-        const std::optional<std::size_t> end = endOf(m_text, node);
-        if (!end) throw NotPatchable();
-        return *end;
+        m_edits.writeFlowList(map, at, key, items);
     }
 
     void patchDesign(const YamlNode& root) {
         const std::size_t at = indexOf(root, designKey);
         if (at >= root.children.size()) {
-            if (!m_design.isEmpty()) append(designSetupText(m_design));
+            if (!m_design.isEmpty()) m_edits.append(designSetupText(m_design));
             return;
         }
         SectionReader reader(m_text);
@@ -427,17 +329,7 @@ class Patcher {
             patchMap(map, designKey);
             for (const auto& [key, items] : designLists(m_design)) patchList(map, designKey, key, items);
         };
-        if (!attempt(patch)) replaceSection(root, at, designSetupText(m_design));
-    }
-
-    void append(const std::string& text) { insertLines(m_text.size(), inLines(text)); }
-
-    /// The text with the line ends of the file.
-    std::string inLines(std::string text) const {
-        if (m_lineEnd == "\r\n")
-            for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
-                text.replace(at, 1, "\r\n");
-        return text;
+        if (!m_edits.attempt(patch)) m_edits.replaceEntry(root, at, designSetupText(m_design));
     }
 
     void patchMap(const YamlNode& map, std::string_view section) {
@@ -449,7 +341,7 @@ class Patcher {
             if (at < map.children.size())
                 before = &map.children[at];
             else if (!value->isDefault)
-                insert(map, before, *value);
+                m_edits.addEntry(map, before, std::string(value->key) + ": " + valueText(*value));
         }
     }
 
@@ -461,100 +353,19 @@ class Patcher {
         if (isListKey(section, key.text)) return;
         const SavedValue* value = saved(section, key.text);
         if (!value && section.empty() && node.text.empty()) return;
-        if (!value) {
-            if (map.flow)
-                removeFromFlow(map, at);
-            else
-                removeLine(map, at, section);
-            return;
-        }
+        if (!value) return m_edits.removeEntry(map, at);
         if (states(node, *value)) return;
         const Unit* unit = value->unit ? parseQuantity(node.text, value->unit->quantity).unit : nullptr;
-        replace(valueExtent(section, node), valueText(*value, unit));
-    }
-
-    /// Where a value stands; a title may be several lines.
-    Extent valueExtent(std::string_view section, const YamlNode& node) const {
-        const std::optional<Extent> extent = extentOf(m_text, node);
-        if (extent || !section.empty() || node.kind != YamlKind::scalar) return literalExtent(m_text, node);
-        Extent lines = linesOf(m_text, {node.offset, node.offset});
-        // Lines of the title are indented, or blank between such lines.
-        for (std::size_t at = lines.end; at < m_text.size();) {
-            const Extent line = linesOf(m_text, {at, at});
-            const bool isBlank = m_text.find_first_not_of(" \t\r\n", at) >= line.end;
-            if (!isBlank && m_text[at] != ' ') break;
-            if (!isBlank) lines.end = line.end;
-            at = line.end;
-        }
-        const std::size_t last = m_text.find_last_not_of("\r\n", lines.end - 1);
-        return {node.offset, last + 1};
-    }
-
-    /// Exchanges a value. A comment behind it was about the value that was there.
-    void replace(Extent extent, std::string text) {
-        if (const Extent comment = commentBehind(m_text, extent.end); comment.begin < comment.end)
-            extent.end = comment.end;
-        m_edits.push_back({extent.begin, extent.end - extent.begin, std::move(text)});
-    }
-
-    /// The lines of one entry of a block map that has them to itself.
-    Extent entryLines(const YamlNode& map, std::size_t at, std::string_view section) const {
-        const Extent key = literalExtent(m_text, map.children[at]);
-        const YamlNode& value = map.children[at + 1];
-        const Extent lines = linesOf(m_text, value.kind == YamlKind::null ? key
-                                             : value.kind == YamlKind::scalar
-                                                 ? Extent{key.begin, valueExtent(section, value).end}
-                                                 : Extent{key.begin, endOfValue(value)});
-        const std::string_view indentation = m_text.substr(lines.begin, key.begin - lines.begin);
-        if (indentation.find_first_not_of(' ') != std::string_view::npos) throw NotPatchable();
-        return lines;
-    }
-
-    void removeLine(const YamlNode& map, std::size_t at, std::string_view section) {
-        const Extent lines = entryLines(map, at, section);
-        m_edits.push_back({lines.begin, lines.end - lines.begin, commentLines(lines)});
-    }
-
-    void removeFromFlow(const YamlNode& map, std::size_t at) {
-        const bool first = at == 0;
-        if (first && map.children.size() <= 2) throw NotPatchable();
-        const std::size_t begin = first ? map.children[0].offset : endOfValue(map.children[at - 1]);
-        const std::size_t end = first ? map.children[2].offset : endOfValue(map.children[at + 1]);
-        m_edits.push_back({begin, end - begin, ""});
-    }
-
-    /// A new entry behind the entry with the key `before`, or in front of all of them.
-    void insert(const YamlNode& map, const YamlNode* before, const SavedValue& value) {
-        if (map.children.empty()) throw NotPatchable();
-        const std::string entry = std::string(value.key) + ": " + valueText(value);
-        const std::size_t at = before ? static_cast<std::size_t>(before - map.children.data()) : 0;
-        if (map.flow) {
-            const std::size_t place = before ? endOfValue(map.children[at + 1]) : map.children[0].offset;
-            m_edits.push_back({place, 0, before ? ", " + entry : entry + ", "});
-            return;
-        }
-        // The first entry of an item of a list stands behind its dash.
-        const bool behindDash = before && at == 0;
-        const Extent lines = behindDash ? linesOf(m_text, literalExtent(m_text, map.children[1]))
-                                        : entryLines(map, at, value.section);
-        const Extent keyLine = linesOf(m_text, literalExtent(m_text, map.children[at]));
-        const std::string text =
-            std::string(map.children[at].offset - keyLine.begin, ' ') + entry + std::string(m_lineEnd);
-        if (before && m_text[lines.end - 1] != '\n')
-            m_edits.push_back(
-                {lines.end, 0, std::string(m_lineEnd) + text.substr(0, text.size() - m_lineEnd.size())});
-        else
-            m_edits.push_back({before ? lines.end : lines.begin, 0, text});
+        m_edits.replaceValue(key, node, valueText(*value, unit));
     }
 
     std::string_view m_text;
+    YamlEdits m_edits;
     const Scenario& m_scenario;
     const bool m_isOfSections;
     const DesignSetup& m_design;
     std::vector<SavedValue> m_values;
     std::map<std::string, std::vector<const SavedValue*>, std::less<>> m_sections;
-    std::string_view m_lineEnd;
-    std::vector<TextEdit> m_edits;
 };
 
 }  // namespace

@@ -228,6 +228,8 @@ class TestDescriptions : public QObject {
         QTest::newRow("formats not given yet")
             << QStringList{"run", "x", "--plots", "png,"} << QStringList{"png,svg", "png,pdf"};
         QTest::newRow("a format") << QStringList{"run", "x", "--plots", "png,s"} << QStringList{"png,svg"};
+        QTest::newRow("a study of reports")
+            << QStringList{"report", "x", "--with", "drill,d"} << QStringList{"drill,design"};
         QTest::newRow("a method") << QStringList{"run", "x", "--method", "c"} << QStringList{"closed_form"};
         QTest::newRow("a rod") << QStringList{"run", "x", "--rod", "T45"}
                                << QStringList{"T45\\,\\ round\\ 46\\ mm"};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `drillwave report` as a shell runs it: pages that can be run again, and what becomes of bad names.
 #include <QDir>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -15,6 +17,20 @@ namespace {
 
 QStringList contents(const QString& folder) {
     return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+/// Adds few blows and few designs to a scenario.
+QByteArray withStudies(QByteArray scenario) {
+    return scenario.replace("\ndrill:", "\ndrill:\n  blows: 60\n  settle: 20") +
+           "\ndesign:\n  uncertain: [\"bit_rock.gap=0mm:1mm\"]\n  choose: "
+           "[\"pulse.duration=150us:250us:3\"]\n  aims: [\"max:efficiency@q05\"]\n  samples: 64\n";
+}
+
+/// The table of that name in a page, with blanks that break.
+QString tableOf(const QByteArray& html, const char* name) {
+    const qsizetype begin = html.indexOf("<table id=\"" + QByteArray(name) + "-table\">");
+    const QByteArray table = html.mid(begin, html.indexOf("</table>", begin) - begin);
+    return QString::fromUtf8(table).replace(QChar(QChar::Nbsp), QLatin1Char(' '));
 }
 
 qsizetype pagesOf(const QByteArray& pdf) {
@@ -37,6 +53,9 @@ class TestReport : public QObject {
     void settingsAndPresetsAreReportedAsTheyAreSolved();
     void theHeadSaysWhoseItIs();
     void whatIsToBeDoneStandsFirstAndTheSolverLast();
+    void studiesHaveTheNumbersOfTheirCommands();
+    void studiesWithoutSettingsLeaveNothing_data();
+    void studiesWithoutSettingsLeaveNothing();
     void badPlacesAreRefused_data();
     void badPlacesAreRefused();
     void existingFilesAreOverwrittenOnlyOnRequest();
@@ -177,6 +196,69 @@ void TestReport::whatIsToBeDoneStandsFirstAndTheSolverLast() {
         }
         QCOMPARE(page.count("<h2>"), page.left(page.indexOf("<h2>How well")).count("<h2>") + 1);
     }
+}
+
+void TestReport::studiesHaveTheNumbersOfTheirCommands() {
+    const QTemporaryDir place;
+    const QString file = place.filePath("a.yaml");
+    write(file, withStudies(read(example("t38_medium_rock"))));
+    output({"report", file, "--with", "design,drill", "-o", place.filePath("out")});
+    const QByteArray html = read(place.filePath("out/report.html"));
+    for (const char* picture : {"drilling", "design"})
+        QCOMPARE(html.count("<figure id=\"" + QByteArray(picture) + "\">"), 1);
+
+    const QString table = tableOf(html, "drilling");
+    const QStringList lines = QString::fromUtf8(output({"drill", file})).split(QLatin1Char('\n'));
+    const QStringList penetrations = lines.filter(QRegularExpression("^ +penetration  "));
+    QCOMPARE(penetrations.size(), 1);
+    for (QString cell : penetrations.first().split("  ", Qt::SkipEmptyParts)) {
+        cell = cell.trimmed().replace("um", "µm");
+        QVERIFY2(table.contains(">" + cell + "<"), qPrintable(cell + "\n" + table));
+    }
+    const QJsonObject drill = json({"drill", file});
+    const QByteArray share = QByteArray::number(100 * drill["contact_share"].toDouble(), 'g', 3);
+    QVERIFY(html.contains("The bit starts in contact at " + share + " % of blows."));
+
+    const QJsonObject design = json({"design", file});
+    const QString designs = tableOf(html, "design");
+    const QJsonArray all = design["designs"].toArray();
+    QCOMPARE(designs.count("<tr>"), all.size() + 1);
+    for (const auto& each : all) {
+        const QJsonObject statistics = each.toObject()["statistics"].toObject();
+        const double q05 = statistics["efficiency_q05"].toObject()["value"].toDouble();
+        QVERIFY2(designs.contains(">" + QString::number(q05, 'g', 5) + " ± "), qPrintable(designs));
+    }
+    QVERIFY(designs.contains("present design"));
+
+    const QByteArray plain = output({"report", file, "-o", "-"});
+    QVERIFY(!plain.contains("id=\"drilling") && !plain.contains("id=\"design"));
+    QVERIFY(pagesOf(read(place.filePath("out/report.pdf"))) <= 7);
+}
+
+void TestReport::studiesWithoutSettingsLeaveNothing_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("no such study") << QStringList{"t38_medium_rock", "--with", "drill,gap"} << 2
+                                   << "--with drill,gap: `gap` is not a study of reports; choose from drill, "
+                                      "design";
+    QTest::newRow("no block") << QStringList{"t38_medium_rock", "--with", "design"} << 5
+                              << "--with design needs a block `design`";
+    QTest::newRow("no feed") << QStringList{"paper_fig4a", "--with", "drill"} << 5 << "paper_fig4a: ";
+    QTest::newRow("too many blows") << QStringList{"t38_medium_rock", "--with", "drill", "--set",
+                                                   "drill.blows=1000000"}
+                                    << 6 << "--with drill: 1000000 blows take about ";
+}
+
+void TestReport::studiesWithoutSettingsLeaveNothing() {
+    QFETCH(QStringList, words);
+    QFETCH(int, exitCode);
+    QFETCH(QString, reason);
+    const QTemporaryDir place;
+    const Finished finished = run(QStringList{"report"} + words + QStringList{"-o", place.filePath("out")});
+    QCOMPARE(finished.exitCode, exitCode);
+    QVERIFY2(finished.error.contains(reason.toUtf8()), finished.error);
+    QCOMPARE(contents(place.path()), QStringList());
 }
 
 void TestReport::badPlacesAreRefused_data() {

@@ -5,9 +5,13 @@
 
 #include <algorithm>
 
+#include "core/report/sequence_words.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/blow/measured_force.h"
+#include "ui/pages/design/design_plot.h"
+#include "ui/pages/drilling/drilling_plot.h"
+#include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/string/string_sketch.h"
@@ -15,6 +19,7 @@
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/figure_frame.h"
 #include "ui/text/language.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
@@ -105,6 +110,38 @@ PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, c
                                 return reader.unitFor(parameter);
                             }};
     return paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, 110}, reader.locale);
+}
+
+PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
+                            const PaperReader& reader) {
+    DrillingPicture picture;
+    picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
+                                  reader.unitsFor(result.scenario));
+    if (result.blows.empty())
+        picture.message = QString::fromStdString(sequenceText(result));
+    else
+        picture.march = marchPicture(result.blows, result.settings, result.units, &result,
+                                     corOverPeriod(result.scenario, stop), picture.units);
+    return paperPlot<DrillingPlot>(picture, {180, 130}, reader.locale);
+}
+
+PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader) {
+    DrillingPicture picture;
+    picture.units =
+        drillingShown(scan.base, reader.unitFor(*scan.axis.parameter), reader.unitsFor(scan.base));
+    picture.scan = scanPicture(scan, nullptr, nullptr, picture.units);
+    if (scan.axis.parameter->applies(scan.base))
+        if (const std::optional<double> value = scan.axis.parameter->value(scan.base))
+            picture.installed = *value * picture.units.along.factor;
+    if (picture.scan->scan.rate.isEmpty()) picture.message = tr("No value has statistics.");
+    return paperPlot<DrillingPlot>(picture, {180, 80}, reader.locale);
+}
+
+PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader) {
+    const DesignUnits units(
+        report.study, reader.unitsFor(report.study.base),
+        [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
+    return paperPlot<DesignPlot>(designPicture(report, units), {180, 180}, reader.locale);
 }
 
 PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader) {

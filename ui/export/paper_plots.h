@@ -7,9 +7,12 @@
 #include <stop_token>
 
 #include "core/blow/blow.h"
+#include "core/report/design_report.h"
 #include "core/report/figure.h"
 #include "core/report/thrust_report.h"
 #include "core/signal/alignment.h"
+#include "core/study/drilling/drilling_study.h"
+#include "core/study/scan/drilling_scan.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/shown_units.h"
@@ -75,6 +78,13 @@ PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// A figure about a scenario.
 PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario,
                           const PaperReader& reader = {});
+/// Many blows, or why there is nothing to show. A stop leaves out a curve.
+PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
+                            const PaperReader& reader = {});
+/// The scan of a parameter.
+PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader = {});
+/// The designs of a study that has a robust best.
+PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader = {});
 /// The needs along a parameter, of a report that has them.
 PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader = {});
 

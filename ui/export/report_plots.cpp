@@ -55,6 +55,26 @@ void addCurves(std::vector<ReportPlot>& plots, const BlowReport& report, const P
                            rodPaperPlot(blow, stop, reader), {180, 84}));
 }
 
+void addStudies(std::vector<ReportPlot>& plots, const ReportStudies& studies, const PaperReader& reader,
+                const std::stop_token& stop) {
+    if (studies.drilling)
+        plots.push_back(placed("drilling",
+                               tr("Continuous drilling: gap and penetration of every blow, how the gaps "
+                                  "scatter and follow each other, and the shares of the energy."),
+                               drillingPaperPlot(*studies.drilling, stop, reader), {180, 110}));
+    if (studies.scan && studies.scan->axis.parameter)
+        plots.push_back(placed("scan",
+                               tr("Penetration rate, contact and gaps of continuous drilling over "
+                                  "one parameter."),
+                               scanPaperPlot(*studies.scan, reader), {180, 66}));
+    if (studies.design)
+        plots.push_back(
+            placed("design",
+                   tr("The designs: the first aim over the choice, with its scatter. Several aims and "
+                      "several uncertain inputs are compared below."),
+                   designPaperPlot(*studies.design, reader), {180, 120}));
+}
+
 }  // namespace
 
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
@@ -76,6 +96,7 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
     if (report.thrust && report.thrust->along)
         plots.push_back(placed("thrust", tr("Required and installed feed force over the blow frequency."),
                                thrustPaperPlot(*report.thrust, reader), {180, 58}));
+    addStudies(plots, report.studies, reader, stop);
     return plots;
 }
 

@@ -35,8 +35,7 @@ ReportWriter::ReportWriter(Document& document, Questions& questions, QWidget* wi
           QStringLiteral("previewReport"), tr("Pre&view of the report…"), QKeySequence(),
           tr("Shows the pages of the report, with project, author, customer and date in their heading"))),
       m_printAction(newAction(QStringLiteral("printReport"), tr("&Print the report…"),
-                              QKeySequence(Qt::CTRL | Qt::Key_P),
-                              tr("The report on paper: two to five pages of A4"))) {
+                              QKeySequence(Qt::CTRL | Qt::Key_P), tr("The report on pages of A4"))) {
     connect(m_action, &QAction::triggered, this, &ReportWriter::write);
     connect(m_previewAction, &QAction::triggered, this, &ReportWriter::preview);
     connect(m_printAction, &QAction::triggered, this, &ReportWriter::print);
@@ -110,9 +109,11 @@ void ReportWriter::print() {
 
 void ReportWriter::begin(Use use) {
     m_use = std::move(use);
-    m_job.submit([document = m_document.contents(), runs = m_runs](const StudyFeed<Answer>& feed) {
+    m_job.submit([document = m_document.contents(), runs = m_runs,
+                  studies = m_studies()](const StudyFeed<Answer>& feed) {
         const auto tell = [&](double done) { feed.tell({static_cast<std::size_t>(done * parts), parts}); };
         Answer answer{reportOn(document, feed.stop, tell), {}};
+        answer.report.studies = studies;
         if (runs) answer.runs = withMargins(*runs, feed.stop);
         return answer;
     });

@@ -26,6 +26,8 @@ class ReportWriter : public QObject {
 
     /// Sets the runs to compare with in later reports.
     void setRuns(RunListPtr runs);
+    /// Sets what returns the studies that reports contain from now on.
+    void setStudies(std::function<ReportStudies()> studies) { m_studies = std::move(studies); }
     /// The signals that are laid over its curves from now on; they must outlive the writer.
     void setMeasured(const MeasuredList& measured);
 
@@ -77,6 +79,7 @@ class ReportWriter : public QObject {
     ReportPreview* m_preview = nullptr;
     RunListPtr m_runs;  // nullptr without
     const MeasuredList* m_measured = nullptr;
+    std::function<ReportStudies()> m_studies = [] { return ReportStudies(); };
     Use m_use;          // of the report on its way; empty without
     QString m_failure;  // the message if there is no report
     StudyJob<Answer> m_job;

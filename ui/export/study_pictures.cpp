@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_pictures.h"
 
-#include "core/report/sequence_words.h"
 #include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/curve/curve_plot.h"
-#include "ui/pages/design/design_plot.h"
-#include "ui/pages/drilling/drilling_plot.h"
-#include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/map/map_plot.h"
-#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -42,37 +37,15 @@ Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const P
 }
 
 Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader) {
-    const DesignUnits units(
-        report.study, reader.unitsFor(report.study.base),
-        [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
-    return drawn(paperPlot<DesignPlot>(designPicture(report, units), {180, 180}, reader.locale),
-                 report.study.base.title, order);
+    return drawn(designPaperPlot(report, reader), report.study.base.title, order);
 }
 
 Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, const PaperReader& reader) {
-    const DrillingResult& result = report.result;
-    DrillingPicture picture;
-    picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
-                                  reader.unitsFor(result.scenario));
-    if (result.blows.empty())
-        picture.message = QString::fromStdString(sequenceText(result));
-    else
-        picture.march = marchPicture(result.blows, result.settings, result.units, &result,
-                                     corOverPeriod(result.scenario, order.stop), picture.units);
-    return drawn(paperPlot<DrillingPlot>(picture, {180, 130}, reader.locale), result.scenario.title, order);
+    return drawn(drillingPaperPlot(report.result, order.stop, reader), report.result.scenario.title, order);
 }
 
 Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order, const PaperReader& reader) {
-    const DrillingScan& scan = report.scan;
-    DrillingPicture picture;
-    picture.units =
-        drillingShown(scan.base, reader.unitFor(*scan.axis.parameter), reader.unitsFor(scan.base));
-    picture.scan = scanPicture(scan, nullptr, nullptr, picture.units);
-    if (scan.axis.parameter->applies(scan.base))
-        if (const std::optional<double> value = scan.axis.parameter->value(scan.base))
-            picture.installed = *value * picture.units.along.factor;
-    if (picture.scan->scan.rate.isEmpty()) picture.message = tr("No value has statistics.");
-    return drawn(paperPlot<DrillingPlot>(picture, {180, 80}, reader.locale), scan.base.title, order);
+    return drawn(scanPaperPlot(report.scan, reader), report.scan.base.title, order);
 }
 
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader) {

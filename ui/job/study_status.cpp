@@ -15,19 +15,6 @@ namespace {
 // Before that, the rate is not known.
 constexpr double rateSeconds = 0.5;
 
-QString timeLeft(double seconds, const QLocale& locale) {
-    const double shown = std::ceil(seconds);
-    return shown < 100 ? StudyStatus::tr("%1 s left").arg(locale.toString(shown, 'f', 0))
-                       : StudyStatus::tr("%1 min left").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
-}
-
-// "3 s" or "3 min", rounded up.
-QString timeText(double seconds, const QLocale& locale) {
-    const double shown = std::ceil(seconds);
-    return shown < 100 ? StudyStatus::tr("%1 s").arg(locale.toString(shown, 'f', 0))
-                       : StudyStatus::tr("%1 min").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
-}
-
 // Keeps the place of a widget while it is hidden.
 void keepPlace(QWidget* widget) {
     QSizePolicy policy = widget->sizePolicy();
@@ -135,6 +122,14 @@ void SolveStatus::tell() {
     QAccessible::updateAccessibility(&changed);
 }
 
+QString waitText(double seconds, const QLocale& locale) {
+    constexpr double mostSeconds = 99;  // as so many, and not as minutes
+    const double shown = std::ceil(seconds);
+    return shown <= mostSeconds
+               ? StudyStatus::tr("%1 s").arg(locale.toString(shown, 'f', 0))
+               : StudyStatus::tr("%1 min").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
+}
+
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale) {
     QString text = QString::number(progress.done);
     if (progress.wanted > 0) text += QLatin1Char('/') + QString::number(progress.wanted);
@@ -144,7 +139,7 @@ QString progressText(const StudyProgress& progress, double seconds, const QLocal
     const double rate = double(progress.done) / seconds;
     const auto left = double(progress.wanted) - double(progress.done);
     return text + QStringLiteral(" · ") +
-           (progress.wanted > 0 ? timeLeft(left / rate, locale)
+           (progress.wanted > 0 ? StudyStatus::tr("%1 left").arg(waitText(left / rate, locale))
                                 : StudyStatus::tr("%1/s").arg(numberText(rate, 2, locale)));
 }
 
@@ -152,7 +147,7 @@ QString resumeText(const StudyProgress& progress, double seconds, const QLocale&
     if (seconds < rateSeconds || progress.done == 0 || progress.done >= progress.wanted)
         return StudyStatus::tr("Solve all");
     const double all = seconds / double(progress.done) * double(progress.wanted);
-    return StudyStatus::tr("Solve all (%1)").arg(timeText(all, locale));
+    return StudyStatus::tr("Solve all (%1)").arg(waitText(all, locale));
 }
 
 StudyStatus::StudyStatus(QWidget* parent)

@@ -96,6 +96,9 @@ class SolveStatus : public QWidget {
 /// "Solve all (3 min)": the button that resumes a stopped study, of which these points took that long.
 QString resumeText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
+/// Returns a time as "3 s" or "3 min", rounded up.
+QString waitText(double seconds, const QLocale& locale);
+
 /// Returns "640/1500 · 2 s left" after that many seconds; "640 · 320/s" for an unknown total. Returns only
 /// the count while there is too little for a rate, and once the expected number is done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);

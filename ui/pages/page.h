@@ -10,6 +10,7 @@
 
 namespace drillwave {
 
+struct ReportStudies;
 class StudyActivity;
 
 /// A page asks for what it shows while it can be seen, and computes nothing otherwise.
@@ -42,6 +43,8 @@ class Page : public QWidget {
     virtual QList<PageExport> exports() const = 0;
     /// Returns the study that it runs in addition to the blow, for the status line; nullptr if it runs none.
     virtual StudyActivity* activity() const { return nullptr; }
+    /// Adds what it has computed for the present scenario to a report, also while it cannot be seen.
+    virtual void addTo(ReportStudies& /*studies*/) const {}
     /// Whether what it shows answers the present input: what does not is not copied.
     virtual void setCurrent(bool current) = 0;
     /// Shows a blow faintly while a value is dragged, for comparison; nullptr when the drag has ended.

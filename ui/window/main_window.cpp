@@ -277,6 +277,11 @@ void MainWindow::wire() {
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
     connect(m_exportMenu, &ExportMenu::exported, this, &MainWindow::inform);
     m_report->setMeasured(m_measured);
+    m_report->setStudies([this] {
+        ReportStudies found;
+        for (int i = 0; i < m_pages->count(); ++i) m_pages->page(i).addTo(found);
+        return found;
+    });
     connect(m_report, &ReportWriter::written, this, &MainWindow::inform);
     connect(m_report, &ReportWriter::begun, this,
             [this] { m_studyStatus->follow(&m_report->activity(), tr("Report")); });

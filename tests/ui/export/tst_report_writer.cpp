@@ -24,9 +24,13 @@
 #include "ui/export/report_preview.h"
 #include "ui/export/report_writer.h"
 #include "ui/job/study_status.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/pages/design/design_page.h"
+#include "ui/pages/drilling/drilling_page.h"
 #include "ui/text/settings.h"
 #include "ui/text/unit_choice.h"
 #include "ui/window/file_menu.h"
+#include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 #include "ui/window/units_choice.h"
 
@@ -50,6 +54,7 @@ class TestReportWriter : public QObject {
     void ctrlPPrintsThePagesOfThePdf();
     void thePreviewHasThePagesAndKeepsTheHead();
     void pinnedRunsStandBesideTheBlow();
+    void finishedStudiesOfThePresentScenarioAreInTheReport();
     void whatWasMeasuredIsLaidOverTheCurves();
     void noPaperIsTold();
     void noPrinterIsNothingToTell();
@@ -279,6 +284,43 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
                        "<td data-value=\"10\\.29[^\"]*\">\\+10\\.292</td>"));
     QVERIFY2(margins.match(QString::fromUtf8(table)).hasMatch(),
              table.mid(table.indexOf("feed force margin at every gap [%]"), 250));
+}
+
+void TestReportWriter::finishedStudiesOfThePresentScenarioAreInTheReport() {
+    QVERIFY(window().openFile(test::example(QStringLiteral("t38_medium_rock"))));
+    Document& document = window().document();
+    document.assign(*findParameter("drill.blows"), 60, 1);
+    DesignSetup design;
+    design.uncertain = {"bit_rock.gap=0mm:1mm"};
+    design.choose = {"pulse.duration=150us:250us:3"};
+    design.aims = {"max:efficiency@q05"};
+    design.samples = 64;
+    document.setDesign(design);
+    const auto finish = [&](StudyPage& page) {
+        part<PageTabs>(window()).setCurrentWidget(&page);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            page.activity()->isCurrent() && page.activity()->state() == StudyState::finished, 120'000);
+    };
+    const auto sections = [&] {
+        writeTo(path("studies.html"));
+        const QByteArray page = read(path("studies.html"));
+        QStringList found;
+        for (const char* name : {"drilling", "design"})
+            if (page.contains("<figure id=\"" + QByteArray(name) + "\">")) found << QLatin1String(name);
+        return found;
+    };
+    QCOMPARE(sections(), QStringList());
+    auto& drilling = part<DrillingPage>(window());
+    finish(drilling);
+    QCOMPARE(sections(), QStringList{"drilling"});
+    finish(part<DesignPage>(window()));
+    QCOMPARE(sections(), (QStringList{"drilling", "design"}));
+    // Both are out of sight, and of an earlier scenario, until it comes back.
+    part<PageTabs>(window()).setCurrentWidget(&part<BlowPage>(window()));
+    document.assign(*findParameter("rod.length"), 4, 2);
+    QCOMPARE(sections(), QStringList());
+    document.undoStack().undo();
+    QCOMPARE(sections(), (QStringList{"drilling", "design"}));
 }
 
 void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {

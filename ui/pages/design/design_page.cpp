@@ -7,17 +7,18 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/design_report.h"
 #include "core/report/design_words.h"
+#include "core/report/report_studies.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/section_box.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
 #include "ui/pages/design/design_plot.h"
@@ -258,11 +259,7 @@ void DesignPage::refine() {
 void DesignPage::showRefine(const DesignAnswer& answer) {
     m_refine->setVisible(answer.secondsLeft && m_study.job().isCurrent() &&
                          m_study.job().state() == StudyState::finished);
-    if (!answer.secondsLeft) return;
-    const double seconds = std::ceil(*answer.secondsLeft);
-    m_refine->setText(seconds < 100
-                          ? tr("Refine (%1 s)").arg(locale().toString(seconds, 'f', 0))
-                          : tr("Refine (%1 min)").arg(locale().toString(std::ceil(seconds / 60), 'f', 0)));
+    if (answer.secondsLeft) m_refine->setText(tr("Refine (%1)").arg(waitText(*answer.secondsLeft, locale())));
 }
 
 ShownUnits DesignPage::shownUnitsOf(const Scenario& base) const {
@@ -440,6 +437,14 @@ QString DesignPage::obstacle() const {
     if (QString problem = inputProblem(); !problem.isEmpty()) return problem;
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
     return m_shown ? QString() : tr("There is no design study to report.");
+}
+
+void DesignPage::addTo(ReportStudies& studies) const {
+    const std::shared_ptr<const DesignAnswer>& answer = m_study.job().value();
+    const bool isFinished = m_study.job().state() == StudyState::finished && m_study.job().isCurrent();
+    if (!answer || !isFinished || !answer->isRefined() || !answer->hasBest()) return;
+    if (answer->report.study.base == scenario() && m_setup == document().design())
+        studies.design = {answer, &answer->report};
 }
 
 QByteArray DesignPage::csv() const {

@@ -28,6 +28,7 @@ class DesignPage : public StudyPage {
 
     QString title() const override { return tr("Design"); }
     QString command() const override;
+    void addTo(ReportStudies& studies) const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
     const DesignPlot& designPlot() const { return *m_plot; }

@@ -11,6 +11,7 @@
 #include "core/report/alert_words.h"
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
+#include "core/report/report_studies.h"
 #include "core/report/sequence_words.h"
 #include "ui/form/rig_dialog.h"
 #include "ui/form/section_box.h"
@@ -377,10 +378,23 @@ QList<PageExport> DrillingPage::exports() const {
     return all;
 }
 
+bool DrillingPage::isMarchNew() const {
+    const DrillingAnswer* answer = m_march.value();
+    return answer && answer->isComplete() && m_march.job().state() == StudyState::finished &&
+           answer->question == drillingQuestion(scenario());
+}
+
 bool DrillingPage::isScanNew() const {
-    const DrillingScanAnswer* scan = m_scan.value();
+    const DrillingScanAnswer* answer = m_scan.value();
     const bool isFinished = m_scan.job().state() == StudyState::finished && m_scan.job().isCurrent();
-    return scan && scan->scan && isFinished && m_plot->picture().scan && !m_plot->picture().isScanOld;
+    if (!answer || !isFinished || !answer->scan || answer->scan->points.empty()) return false;
+    const DrillingScanQuestion& asked = *m_scan.question();
+    return drillingScanQuestion(scenario(), asked.range, asked.hasBracket) == asked;
+}
+
+void DrillingPage::addTo(ReportStudies& studies) const {
+    if (isMarchNew()) studies.drilling = m_march.value()->result;
+    if (isScanNew()) studies.scan = m_scan.value()->scan;
 }
 
 QByteArray DrillingPage::scanCsv() const {

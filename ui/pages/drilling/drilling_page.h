@@ -32,6 +32,7 @@ class DrillingPage : public StudyPage {
     /// The march, and the scan where there is one.
     QList<PageExport> exports() const override;
     QString command() const override;
+    void addTo(ReportStudies& studies) const override;
     /// How many marches and scans were started.
     int marches() const { return m_march.started(); }
     int scans() const { return m_scan.started(); }
@@ -67,7 +68,8 @@ class DrillingPage : public StudyPage {
     void scanIfQuick(const DrillingAnswer& answer);
     void stopScan();
     void addScan(DrillingPicture& picture) const;
-    /// Whether a scan is shown that is of the present scenario and complete.
+    /// Returns whether the march, or the scan, is of the present scenario and complete.
+    bool isMarchNew() const;
     bool isScanNew() const;
     QByteArray scanCsv() const;
     std::string scenarioWith(const DrillingSettings& settings) const;
