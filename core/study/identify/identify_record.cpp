@@ -117,7 +117,7 @@ void fillCurves(RecordModel& model, const LawFit& fit, RecordAnswer& answer) {
         if (isReturning) {
             const std::size_t k = i - model.firstReturning();
             modelled = model.modelReturning()[k];
-            residual = fit.residuals[static_cast<Index>(k)] / model.weight();
+            residual = fit.residuals[static_cast<Index>(k)] / (model.weight() * model.returningShare(k));
         }
         curves.measured.push_back(measured);
         curves.model.push_back(modelled);

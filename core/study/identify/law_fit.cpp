@@ -444,11 +444,9 @@ void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
 
 LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop) {
-    if (bilinear.quietCount() > 0) {
-        const QuietErrors errors = quietErrors(bilinear, from.values);
-        const double floor = 0.003 * model.record().peak;
-        model.setQuietErrors(std::max(errors.before, floor), std::max(errors.last, floor));
-    }
+    // The weights of a law that does not fit would let the zero lines go.
+    const double floor = 0.003 * model.record().peak;
+    model.setQuietErrors(floor, floor);
     model.holdSizes(true);
     // A law that does not fit may have bent the dispersion, too.
     const std::size_t unknown = bilinear.shapeUnknown("dispersion");

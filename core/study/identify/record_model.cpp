@@ -24,6 +24,7 @@ constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant
 constexpr double bendingTolerance = 0.08;  ///< of half the difference of a pair stays in the mean
 constexpr double curveTolerance = 0.04;    ///< of the peak: gain at the peak less than at small values
 constexpr double leastBending = 0.005;     ///< of the peak
+constexpr std::size_t frontReach = 4;      ///< samples over which the smoothing spreads a front
 
 double knownOr(const IdentifyQuestion& question, const char* key, double otherwise) {
     for (const KnownTolerance& known : question.known)
@@ -68,6 +69,7 @@ RecordModel::RecordModel(const PreparedRecord& record, const IdentifyQuestion& q
     m_weight = 1 / (std::sqrt(2.0) *
                     std::max(record.gauges.front().noise.longRun(), leastWeightShare * record.peak));
     m_quietWeights.assign(m_quiet.size(), m_weight);
+    setShares();
 
     if (law == TrialLaw::held) {
         const BitRock& rock = question.scenario.bitRock;
@@ -323,6 +325,22 @@ void RecordModel::setQuietErrors(double before, double last) {
     }
 }
 
+void RecordModel::setShares() {
+    // Differences that noise makes are no fronts.
+    const double noise = frontNoise * m_record->gauges.front().noise.deviation();
+    std::vector<double> errors(m_returning.size(), 0);
+    for (std::size_t i = 1; i < errors.size(); ++i)
+        errors[i] = frontError * std::max(0.0, std::abs(m_returning[i] - m_returning[i - 1]) - noise);
+    m_shares.assign(errors.size(), 1);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        double largest = 0;
+        const std::size_t last = std::min(errors.size(), i + frontReach + 1);
+        for (std::size_t k = i > frontReach ? i - frontReach : 0; k < last; ++k)
+            largest = std::max(largest, errors[k]);
+        m_shares[i] = 1 / std::hypot(1.0, largest * m_weight);
+    }
+}
+
 void RecordModel::setRows() {
     m_rows = m_returning.size() + m_quiet.size() + m_unknowns.size();
 }
@@ -454,7 +472,7 @@ void RecordModel::residuals(const Eigen::VectorXd& values, Eigen::VectorXd& resu
             if (m_record->isLost[m_firstReturning + i]) m_left[i] = 0;
     smoothSamples(m_left, m_record->step, smoothingSteps * m_record->step);
     for (std::size_t i = 0; i < m_left.size(); ++i)
-        result[static_cast<Eigen::Index>(i)] = m_weight * m_left[i];
+        result[static_cast<Eigen::Index>(i)] = m_weight * m_shares[i] * m_left[i];
     for (std::size_t i = 0; i < m_quiet.size(); ++i)
         result[static_cast<Eigen::Index>(returning + i)] *= m_quietWeights[i];
 }
