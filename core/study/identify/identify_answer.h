@@ -30,8 +30,9 @@ std::string_view name(ParameterVerdict verdict);
 
 /// One cause of the half-width of a parameter.
 struct BudgetRow {
-    std::string source;  ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", …
-    std::string key;     ///< of --known, may be empty
+    std::string
+        source;  ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", "law", …
+    std::string key;       ///< of --known, may be empty
     double tolerance = 0;  ///< [unit]
     std::string unit;      ///< "m", "1"
     bool isAssumed = false;
@@ -53,7 +54,7 @@ struct IdentifiedParameter {
 
 /// A law that was tried, and how well it fits.
 struct TriedLaw {
-    std::string law;    ///< "bilinear", "corner", "power", "dashpot", "jump"
+    std::string law;    ///< "bilinear", "corner", "crater", "power", "dashpot", "jump"
     double misfit = 0;  ///< m, share of the peak
     double ratio = 0;   ///< q
     std::vector<std::pair<std::string, double>> parameters;  ///< by key, SI

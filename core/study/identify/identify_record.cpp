@@ -258,6 +258,7 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
     answer.distanceThatFits = given.gauges.front().distance + lagOf(chosen) * places.front().waveSpeed / 2;
     if (trials.candidates.size() > 1) answer.remarks.emplace_back("law_tried");
     if (trials.isLawOpen) answer.remarks.emplace_back("law_open");
+    if (chosen.name == "crater") answer.remarks.emplace_back("crater");
     if (chosen.name == "jump") answer.remarks.emplace_back("zero_jumps");
     if (chosen.errors.unexplained > 0.01 && given.gauges.front().opposite.empty())
         answer.remarks.emplace_back("one_sided");

@@ -113,6 +113,9 @@ void RecordModel::addUnknowns(const IdentifyQuestion& question, const SizeTolera
         case TrialLaw::dashpot:
             add(Kind::dashpot, 1e-2, std::log(1e-3 * impedance), std::log(impedance));
             break;
+        case TrialLaw::crater:
+            add(Kind::memory, 2e-3 * m_record->peak, 0, 1.5 * m_record->peak);
+            break;
         case TrialLaw::bilinear:
         case TrialLaw::held:
             break;
@@ -393,6 +396,8 @@ TrialRock RecordModel::rockOf(const Eigen::VectorXd& values) const {
         rock.lines = powerLines(stiffness, at(Kind::exponent), m_record->peak / 2);
         for (TrialLine& line : rock.lines) line.slope = std::min(line.slope, rock.elastic);
     }
+    if (m_law == TrialLaw::crater)
+        rock.lines = {{0, rock.elastic}, {std::max(0.0, at(Kind::memory)) / scale, stiffness}};
     if (m_law == TrialLaw::dashpot) rock.dashpot = std::exp(at(Kind::dashpot));
     return rock;
 }

@@ -14,7 +14,8 @@
 namespace drillwave {
 
 /// Loading curve that is fitted.
-enum class TrialLaw { bilinear, corner, power, dashpot, held };
+/// `crater`: the bit stands in rock that an earlier force has loaded, and reloads it first.
+enum class TrialLaw { bilinear, corner, power, dashpot, crater, held };
 
 /// One unknown of a fit. A prior is normal; without a deviation there is none.
 struct Unknown {
@@ -27,6 +28,7 @@ struct Unknown {
         cornerSlope,       ///< ln s_1
         exponent,          ///< p of a power law
         dashpot,           ///< ln c
+        memory,            ///< largest force before the blow [N]
         impedance,         ///< z of the gauge's section, relative
         length,            ///< of a section towards the bit, added [m]
         sectionImpedance,  ///< of a section towards the bit, relative
