@@ -208,6 +208,12 @@ class IdentifyWriter {
                  said({translatable("%1 of the peak, %2 in a millisecond"),
                        {m_style.signedPercent(std::round(1e4 * match.zero[0].offset) / 1e4),
                         m_style.signedPercent(std::round(1e4 * match.zero[0].slope) / 1e4)}}));
+        if (answer.check)
+            line(said(translatable("check")),
+                 said({translatable(
+                           "the wave behind the specimen is predicted within %1 of its peak, %2 late"),
+                       {percent(answer.check->error),
+                        m_style.quantity(answer.check->shift, Quantity::time, 2)}}));
         if (answer.laws.size() > 1) {
             std::string laws;
             for (const TriedLaw& law : answer.laws)

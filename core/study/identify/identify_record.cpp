@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/study/identify/blind_check.h"
 #include "core/study/identify/law_checks.h"
 #include "core/study/identify/parameter_verdicts.h"
 
@@ -210,8 +211,8 @@ void addLaws(const LawTrials& trials, RecordAnswer& answer) {
 }
 
 /// The law of the file: timing and zero lines are fitted, and nothing else.
-void checkFileLaw(const IdentifyQuestion& question, const PreparedRecord& record, const std::stop_token& stop,
-                  RecordAnswer& answer) {
+void checkFileLaw(const IdentifyQuestion& question, const GaugeRecord& given, const PreparedRecord& record,
+                  const std::stop_token& stop, RecordAnswer& answer) {
     SizeTolerances none;
     auto model = std::make_shared<RecordModel>(record, question, none, TrialLaw::held);
     LawFit fit = fitFromStarts(*model, stop);
@@ -223,6 +224,8 @@ void checkFileLaw(const IdentifyQuestion& question, const PreparedRecord& record
     answer.law = "file";
     fillMatch(trials, answer);
     fillCurves(*model, candidate.fit, answer);
+    if (question.checkDistance)
+        answer.check = blindCheck(given, *question.checkDistance, *model, candidate.fit);
     answer.laws.push_back({"file", candidate.misfit(), candidate.errors.misfit.ratio, {}});
 }
 
@@ -247,7 +250,7 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
     answer.impedance = places.front().end.impedance;
     if (record.shift != 0) answer.remarks.emplace_back("distance_off");
     if (question.law == LawChoice::file) {
-        checkFileLaw(question, record, stop, answer);
+        checkFileLaw(question, given, record, stop, answer);
         return answer;
     }
     LawTrials trials = tryLaws(record, question, sizes, stop);
@@ -274,6 +277,8 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
     answer.model = verdictOf(trials, answer, question);
     fillMatch(trials, answer);
     fillCurves(*chosen.model, chosen.fit, answer);
+    if (question.checkDistance)
+        answer.check = blindCheck(given, *question.checkDistance, *chosen.model, chosen.fit);
     addLaws(trials, answer);
     fillParameters(trials, atLeast, answer);
     const IdentifiedParameter* gap = answer.find("bit_rock.gap");

@@ -21,6 +21,7 @@ constexpr double jumpExplains = 0.15;      ///< of Σr² at least
 constexpr double checkedMisfit = 0.002;    ///< of the peak
 constexpr double nearbyGain = 15;          ///< of Σr²: more than noise gives to one more unknown
 constexpr double nearbyShare = 0.08;       ///< of Σr², where the bilinear law leaves more than noise
+constexpr double unsureShare = 1.5;        ///< of the noise, at most, by a law that gains less
 constexpr double nearbyFactor = 1.3;       ///< of the way to a law that gains as much
 constexpr double craterShare = 1.05;       ///< of the Σr² of a corner, which has one unknown more
 constexpr double unseenMisfit = 0.3;       ///< of the noise: smaller misfits are equal
@@ -117,11 +118,14 @@ bool addNearbyLaws(LawCandidate& bilinear, const IdentifyQuestion& question, con
         const double gain = bilinear.fit.cost - fit.cost;
         const bool isSure = gain > std::max(nearbyGain, nearbyShare * bilinear.fit.cost);
         gains = gains || isSure;
+        // Noise moves one more unknown, too; its half-width has that.
+        const double share = isSure ? nearbyFactor : std::sqrt(std::clamp(gain / nearbyGain, 0.0, 1.0));
         for (const UnknownKind kind : {UnknownKind::stiffness, UnknownKind::gamma, UnknownKind::gap}) {
             const auto own = static_cast<Index>(bilinear.model->find(kind));
             const double way =
                 std::abs(fit.values[static_cast<Index>(model.find(kind))] - bilinear.fit.values[own]);
-            row.effect[own] = std::max(row.effect[own], (isSure ? nearbyFactor : 1) * way);
+            const double most = unsureShare * bilinear.errors.noise[own];
+            row.effect[own] = std::max(row.effect[own], isSure ? share * way : std::min(share * way, most));
         }
     }
     bilinear.errors.budget.push_back(std::move(row));

@@ -211,7 +211,11 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     }
     all.clear();
     for (const std::vector<double>& curve : curves) all.push_back(&curve);
-    addShape(shapeOf("curvature", curveTolerance), all);
+    LinearShape curvature = shapeOf("curvature", curveTolerance);
+    // A larger one makes other forces of a rock that no law fits.
+    curvature.low = -curveTolerance;
+    curvature.high = curveTolerance;
+    addShape(std::move(curvature), all);
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         if (record.gauges[g].opposite.empty() || record.bending < leastBending) continue;
         std::vector<const std::vector<double>*> signals(record.gauges.size(), &none);
