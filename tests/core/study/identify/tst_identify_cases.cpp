@@ -173,9 +173,11 @@ void TestIdentifyCases::measuredBar_rejectsTheBilinearLaw() {
     QVERIFY(answer.laws[0].misfit > 0.05);
     QCOMPARE(answer.laws[1].law, std::string("corner"));
     QVERIFY(answer.laws[1].misfit < 0.03);
+    QCOMPARE(answer.model, ModelVerdict::strained);
     for (const IdentifiedParameter& parameter : answer.parameters)
         QVERIFY(parameter.isGap() || parameter.verdict != ParameterVerdict::identified);
     QVERIFY(answer.check.has_value());
+    QVERIFY(answer.check->error < 0.08);
 }
 
 QTEST_GUILESS_MAIN(TestIdentifyCases)
