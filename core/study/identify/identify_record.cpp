@@ -168,7 +168,7 @@ void checkSizes(const LawTrials& trials, const std::vector<KnownSize>& sizes, co
     answer.remarks.emplace_back("sizes_off");
 }
 
-/// Whether the model had to leave what was told, and still leaves something (C7).
+/// Whether the model had to leave its tolerances, and still leaves something (C7).
 bool hasLeftTolerances(const UsedUp& used, const MisfitFound& misfit) {
     return misfit.misfit > usedUpMisfit && misfit.ratio > 1.3 &&
            std::max({used.zeroLines, used.droop, used.sizes}) > tooFar;
