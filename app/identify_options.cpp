@@ -42,8 +42,9 @@ double lengthOf(const std::string& option, const std::string& text) {
     return typed.si;
 }
 
-GaugeChoice gaugeChoiceOf(const std::string& word) {
-    const std::string option = "--gauge " + word;
+/// A gauge of `--gauge` or `--check`.
+GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word) {
+    const std::string option = "--" + name + " " + word;
     const std::size_t at = word.rfind('@');
     if (at == std::string::npos || at == 0)
         refuseIdentifyUsage(
@@ -124,20 +125,25 @@ void checkGauges(const std::vector<GaugeChoice>& gauges, const std::vector<Gauge
 std::vector<OptionSpec> identifyOptionSpecs() {
     using Times = OptionSpec::Times;
     std::vector<OptionSpec> specs{
-        {"signals", "REC.csv …", "records of strain gauges, in their order along the hole", Times::repeated},
-        {"gauge", "COLUMN@DISTANCE", "one gauge or two, by their distance from the bit face; A+B@… averages",
+        {"signals", "REC.csv …", "Read these records of strain gauges, in their order along the hole",
          Times::repeated},
-        {"law", "LAW", "auto, bilinear, corner or file (default: auto)"},
-        {"known", "KEY=+-TOL", "95 % tolerance of gain, zero, gauge or a size; see below", Times::list},
-        {"backing", "KIND", "rigid, or bar: a specimen between two like bars (default: rigid)"},
-        {"dispersion", "KIND", "fit, bar or none (default: fit)"},
-        {"end", "TIME", "end of the window after the returning wave arrives"},
-        {"blows", "WHICH", "first or all, of a record with several fronts (default: first)"},
-        {"seed", "S", "draws of the noise (default: 1)"},
-        {"j", "N", "threads to use (default: all of them)"},
-        {"json", "", "print one JSON object instead of the table"},
+        {"gauge", "COLUMN@DISTANCE",
+         "Use one gauge or two, by their distance from the bit face; A+B@… averages", Times::repeated},
+        {"law", "LAW", "Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)"},
+        {"known", "KEY=+-TOL", "Set the 95 % tolerance of gain, zero, gauge or a size; see below",
+         Times::list},
+        {"backing", "KIND",
+         "Put rigid rock behind the bit, or a like bar behind a specimen (default: rigid)"},
+        {"check", "COLUMN@DISTANCE",
+         "Predict the gauge on the bar behind, by its distance from the specimen"},
+        {"dispersion", "KIND", "Take dispersion as fit, bar or none (default: fit)"},
+        {"end", "TIME", "End the window this long after the returning wave arrives"},
+        {"blows", "WHICH", "Identify the first or all fronts of a record (default: first)"},
+        {"seed", "S", "Draw other noise (default: 1)"},
+        {"j", "N", "Use N threads (default: all of them)"},
+        {"json", "", "Print one JSON object instead of the table"},
         {"o", "DIR", "Also write tables, draws and the identified scenario into DIR"},
-        {"force", "", "overwrite existing files"}};
+        {"force", "", "Overwrite existing files"}};
     std::vector<OptionSpec> all = scenarioOptions();
     std::erase_if(all, [](const OptionSpec& option) {
         return std::find(std::begin(optionsOfOneSignal), std::end(optionsOfOneSignal), option.name) !=
@@ -177,7 +183,7 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
     if (words.empty()) refuseIdentifyUsage(translatable("needs --gauge COLUMN@DISTANCE"));
     if (words.size() > 2) refuseIdentifyUsage(translatable("takes one or two gauges"));
     std::vector<GaugeChoice> gauges;
-    for (const std::string& word : words) gauges.push_back(gaugeChoiceOf(word));
+    for (const std::string& word : words) gauges.push_back(gaugeChoiceOf("gauge", word));
     IdentifyQuestion question;
     question.scenario = scenario;
     question.law = choiceOf(arguments, "law",
@@ -191,6 +197,14 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
         {{"fit", DispersionChoice::fit}, {"bar", DispersionChoice::bar}, {"none", DispersionChoice::none}},
         DispersionChoice::fit);
     question.barBehind = choiceOf(arguments, "backing", {{"rigid", false}, {"bar", true}}, false);
+    std::string behind;
+    if (const std::optional<std::string> word = arguments.value("check")) {
+        if (!question.barBehind) refuseIdentifyUsage(translatable("--check needs --backing bar"));
+        const GaugeChoice check = gaugeChoiceOf("check", *word);
+        if (!check.opposite.empty()) refuseIdentifyUsage(translatable("--check takes one column"));
+        behind = check.column;
+        question.checkDistance = check.distance;
+    }
     question.allBlows = choiceOf(arguments, "blows", {{"first", false}, {"all", true}}, false);
     question.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, 2'000'000'000));
     if (const std::optional<std::string> end = arguments.value("end")) {
@@ -218,7 +232,7 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
     for (const std::string& record : records) {
         RereadableInput input(record, RereadableInput::mostKept, arguments.style());
         const std::string name = inputName(record);
-        GaugeReading reading = readGauges(input.stream(), options, gauges, places, stop);
+        GaugeReading reading = readGauges(input.stream(), options, gauges, places, stop, behind);
         if (!reading.problem.isEmpty())
             throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
                                std::vector{about(name, reading.problem)});

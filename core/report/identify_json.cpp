@@ -92,6 +92,11 @@ JsonArray lawsJson(const RecordAnswer& answer) {
     return array;
 }
 
+Json checkJson(const RecordAnswer& answer) {
+    if (!answer.check) return {};
+    return Json(JsonObject{{"error", answer.check->error}, {"shift", answer.check->shift}});
+}
+
 JsonArray remarksJson(const RecordAnswer& answer, const std::vector<std::string>& further) {
     JsonArray array;
     const auto add = [&](const std::string& code) {
@@ -135,7 +140,7 @@ std::string identifyJson(const IdentifyReport& report) {
                       {"parameters", parametersJson(answer, isSeveral ? &findings : nullptr)},
                       {"match", matchJson(answer)},
                       {"laws", lawsJson(answer)},
-                      {"check", Json()},
+                      {"check", checkJson(answer)},
                       {"sign", answer.sign},
                       {"scenario", report.identifiedText},
                       {"remarks", remarksJson(answer, findings.remarks)}};

@@ -121,6 +121,7 @@ class IdentifyWriter {
         if (source == "gain") return said(translatable("gain of the amplifier"));
         if (source == "place") return said(translatable("distance between the gauges"));
         if (source == "resolution") return said(translatable("steepness of the rock in noise"));
+        if (source == "law") return said(translatable("law of the rock"));
         if (source == "step") return said(translatable("step of the recorder"));
         if (source == "unexplained_wave") return said(translatable("unexplained waves"));
         return source;
@@ -170,7 +171,8 @@ class IdentifyWriter {
         for (const IdentifiedParameter& parameter : answer.parameters)
             if (parameter.verdict == ParameterVerdict::notSeen && parameter.reason == "no_unloading")
                 return translatable("To know more: record until the rock has unloaded.");
-        if (next.source == "noise") return {translatable("To know more: average 4 blows: %1."), {gain}};
+        if (next.source == "noise" || next.source == "law" || next.source == "resolution")
+            return {translatable("To know more: average 4 blows: %1."), {gain}};
         if (next.source == "unexplained_wave" || next.source == "tail")
             return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."),
                     {gain}};
@@ -206,6 +208,12 @@ class IdentifyWriter {
                  said({translatable("%1 of the peak, %2 in a millisecond"),
                        {m_style.signedPercent(std::round(1e4 * match.zero[0].offset) / 1e4),
                         m_style.signedPercent(std::round(1e4 * match.zero[0].slope) / 1e4)}}));
+        if (answer.check)
+            line(said(translatable("check")),
+                 said({translatable(
+                           "the wave behind the specimen is predicted within %1 of its peak, %2 late"),
+                       {percent(answer.check->error),
+                        m_style.quantity(answer.check->shift, Quantity::time, 2)}}));
         if (answer.laws.size() > 1) {
             std::string laws;
             for (const TriedLaw& law : answer.laws)

@@ -74,6 +74,11 @@ std::set<std::string> keysOf(const QByteArray& text) {
 /// Short marches.
 const QStringList fewBlows{"--blows", "12", "--settle", "4", "--cells", "10"};
 
+/// A record of one gauge on a rod.
+const QStringList identifiedBar{"identify",  DRILLWAVE_SOURCE_DIR "/tests/cases/identify/clean.yaml",
+                                "--signals", DRILLWAVE_SOURCE_DIR "/tests/cases/identify/clean.csv",
+                                "--gauge",   "2@1.83m"};
+
 }  // namespace
 
 class TestWrittenKeys : public QObject {
@@ -165,6 +170,7 @@ void TestWrittenKeys::keysOfJsonStandInTheManual_data() {
     QTest::newRow("drill") << QStringList{"drill", rod} + fewBlows;
     QTest::newRow("drill groups") << QStringList{"drill", rod, "--dimensionless"} + fewBlows;
     QTest::newRow("drill scan") << QStringList{"drill", rod, "--scan", "drill.thrust=7kN,9kN"} + fewBlows;
+    QTest::newRow("identify") << identifiedBar + QStringList{"--backing", "bar", "--check", "2@0.5m"};
     QTest::newRow("accuracy rod") << QStringList{"accuracy", groups, "--segments", "100"};
     QTest::newRow("accuracy string") << QStringList{"accuracy", string};
 }
@@ -221,6 +227,7 @@ void TestWrittenKeys::filesOfFoldersStandInTheManual_data() {
                                            "--samples",
                                            "64"}
                             << "out" << 5;
+    QTest::newRow("identify") << identifiedBar << "out" << 5;
     QTest::newRow("curve goal") << QStringList{"curve",    groups,        "--along", "delta=0:1.2",
                                                "--family", "gamma=0.9,1", "--goal",  "1"}
                                 << "curve.csv" << 2;

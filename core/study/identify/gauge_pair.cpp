@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/study/identify/even_samples.h"
 
@@ -16,6 +17,21 @@ struct PassageFit {
     double gain = 1;
     double power = 0;  ///< mean square of what is left [N²]
 };
+
+/// Mean square on the first passage that the times of sharp fronts leave, known to a sample only [N²].
+double frontPower(const PreparedRecord& record) {
+    double power = 0;
+    for (const PreparedGauge& gauge : record.gauges) {
+        const double noise = frontNoise * gauge.noise.deviation();
+        for (std::size_t i = record.front; i + 1 < gauge.force.size(); ++i) {
+            if (record.timeOf(i) > record.roundTrip) break;
+            const double change = std::max(0.0, std::abs(gauge.force[i + 1] - gauge.force[i]) - noise);
+            power += std::pow(frontError * change * record.step, 2);
+        }
+    }
+    // a pulse of unit area through the Gaussian has the power 1/(2√π σ)
+    return power / (2 * std::sqrt(std::numbers::pi) * passageGaussian) / record.roundTrip;
+}
 
 /// Both signals below 16 kHz, in which the sampling of sharp fronts does not show.
 class Passage {
@@ -130,7 +146,8 @@ double passageDifference(const PreparedRecord& record) {
     const double two = record.gauges[1].noise.deviationOfMean(span) / std::abs(record.secondGain);
     const double noise = one * one + two * two;
     const double independent = std::max(4.0, record.roundTrip / (3.545 * passageGaussian));
-    return std::sqrt(std::max(0.0, fit.power - noise * (1 + 2 * std::sqrt(2 / independent)))) / record.peak;
+    const double explained = noise * (1 + 2 * std::sqrt(2 / independent)) + 2 * frontPower(record);
+    return std::sqrt(std::max(0.0, fit.power - explained)) / record.peak;
 }
 
 }  // namespace drillwave

@@ -8,6 +8,11 @@
 
 namespace drillwave {
 
+/// Share of a change between two samples that a front misses by: its time is known to a sample.
+inline constexpr double frontError = 0.3;
+/// Deviations of noise within which a change between two samples is no front.
+inline constexpr double frontNoise = 5;
+
 /// f and b at the gauge near the bit, sample by sample [N].
 struct SeparatedWaves {
     std::vector<double> incident, returning;

@@ -55,7 +55,7 @@ double powerOf(const std::vector<double>& values) {
 
 GaugeReading readGauges(std::istream& in, const SignalOptions& options,
                         const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,
-                        const std::stop_token& stop) {
+                        const std::stop_token& stop, const std::string& behind) {
     GaugeReading result;
     for (std::size_t g = 0; g < gauges.size(); ++g) {
         ColumnRead one, other;
@@ -83,6 +83,15 @@ GaugeReading readGauges(std::istream& in, const SignalOptions& options,
         }
         result.record.time = std::move(one.time);
         result.record.gauges.push_back(std::move(channel));
+    }
+    if (!behind.empty()) {
+        ColumnRead read;
+        if (!readColumn(in, options, behind, places.front(), stop, read, result)) return result;
+        if (read.force.size() != result.record.time.size()) {
+            result.problem = {translatable("%1: has another number of samples than the gauges"), {behind}};
+            return result;
+        }
+        result.record.behind = std::move(read.force);
     }
     std::stable_sort(result.record.gauges.begin(), result.record.gauges.end(),
                      [](const GaugeChannel& a, const GaugeChannel& b) { return a.distance < b.distance; });

@@ -33,9 +33,10 @@ struct GaugeReading {
 };
 
 /// Reads the columns of the gauges as forces of their section; they come out in the order of their distance
-/// from the bit. `places` are those of `gauges`.
+/// from the bit. `places` are those of `gauges`. `behind` is a column of a gauge on a like bar behind the
+/// specimen; empty where there is none.
 GaugeReading readGauges(std::istream& in, const SignalOptions& options,
                         const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,
-                        const std::stop_token& stop = {});
+                        const std::stop_token& stop = {}, const std::string& behind = {});
 
 }  // namespace drillwave

@@ -30,8 +30,9 @@ std::string_view name(ParameterVerdict verdict);
 
 /// One cause of the half-width of a parameter.
 struct BudgetRow {
-    std::string source;  ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", …
-    std::string key;     ///< of --known, may be empty
+    std::string
+        source;  ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", "law", …
+    std::string key;       ///< of --known, may be empty
     double tolerance = 0;  ///< [unit]
     std::string unit;      ///< "m", "1"
     bool isAssumed = false;
@@ -53,7 +54,7 @@ struct IdentifiedParameter {
 
 /// A law that was tried, and how well it fits.
 struct TriedLaw {
-    std::string law;    ///< "bilinear", "corner", "power", "dashpot", "jump"
+    std::string law;    ///< "bilinear", "corner", "crater", "power", "dashpot", "jump"
     double misfit = 0;  ///< m, share of the peak
     double ratio = 0;   ///< q
     std::vector<std::pair<std::string, double>> parameters;  ///< by key, SI
@@ -94,6 +95,12 @@ struct MatchCurves {
     std::vector<double> penetration, force, modelForce;  ///< at the same times, at the rock
 };
 
+/// Prediction of the wave in the bar behind the specimen against its gauge, which no fit has used.
+struct BlindCheck {
+    double error = 0;  ///< rms of the difference, share of the largest measured value
+    double shift = 0;  ///< by which the measured wave is later than the predicted one [s]
+};
+
 struct RecordAnswer {
     std::string file;
     std::size_t blow = 0;                  ///< from 0
@@ -112,6 +119,7 @@ struct RecordAnswer {
     double peak = 0;              ///< of the incident wave [N]
     double distanceThatFits = 0;  ///< of the near gauge from the bit face [m]
     double impedance = 0;         ///< Z of the gauge's section [N s/m]
+    std::optional<BlindCheck> check;
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;

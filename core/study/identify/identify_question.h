@@ -25,6 +25,7 @@ struct GaugeRecord {
     std::string file;                  ///< for messages
     std::vector<double> time;          ///< [s], increasing
     std::vector<GaugeChannel> gauges;  ///< one or two
+    std::vector<double> behind;        ///< force in the bar behind the specimen [N], or empty
 };
 
 /// Law that is fitted.
@@ -58,6 +59,7 @@ struct IdentifyQuestion {
     std::optional<double> end;  ///< of the window after the reflection arrives [s]
     std::vector<KnownTolerance> known;
     std::uint64_t seed = 1;
+    std::optional<double> checkDistance;  ///< of the gauge on the bar behind from the specimen [m]
 };
 
 }  // namespace drillwave

@@ -19,6 +19,12 @@ constexpr double jumpShare = 0.5;          ///< of that which a jump replaces
 constexpr double jumpTolerance = 0.05;     ///< of the peak
 constexpr double jumpExplains = 0.15;      ///< of Σr² at least
 constexpr double checkedMisfit = 0.002;    ///< of the peak
+constexpr double nearbyGain = 15;          ///< of Σr²: more than noise gives to one more unknown
+constexpr double nearbyShare = 0.08;       ///< of Σr², where the bilinear law leaves more than noise
+constexpr double unsureShare = 1.5;        ///< of the noise, at most, by a law that gains less
+constexpr double nearbyFactor = 1.3;       ///< of the way to a law that gains as much
+constexpr double craterShare = 1.05;       ///< of the Σr² of a corner, which has one unknown more
+constexpr double unseenMisfit = 0.3;       ///< of the noise: smaller misfits are equal
 constexpr double strainedBilinear = 0.01;  ///< of the peak: beyond it the dispersion found is doubtful, too
 
 LawCandidate candidateOf(std::string name, std::shared_ptr<RecordModel> model, LawFit fit,
@@ -95,10 +101,43 @@ std::optional<LawCandidate> jumpCandidate(const LawCandidate& bilinear, const Id
     return best;
 }
 
+/// Adds to the budget of the bilinear law what a crater, a corner, a power law and a dashpot near it change,
+/// and returns whether one of them gains more than noise does. Each contains the bilinear law, so clean
+/// records stay. `jump` is the time of the jump that the model has.
+bool addNearbyLaws(LawCandidate& bilinear, const IdentifyQuestion& question, const SizeTolerances& sizes,
+                   std::optional<double> jump, const std::stop_token& stop) {
+    BudgetEffect row{"law", "", 0, "1", false, Eigen::VectorXd::Zero(bilinear.fit.values.size())};
+    bool gains = false;
+    for (const TrialLaw law : {TrialLaw::crater, TrialLaw::corner, TrialLaw::power, TrialLaw::dashpot}) {
+        const PreparedRecord& record = bilinear.model->record();
+        if (stop.stop_requested() || (law == TrialLaw::dashpot && record.places.front().end.bitMass > 0))
+            continue;
+        RecordModel model(record, question, sizes, law);
+        if (jump) model.setJump(*jump, jumpTolerance);
+        const LawFit fit = fitNearby(model, *bilinear.model, bilinear.fit, stop);
+        const double gain = bilinear.fit.cost - fit.cost;
+        const bool isSure = gain > std::max(nearbyGain, nearbyShare * bilinear.fit.cost);
+        gains = gains || isSure;
+        // Noise moves one more unknown, too; its half-width has that.
+        const double share = isSure ? nearbyFactor : std::sqrt(std::clamp(gain / nearbyGain, 0.0, 1.0));
+        for (const UnknownKind kind : {UnknownKind::stiffness, UnknownKind::gamma, UnknownKind::gap}) {
+            const auto own = static_cast<Index>(bilinear.model->find(kind));
+            const double way =
+                std::abs(fit.values[static_cast<Index>(model.find(kind))] - bilinear.fit.values[own]);
+            const double most = unsureShare * bilinear.errors.noise[own];
+            row.effect[own] = std::max(row.effect[own], isSure ? share * way : std::min(share * way, most));
+        }
+    }
+    bilinear.errors.budget.push_back(std::move(row));
+    return gains;
+}
+
 /// Whether a law counts beside the answer.
 bool counts(const LawTrials& trials, std::size_t i) {
     const LawCandidate& candidate = trials.candidates[i];
-    const double answer = trials.chosen().misfit(), bilinear = trials.candidates.front().misfit();
+    const MisfitFound& found = trials.chosen().errors.misfit;
+    const double answer = std::max(found.misfit, unseenMisfit * found.noise);
+    const double bilinear = trials.candidates.front().misfit();
     if (i == trials.answer || candidate.misfit() > countsWithin * answer) return false;
     return i == 0 || candidate.misfit() <= countsBelow * bilinear;
 }
@@ -126,13 +165,15 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         trials.candidates.push_back(candidateOf(name, other, std::move(found), question, sizes, stop));
     };
     const MisfitFound& misfit = trials.candidates[0].errors.misfit;
+    const bool isBent = addNearbyLaws(trials.candidates[0], question, tolerances, {}, stop);
     const UsedUp used = usedUp(*model, trials.candidates[0].fit);
     const bool isOpen =
-        !isAccepted(misfit) || (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
+        isBent || !isAccepted(misfit) || (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
         (misfit.ratio > std::max(1.3, 1 + 3 * misfit.scatter) && misfit.misfit > checkedMisfit);
     if (!isOpen && question.law != LawChoice::corner) return trials;
     tryLaw("corner", TrialLaw::corner);
     if (isOpen) {
+        tryLaw("crater", TrialLaw::crater);
         tryLaw("power", TrialLaw::power);
         if (record.places.front().end.bitMass == 0) tryLaw("dashpot", TrialLaw::dashpot);
         if (auto jump = jumpCandidate(trials.candidates[0], question, sizes, trials.jumpTime, stop))
@@ -152,6 +193,10 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         if ((isAccepted(other.errors.misfit) && !bilinearHolds) ||
             other.misfit() <= cornerShare * misfit.misfit)
             trials.answer = corner;
+        // A crater begins as steep as the rock springs back, as a corner can.
+        if (trials.answer == corner && indexOf("crater") < trials.candidates.size() &&
+            trials.candidates[indexOf("crater")].fit.cost <= craterShare * other.fit.cost)
+            trials.answer = indexOf("crater");
         if (jump < trials.candidates.size()) {
             const LawCandidate& jumped = trials.candidates[jump];
             if (jumped.misfit() <= jumpShare * trials.candidates[0].misfit() &&
@@ -159,6 +204,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
                 trials.answer = jump;
         }
     }
+    if (jump < trials.candidates.size() && trials.answer == jump)
+        addNearbyLaws(trials.candidates[jump], question, tolerances, trials.jumpTime, stop);
     const double left = trials.chosen().misfit();
     for (std::size_t i = 0; i < trials.candidates.size(); ++i) {
         const std::string& name = trials.candidates[i].name;

@@ -198,6 +198,15 @@ std::vector<Start> startsFrom(const RecordModel& model, const RecordModel& bilin
                 set(start, Kind::gap, gap * get(Kind::gap));
                 starts.push_back(std::move(start));
             }
+    } else if (model.law() == TrialLaw::crater) {
+        for (const double part : {0.05, 0.2, 0.5})
+            for (const double harder : {0.0, -0.5, 0.5}) {
+                Start start{base, 0};
+                set(start, Kind::memory, part * peak);
+                set(start, Kind::stiffness, get(Kind::stiffness) + harder);
+                set(start, Kind::gap, 0);
+                starts.push_back(std::move(start));
+            }
     } else if (model.law() == TrialLaw::dashpot) {
         const double impedance = model.record().places.front().end.impedance;
         for (const double part : {0.01, 0.06, 0.3}) {
@@ -442,13 +451,52 @@ void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
     fit = finished(model, fit.values);
 }
 
+LawFit fitNearby(RecordModel& model, const RecordModel& bilinear, const LawFit& from,
+                 const std::stop_token& stop) {
+    using Kind = Unknown::Kind;
+    const QuietErrors errors = quietErrors(bilinear, from.values);
+    model.setQuietErrors(errors.before, errors.last);
+    const std::size_t dispersion = bilinear.shapeUnknown("dispersion");
+    if (dispersion < bilinear.unknowns().size())
+        model.setDispersion(from.values[static_cast<Index>(dispersion)], true);
+    else
+        model.setDispersion(bilinear.dispersionChoice() == DispersionChoice::bar ? 1 : 0, false);
+    Eigen::VectorXd values = startValues(model);
+    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
+        const Unknown& unknown = model.unknowns()[j];
+        const std::size_t same = unknown.kind == Kind::shape
+                                     ? bilinear.shapeUnknown(model.shapes()[unknown.index].key)
+                                     : bilinear.find(unknown.kind, unknown.index);
+        double& value = values[static_cast<Index>(j)];
+        if (same < bilinear.unknowns().size()) value = from.values[static_cast<Index>(same)];
+        if (unknown.kind == Kind::memory) value = 0.02 * model.record().peak;
+        if (unknown.kind == Kind::cornerSlope) value = std::log(0.85);
+    }
+    double cost = minimise(model, values, 30, stop);
+    if (model.law() == TrialLaw::corner) {
+        const auto force = static_cast<Index>(model.find(Kind::cornerForce));
+        for (const double part : {0.25, 0.9}) {
+            Eigen::VectorXd other = values;
+            other[force] = std::log(part * model.record().peak);
+            const double found = minimise(model, other, 30, stop);
+            if (found >= cost) continue;
+            cost = found;
+            values = other;
+        }
+    }
+    LawFit fit;
+    fit.law = model.law();
+    fit.values = std::move(values);
+    model.residuals(fit.values, fit.residuals);
+    fit.cost = fit.residuals.squaredNorm();
+    return fit;
+}
+
 LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop) {
-    if (bilinear.quietCount() > 0) {
-        const QuietErrors errors = quietErrors(bilinear, from.values);
-        const double floor = 0.003 * model.record().peak;
-        model.setQuietErrors(std::max(errors.before, floor), std::max(errors.last, floor));
-    }
+    // The weights of a law that does not fit would let the zero lines go.
+    const double floor = 0.003 * model.record().peak;
+    model.setQuietErrors(floor, floor);
     model.holdSizes(true);
     // A law that does not fit may have bent the dispersion, too.
     const std::size_t unknown = bilinear.shapeUnknown("dispersion");

@@ -24,6 +24,7 @@ constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant
 constexpr double bendingTolerance = 0.08;  ///< of half the difference of a pair stays in the mean
 constexpr double curveTolerance = 0.04;    ///< of the peak: gain at the peak less than at small values
 constexpr double leastBending = 0.005;     ///< of the peak
+constexpr std::size_t frontReach = 4;      ///< samples over which the smoothing spreads a front
 
 double knownOr(const IdentifyQuestion& question, const char* key, double otherwise) {
     for (const KnownTolerance& known : question.known)
@@ -68,6 +69,7 @@ RecordModel::RecordModel(const PreparedRecord& record, const IdentifyQuestion& q
     m_weight = 1 / (std::sqrt(2.0) *
                     std::max(record.gauges.front().noise.longRun(), leastWeightShare * record.peak));
     m_quietWeights.assign(m_quiet.size(), m_weight);
+    setShares();
 
     if (law == TrialLaw::held) {
         const BitRock& rock = question.scenario.bitRock;
@@ -110,6 +112,9 @@ void RecordModel::addUnknowns(const IdentifyQuestion& question, const SizeTolera
             break;
         case TrialLaw::dashpot:
             add(Kind::dashpot, 1e-2, std::log(1e-3 * impedance), std::log(impedance));
+            break;
+        case TrialLaw::crater:
+            add(Kind::memory, 2e-3 * m_record->peak, 0, 1.5 * m_record->peak);
             break;
         case TrialLaw::bilinear:
         case TrialLaw::held:
@@ -206,7 +211,11 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     }
     all.clear();
     for (const std::vector<double>& curve : curves) all.push_back(&curve);
-    addShape(shapeOf("curvature", curveTolerance), all);
+    LinearShape curvature = shapeOf("curvature", curveTolerance);
+    // A larger one makes other forces of a rock that no law fits.
+    curvature.low = -curveTolerance;
+    curvature.high = curveTolerance;
+    addShape(std::move(curvature), all);
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         if (record.gauges[g].opposite.empty() || record.bending < leastBending) continue;
         std::vector<const std::vector<double>*> signals(record.gauges.size(), &none);
@@ -323,6 +332,22 @@ void RecordModel::setQuietErrors(double before, double last) {
     }
 }
 
+void RecordModel::setShares() {
+    // Differences that noise makes are no fronts.
+    const double noise = frontNoise * m_record->gauges.front().noise.deviation();
+    std::vector<double> errors(m_returning.size(), 0);
+    for (std::size_t i = 1; i < errors.size(); ++i)
+        errors[i] = frontError * std::max(0.0, std::abs(m_returning[i] - m_returning[i - 1]) - noise);
+    m_shares.assign(errors.size(), 1);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        double largest = 0;
+        const std::size_t last = std::min(errors.size(), i + frontReach + 1);
+        for (std::size_t k = i > frontReach ? i - frontReach : 0; k < last; ++k)
+            largest = std::max(largest, errors[k]);
+        m_shares[i] = 1 / std::hypot(1.0, largest * m_weight);
+    }
+}
+
 void RecordModel::setRows() {
     m_rows = m_returning.size() + m_quiet.size() + m_unknowns.size();
 }
@@ -375,6 +400,8 @@ TrialRock RecordModel::rockOf(const Eigen::VectorXd& values) const {
         rock.lines = powerLines(stiffness, at(Kind::exponent), m_record->peak / 2);
         for (TrialLine& line : rock.lines) line.slope = std::min(line.slope, rock.elastic);
     }
+    if (m_law == TrialLaw::crater)
+        rock.lines = {{0, rock.elastic}, {std::max(0.0, at(Kind::memory)) / scale, stiffness}};
     if (m_law == TrialLaw::dashpot) rock.dashpot = std::exp(at(Kind::dashpot));
     return rock;
 }
@@ -454,7 +481,7 @@ void RecordModel::residuals(const Eigen::VectorXd& values, Eigen::VectorXd& resu
             if (m_record->isLost[m_firstReturning + i]) m_left[i] = 0;
     smoothSamples(m_left, m_record->step, smoothingSteps * m_record->step);
     for (std::size_t i = 0; i < m_left.size(); ++i)
-        result[static_cast<Eigen::Index>(i)] = m_weight * m_left[i];
+        result[static_cast<Eigen::Index>(i)] = m_weight * m_shares[i] * m_left[i];
     for (std::size_t i = 0; i < m_quiet.size(); ++i)
         result[static_cast<Eigen::Index>(returning + i)] *= m_quietWeights[i];
 }

@@ -14,7 +14,8 @@
 namespace drillwave {
 
 /// Loading curve that is fitted.
-enum class TrialLaw { bilinear, corner, power, dashpot, held };
+/// `crater`: the bit stands in rock that an earlier force has loaded, and reloads it first.
+enum class TrialLaw { bilinear, corner, power, dashpot, crater, held };
 
 /// One unknown of a fit. A prior is normal; without a deviation there is none.
 struct Unknown {
@@ -27,6 +28,7 @@ struct Unknown {
         cornerSlope,       ///< ln s_1
         exponent,          ///< p of a power law
         dashpot,           ///< ln c
+        memory,            ///< largest force before the blow [N]
         impedance,         ///< z of the gauge's section, relative
         length,            ///< of a section towards the bit, added [m]
         sectionImpedance,  ///< of a section towards the bit, relative
@@ -99,7 +101,9 @@ class RecordModel {
     std::size_t firstQuiet() const { return m_firstQuiet; }
     std::size_t priorRow(std::size_t unknown) const;  ///< row of its prior
     std::size_t rows() const { return m_rows; }
-    double weight() const { return m_weight; }  ///< of b [1/N]
+    double weight() const { return m_weight; }  ///< of b, away from fronts [1/N]
+    /// Share of that weight which a sample of b has; less where a front passes within a sample.
+    double returningShare(std::size_t i) const { return m_shares[i]; }
     double quietWeight(std::size_t i) const { return m_quietWeights[i]; }
     const std::vector<double>& quietSignal() const { return m_quiet; }
     std::size_t find(Unknown::Kind kind, std::size_t index = 0) const;  ///< size() where there is none
@@ -123,6 +127,7 @@ class RecordModel {
     void setShapeUnknown(std::size_t shape);
     void runModel(const Eigen::VectorXd& values, bool keepsRock);
     void setRows();
+    void setShares();
     void addToRecord(const SeparatedWaves& change, const std::vector<double>& quietChange);
     RockEnd endOf(const Eigen::VectorXd& values) const;
 
@@ -136,6 +141,7 @@ class RecordModel {
     DispersionChoice m_dispersion;
     std::vector<double> m_incident;  ///< f on the grid
     std::vector<double> m_returning, m_quiet, m_quietWeights;
+    std::vector<double> m_shares;  ///< of the weight, for each sample of b
     std::size_t m_firstReturning = 0, m_firstQuiet = 0;
     double m_gridStep = 0, m_gridStart = 0;
     std::size_t m_gridCount = 0;

@@ -67,6 +67,9 @@ class TestIdentify : public QObject {
     void cutRecord_showsNoGamma();
     void posteriorDraws_areValidLaws();
     void knownSizeBehindTheGauge_isRefused();
+    void waveBehindTheSpecimen_isPredicted();
+    void sharpFronts_leaveTheZeroLinesAlone();
+    void bitInItsCrater_isNotNarrowAndWrong();
 };
 
 void TestIdentify::noiseFreeRecord_comesBack() {
@@ -253,6 +256,63 @@ void TestIdentify::knownSizeBehindTheGauge_isRefused() {
     QVERIFY(identifyProblems(question).empty());
     question.known = {{"string.bit_head.diameter", 1.0}};
     QVERIFY(!identifyProblems(question).empty());
+}
+
+void TestIdentify::waveBehindTheSpecimen_isPredicted() {
+    PlainScene scene;
+    scene.gap = 0;
+    IdentifyQuestion question = scene.question();
+    GaugeRecord& record = question.records[0];
+    std::vector<double>& p = record.gauges[0].force;
+    // Against a bar the specimen gives way to both sides: half of the force that a rock twice as stiff shows.
+    const auto f = [](double t) {
+        return t > 0 && t < 220e-6 ? 200e3 * std::pow(std::sin(std::numbers::pi * t / 220e-6), 2) : 0.0;
+    };
+    const double trip = 2 * scene.rig.ahead / scene.rig.speed(), distance = 0.9;
+    const double later = trip / 2 - distance / scene.rig.speed();  // of b against the wave behind
+    record.behind.assign(p.size(), 0);
+    const auto timeOf = [&](std::size_t i) { return static_cast<double>(i) * scene.step - 200e-6; };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double t = timeOf(i), g = f(t - trip), doubled = p[i] - f(t) + g;
+        const double at = (t - later + 200e-6) / scene.step + 0.5;
+        if (t >= trip && at >= 0) record.behind[static_cast<std::size_t>(at)] = doubled / 2;
+        if (t >= trip) p[i] = f(t) + doubled / 2 - g;
+    }
+    question.barBehind = true;
+    question.checkDistance = distance;
+    const RecordAnswer answer = answerOf(question);
+    QVERIFY(!answer.refusal);
+    QVERIFY(std::abs(answer.parameters[0].value / (scene.stiffness / 2) - 1) < 0.01);
+    QVERIFY(answer.check.has_value());
+    // places of samples: a step of 1 µs on a rise of 100 µs
+    QVERIFY2(answer.check->error < 0.01, qPrintable(QString::number(answer.check->error)));
+    QVERIFY(std::abs(answer.check->shift) < 1.5e-6);
+    question.checkDistance = distance + 0.05;  // 10 µs later
+    const RecordAnswer moved = answerOf(question);
+    QVERIFY(std::abs(moved.check->shift + 0.05 / scene.rig.speed()) < 1.5e-6);
+}
+
+void TestIdentify::sharpFronts_leaveTheZeroLinesAlone() {
+    // Fronts of one sample from cylindrical pistons: their error used to bend the zero lines.
+    for (const std::uint64_t seed : {402, 411}) {
+        const GaugeScene scene = sceneOf("string", seed);
+        const RecordAnswer answer = answerOf(scene.question);
+        QVERIFY(answer.model == ModelVerdict::accepted);
+        QVERIFY(!answer.has("zero_line"));
+        QVERIFY(holds(answer.parameters[0], scene.stiffness));
+        QVERIFY(holds(answer.parameters[1], scene.gamma));
+    }
+}
+
+void TestIdentify::bitInItsCrater_isNotNarrowAndWrong() {
+    for (std::uint64_t seed = 301; seed <= 303; ++seed) {
+        const GaugeScene scene = sceneOf("preloaded", seed);
+        const RecordAnswer answer = answerOf(scene.question);
+        if (answer.refusal || answer.model == ModelVerdict::rejected) continue;
+        QVERIFY(holds(answer.parameters[0], scene.stiffness));
+        QVERIFY(holds(answer.parameters[1], scene.gamma));
+        QVERIFY(answer.has("law_tried"));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestIdentify)

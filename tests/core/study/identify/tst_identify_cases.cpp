@@ -72,6 +72,7 @@ class TestIdentifyCases : public QObject {
   private slots:
     void givenRecord_isAnsweredAsExpected_data();
     void givenRecord_isAnsweredAsExpected();
+    void measuredBar_rejectsTheBilinearLaw();
 
   private:
     static void check(const RecordAnswer& answer, const QJsonObject& truth, const QJsonObject& expected);
@@ -149,6 +150,34 @@ void TestIdentifyCases::givenRecord_isAnsweredAsExpected() {
         return;
     }
     check(answer, truth, expected["parameters"].toObject());
+}
+
+void TestIdentifyCases::measuredBar_rejectsTheBilinearLaw() {
+    IdentifyQuestion question;
+    question.scenario.form = ScenarioForm::dimensional;
+    question.scenario.rod.length = 2.1;
+    question.scenario.rod.diameter = 0.02;
+    question.scenario.rod.youngsModulus = 210e9;
+    question.scenario.rod.density = 7800;
+    question.barBehind = true;
+    question.checkDistance = 0.741;
+    const std::vector<GaugeChoice> gauges{{"incident_bar", "", 1.018}};
+    std::ifstream in(DRILLWAVE_SOURCE_DIR "/tests/cases/measured/shpb_epoxy_02.csv", std::ios::binary);
+    GaugeReading reading =
+        readGauges(in, {}, gauges, {*gaugePlace(question.scenario, 1.018)}, {}, "transmitted_bar");
+    QVERIFY(reading.problem.isEmpty() && reading.questions.empty());
+    question.records.push_back(std::move(reading.record));
+    const RecordAnswer answer = runIdentify(question).records.front();
+    QVERIFY(!answer.refusal);
+    QVERIFY(std::abs(answer.match.roundTrip - 395e-6) <= 2e-6);
+    QVERIFY(answer.laws[0].misfit > 0.05);
+    QCOMPARE(answer.laws[1].law, std::string("corner"));
+    QVERIFY(answer.laws[1].misfit < 0.03);
+    QCOMPARE(answer.model, ModelVerdict::strained);
+    for (const IdentifiedParameter& parameter : answer.parameters)
+        QVERIFY(parameter.isGap() || parameter.verdict != ParameterVerdict::identified);
+    QVERIFY(answer.check.has_value());
+    QVERIFY(answer.check->error < 0.08);
 }
 
 QTEST_GUILESS_MAIN(TestIdentifyCases)
