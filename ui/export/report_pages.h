@@ -11,8 +11,8 @@ class QPagedPaintDevice;
 namespace drillwave {
 
 /// Draws the words of reportHtml() for paper and the plots as vectors, a line with title and program above
-/// each page and its number below, with margins of 15 mm; on A4 two to five pages without studies. False if the
-/// device takes no pages, for example a printer that is gone.
+/// each page and its number below, with margins of 15 mm; on A4 two to five pages without studies. False if
+/// the device takes no pages, for example a printer that is gone.
 bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
                      const ReadingStyle& style, QPagedPaintDevice& device);
 

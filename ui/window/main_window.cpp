@@ -13,6 +13,7 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
+#include "core/study/drilling/sequence.h"
 #include "core/yaml/examples.h"
 #include "ui/document/recovery.h"
 #include "ui/export/export_menu.h"
