@@ -49,7 +49,7 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     copyAnswer->setObjectName(QStringLiteral("copyAnswer"));
     copyAnswer->setToolTip(tr("The sentence below, as text"));
     connect(copyAnswer, &QPushButton::clicked, this,
-            [this] { QGuiApplication::clipboard()->setText(m_words->text()); });
+            [this] { QGuiApplication::clipboard()->setText(answerText()); });
     row->addWidget(copyAnswer);
     auto* words = new QLabel;
     words->setObjectName(QStringLiteral("words"));
@@ -64,11 +64,11 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     m_veil = new StaleVeil(plot);
     m_veil->cover(m_words);
     connect(&m_late, &QTimer::timeout, this, [this] { setStale(true); });
-    auto* center = new QHBoxLayout;
-    center->setSpacing(0);
-    center->addWidget(plot, 3);
+    m_center = new QHBoxLayout;
+    m_center->setSpacing(0);
+    m_center->addWidget(plot, 3);
     if (beside) {
-        center->addWidget(beside, 1);
+        m_center->addWidget(beside, 1);
         m_veil->cover(beside);
         m_answer.append(beside);
     }
@@ -77,8 +77,22 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     layout->setSpacing(2);
     layout->addLayout(row);
     layout->addWidget(m_words);
-    layout->addLayout(center, 1);
+    layout->addLayout(m_center, 1);
     return plot;
+}
+
+QString StudyPage::answerText() const {
+    return m_words->text();
+}
+
+void StudyPage::stackBelow(int width) {
+    m_stackBelow = width;
+}
+
+void StudyPage::resizeEvent(QResizeEvent* event) {
+    PlotPage::resizeEvent(event);
+    if (m_stackBelow > 0)
+        m_center->setDirection(width() < m_stackBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void StudyPage::addBelow(QWidget* table) {
@@ -192,6 +206,12 @@ void StudyPage::showNothing(const QString& why) {
     redraw();
 }
 
+void StudyPage::showNothingAsked(const QString& why) {
+    m_late.stop();
+    setStale(false);
+    showNothing(why);
+}
+
 void StudyPage::showWords() {
     const QString problem = m_activity->problem();
     m_words->setText(!m_refusal.isEmpty() ? QStringLiteral("⚠ ") + m_refusal
@@ -223,11 +243,20 @@ void StudyPage::pin(const std::vector<ParameterValue>& values) {
     if (m_refusal.isEmpty()) emit pinRequested(contents);
 }
 
-void StudyPage::load(const Scenario& scenario, const QString& step) {
+template <class Take>
+void StudyPage::takeStep(const Take& take, const QString& step) {
     const int before = m_document.undoStack().index();
-    m_refusal = m_document.useScenario(scenario, step);
+    m_refusal = take();
     showWords();
     if (m_document.undoStack().index() != before) emit valuesTaken(step);
+}
+
+void StudyPage::load(const Scenario& scenario, const QString& step) {
+    takeStep([&] { return m_document.useScenario(scenario, step); }, step);
+}
+
+void StudyPage::load(const ScenarioDocument& contents, const QString& step) {
+    takeStep([&] { return m_document.useContents(contents, step); }, step);
 }
 
 void StudyPage::pin(const Scenario& scenario) {

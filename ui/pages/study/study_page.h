@@ -2,6 +2,7 @@
 // What the pages of studies have in common: when they compute, what they say meanwhile, what they hand on.
 #pragma once
 
+#include <QBoxLayout>
 #include <QTimer>
 #include <optional>
 
@@ -57,8 +58,13 @@ class StudyPage : public PlotPage {
     /// none.
     virtual QStringList commandWords() const = 0;
 
+    /// The answer as text, for the clipboard; the words below the controls where a page has no more.
+    virtual QString answerText() const;
+
     /// Puts the controls in a row that wraps, the plot below, `beside` to its right; returns the plot. Once.
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
+    /// On a page narrower than that [px], `beside` stands below the plot.
+    void stackBelow(int width);
     /// Puts it below the plot, where it belongs to the answer.
     void addBelow(QWidget* table);
     /// The page's job. Once.
@@ -72,12 +78,16 @@ class StudyPage : public PlotPage {
     void say(const QString& sentence);
     /// No curves: the reason is in their place, and below the controls.
     void showNothing(const QString& why);
+    /// The same where nothing is asked any more: no answer is on its way.
+    void showNothingAsked(const QString& why);
     /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
     void load(const std::vector<ParameterValue>& values);
     /// Pins the scenario with those values, which stays as it is; says why not.
     void pin(const std::vector<ParameterValue>& values);
     /// The same with a whole scenario; `step` names the step.
     void load(const Scenario& scenario, const QString& step);
+    /// The same with its text, byte for byte.
+    void load(const ScenarioDocument& contents, const QString& step);
     void pin(const Scenario& scenario);
     /// The one or the other, by Shift.
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
@@ -91,8 +101,11 @@ class StudyPage : public PlotPage {
 
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
+    template <class Take>
+    void takeStep(const Take& take, const QString& step);
     void askNow();
     void follow();
     void forget();
@@ -107,6 +120,8 @@ class StudyPage : public PlotPage {
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input
     ScrolledLabel* m_words = nullptr;
+    QBoxLayout* m_center = nullptr;  // the plot and what stands beside it
+    int m_stackBelow = 0;            // width [px]
     QString m_sentence;
     QString m_refusal;         // why a value could not be taken over
     QList<QWidget*> m_answer;  // what stands beside and below the plot
