@@ -94,21 +94,20 @@ StudyPanel residualPanel(const RecordAnswer& answer) {
     return panel;
 }
 
-/// The law as identified, with other values of stiffness and gap where they are given.
+/// The law as identified; penetration counts from the untouched rock, beyond the gap.
 struct IdentifiedLaw {
-    double stiffness = 1, gap = 0, cornerForce = INFINITY, cornerSlope = 1;
+    double stiffness = 1, cornerForce = INFINITY, cornerSlope = 1;
 
     double penetrationAt(double force) const {
         const double before = std::min(force, cornerForce);
-        return gap + before / stiffness + (force - before) / (cornerSlope * stiffness);
+        return before / stiffness + (force - before) / (cornerSlope * stiffness);
     }
 };
 
 std::optional<IdentifiedLaw> lawOf(const RecordAnswer& answer) {
     const IdentifiedParameter* stiffness = answer.find("bit_rock.stiffness");
-    const IdentifiedParameter* gap = answer.find("bit_rock.gap");
-    if (!stiffness || !gap || !(stiffness->value > 0)) return std::nullopt;
-    IdentifiedLaw law{stiffness->value, gap->value};
+    if (!stiffness || !(stiffness->value > 0)) return std::nullopt;
+    IdentifiedLaw law{stiffness->value};
     const IdentifiedParameter* force = answer.find("bit_rock.corner.1.force");
     const IdentifiedParameter* slope = answer.find("bit_rock.corner.1.slope");
     if (force && slope && slope->value > 0) law.cornerForce = force->value, law.cornerSlope = slope->value;
@@ -149,6 +148,15 @@ void addIntervals(const RecordAnswer& answer, double largestForce, StudyPanel& p
     }
 }
 
+/// Whether the gauge's section ends at the rock: only then f + b is the force on it. Lengths are a cause of
+/// the error in sections between gauge and rock.
+bool endsAtRock(const RecordAnswer& answer) {
+    for (const IdentifiedParameter& parameter : answer.parameters)
+        for (const BudgetRow& row : parameter.budget)
+            if (row.key.ends_with(".length")) return false;
+    return true;
+}
+
 StudyPanel rockPanel(const RecordAnswer& answer) {
     const MatchCurves& curves = answer.curves;
     StudyPanel panel{.row = 2,
@@ -160,7 +168,7 @@ StudyPanel rockPanel(const RecordAnswer& answer) {
     addIntervals(answer, largest, panel);
     FigureSeries measured{.kind = SeriesKind::path,
                           .role = SeriesRole::result,
-                          .legend = translatable("measured, a picture and not the answer"),
+                          .legend = translatable("measured, only a picture"),
                           .isFaint = true};
     FigureSeries model{.kind = SeriesKind::path, .role = SeriesRole::second, .legend = {}};
     const double begin = returningFrom(answer);
@@ -171,7 +179,7 @@ StudyPanel rockPanel(const RecordAnswer& answer) {
         model.x.push_back(curves.penetration[i]);
         model.y.push_back(curves.modelForce[i]);
     }
-    panel.series.push_back(std::move(measured));
+    if (endsAtRock(answer)) panel.series.push_back(std::move(measured));
     panel.series.push_back(std::move(model));
     return panel;
 }

@@ -58,7 +58,7 @@ void FigureFrame::setKeyRange(std::size_t index) {
         axisOf(index, QCPAxis::atTop)->setRange(panel.top->range->first, panel.top->range->second);
 }
 
-// All values of a row; of the first one those of pinned runs too.
+// All values of a row; of the first one those of pinned runs, of the others their levels too.
 std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
     std::optional<QCPRange> values;
     bool isThere = false;
@@ -68,7 +68,12 @@ std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
                 drawn.line ? drawn.line->getValueRange(isThere) : drawn.path->getValueRange(isThere);
             expand(values, range, isThere);
         }
-    if (first > 0) return values;
+    if (first > 0) {
+        for (const FigureLevel& level : m_shown.figure.levels)
+            if (level.row == panelOf(first).row)
+                expand(values, QCPRange(level.y * yFactorOf(first), level.y * yFactorOf(first)), true);
+        return values;
+    }
     for (QCPGraph* run : runCurves()) {
         const QCPRange range = run->getValueRange(isThere);
         expand(values, range, isThere);

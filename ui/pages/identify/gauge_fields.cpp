@@ -59,6 +59,7 @@ GaugeFields::Row GaugeFields::addRow(int number) {
         box->setAccessibleName(title);
         box->setToolTip(tip);
         box->followText();
+        box->setMinimumContentsLength(4);
         connect(box, &QComboBox::currentIndexChanged, this, [this] {
             showRows();
             emit changed();

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -31,8 +32,8 @@ namespace {
 
 constexpr std::size_t headBytes = std::size_t{1} << 18;  // of a table, in which its columns are found
 constexpr std::size_t headLines = 2000;
-constexpr int narrowPage = 760;     // [px], where the answer stands below the plots
-constexpr int rowsOfPlots = 26;     // of text
+constexpr int narrowPage = 800;     // [px], where the answer stands below the plots
+constexpr int rowsOfPlots = 46;     // of text
 constexpr double placeStep = 1e-4;  // to which a dragged gauge is placed [m]
 
 // In the order of the boxes.
@@ -50,6 +51,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
                        {tr("found out"), tr("one slope"), tr("yields once"), tr("that of the scenario")})),
       m_panel(new IdentifyPanel(this)) {
     setObjectName(QStringLiteral("identify"));
+    m_panel->hide();
     PlotWidget* plot =
         arrange({makeRecordBox(), m_gauges, labelled(tr("law"), m_law, this), makeKnownBox()}, m_panel);
     stackBelow(narrowPage);
@@ -57,6 +59,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     m_frame = new FigureFrame(plot);
     useFrame(*m_frame, tr("Record with the model, what the model leaves over, and force over penetration"));
     watch(m_asked.job());
+    m_asked.job().setTimeLimit(std::chrono::milliseconds(0));  // the user has asked for it
     connect(m_gauges, &GaugeFields::changed, this, &IdentifyPage::askSoon);
     connect(m_known, &KnownFields::changed, this, &IdentifyPage::askSoon);
     connect(m_panel, &IdentifyPanel::useWanted, this, &IdentifyPage::useRock);
@@ -174,6 +177,7 @@ void IdentifyPage::ask() {
     m_asked.job().forget();
     m_shown.reset();
     m_panel->clear();
+    m_panel->hide();
     showNothingAsked(missing);
 }
 
@@ -198,6 +202,7 @@ void IdentifyPage::draw() {
     const QString sentence = translated(identifySentence(answer));
     if (answer.refusal) {
         m_panel->clear();
+        m_panel->hide();
         return showNothing(sentence);
     }
     m_frame->present(
@@ -208,6 +213,7 @@ void IdentifyPage::draw() {
     plot()->keyPoint().offer(m_frame->keyPlaces());
     m_frame->giveMeanings(*plot());
     m_panel->present(report, LocalStyle::of(document().units()));
+    m_panel->show();
     say(QStringLiteral("<b>%1</b>").arg(sentence.toHtmlEscaped()));
     redraw();
 }

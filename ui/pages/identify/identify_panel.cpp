@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <initializer_list>
 
 #include "ui/text/shown_text.h"
 
@@ -22,11 +22,18 @@ namespace {
 constexpr double widestInterval = 0.5;  // relative: a wider one goes to the edge of its cell
 constexpr int barRole = Qt::UserRole;   // QPointF: from and to, shares of the width
 constexpr int hatchRole = Qt::UserRole + 1;
+constexpr int barSpace = 7;      // below the text of a cell [px]
+constexpr int leastWidth = 200;  // of the panel [px]
+constexpr int leastHeight = 190;
 
 /// Draws a bar along the bottom of a cell that has one, hatched where it is assumed.
 class BarCells : public QStyledItemDelegate {
   public:
     using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, barSpace);
+    }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
@@ -34,7 +41,7 @@ class BarCells : public QStyledItemDelegate {
         if (!index.data(barRole).isValid()) return;
         const QPointF span = index.data(barRole).toPointF();
         const QRect cell = option.rect.adjusted(3, 0, -3, -1);
-        constexpr int height = 4;
+        constexpr int height = barSpace - 3;
         const QRectF bar(cell.left() + span.x() * cell.width(), cell.bottom() - height,
                          std::max(1.0, (span.y() - span.x()) * cell.width()), height);
         const bool isHatched = index.data(hatchRole).toBool();
@@ -47,7 +54,16 @@ class BarCells : public QStyledItemDelegate {
     }
 };
 
-QTableWidget* newTable(const char* name, const QString& title, const QStringList& columns, QWidget* parent) {
+/// All rows in view: the panel scrolls.
+void fitHeight(QTableWidget& table) {
+    table.resizeRowsToContents();
+    table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + table.verticalHeader()->length() +
+                         2 * table.frameWidth());
+}
+
+/// `wide` columns share the room that is left, and wrap their words.
+QTableWidget* newTable(const char* name, const QString& title, const QStringList& columns,
+                       std::initializer_list<int> wide, QWidget* parent) {
     auto* table = new QTableWidget(0, int(columns.size()), parent);
     table->setObjectName(QLatin1String(name));
     table->setAccessibleName(title);
@@ -58,8 +74,13 @@ QTableWidget* newTable(const char* name, const QString& title, const QStringList
     table->setTabKeyNavigation(false);
     table->setWordWrap(true);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setStretchLastSection(true);
-    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    for (const int column : wide)
+        table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    // Words wrap in other places once the columns have their widths.
+    QObject::connect(
+        table->horizontalHeader(), &QHeaderView::sectionResized, table, [table] { fitHeight(*table); },
+        Qt::QueuedConnection);
     table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->setItemDelegate(new BarCells(table));
     return table;
@@ -68,15 +89,8 @@ QTableWidget* newTable(const char* name, const QString& title, const QStringList
 QTableWidgetItem* textCell(const QString& text) {
     auto* item = new QTableWidgetItem(text);
     item->setToolTip(withoutMarkup(text));
+    item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
     return item;
-}
-
-/// All rows in view: the panel scrolls.
-void fitHeight(QTableWidget& table) {
-    table.resizeRowsToContents();
-    const int height = table.horizontalHeader()->sizeHint().height() + table.verticalHeader()->length() +
-                       2 * table.frameWidth() + table.horizontalScrollBar()->sizeHint().height();
-    table.setFixedHeight(height);
 }
 
 double intervalEdge(double relative) {
@@ -100,13 +114,13 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     setFrameShape(QFrame::NoFrame);
     auto* content = new QWidget;
     m_values = newTable("values", tr("Rock as identified"),
-                        {tr("what"), tr("value"), tr("95 % interval"), tr("verdict")}, content);
+                        {tr("what"), tr("value"), tr("95 %"), tr("verdict")}, {2, 3}, content);
     m_limitsTitle = new QLabel(translated(translatable("Limits of the result")), content);
     QFont bold = m_limitsTitle->font();
     bold.setBold(true);
     m_limitsTitle->setFont(bold);
     m_limits = newTable("limits", m_limitsTitle->text(),
-                        {tr("cause"), tr("stiffness"), tr("springback"), tr("tolerance")}, content);
+                        {tr("cause"), tr("stiffness"), tr("springback"), tr("tolerance")}, {0, 3}, content);
     m_limits->setToolTip(tr("A click on a tolerance goes to its field"));
     const auto wantTolerance = [this](int row) {
         const std::string& key = m_keys.at(static_cast<std::size_t>(row));
@@ -138,7 +152,7 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     layout->addWidget(m_remarks);
     layout->addStretch();
     setWidget(content);
-    setMinimumWidth(180);
+    setMinimumSize(leastWidth, leastHeight);
     clear();
 }
 

@@ -24,7 +24,8 @@ QString toleranceLabel(const AssumedTolerance& tolerance, const Scenario& scenar
     if (tolerance.key == "zero") return tr("zero line [% of the peak]");
     if (tolerance.key == "gauge") return tr("place of the gauge");
     const KeptParameter parameter = findParameter(tolerance.key);
-    return parameter ? parameterLabel(*parameter, scenario) : fromView(tolerance.key);
+    QString label = parameter ? parameterLabel(*parameter, scenario) : fromView(tolerance.key);
+    return label.replace(u'_', u' ');
 }
 
 }  // namespace
@@ -59,9 +60,9 @@ void KnownFields::rebuild(const Scenario& scenario, const std::vector<AssumedTol
         auto* field = new QuantityField(row.quantity, unit, box);
         field->setObjectName(QStringLiteral("known.") + fromView(row.key));
         field->setAccessibleName(tr("tolerance of %1").arg(name));
-        field->setOptional(row.tolerance
-                               ? tr("assumed %1").arg(numberText(unit.fromSi(*row.tolerance), 2, QLocale()))
-                               : tr("assumed"));
+        // Grey, as a proposal.
+        field->setOptional(row.tolerance ? numberText(unit.fromSi(*row.tolerance), 2, QLocale())
+                                         : tr("assumed"));
         field->setHelp(tr("95 % tolerance; empty: assumed"), field->accessibleName());
         const double factor = isRatio ? percentPoint : 1;
         if (const auto typed = m_typed.find(row.key); typed != m_typed.end())

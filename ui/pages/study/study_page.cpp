@@ -87,12 +87,13 @@ QString StudyPage::answerText() const {
 
 void StudyPage::stackBelow(int width) {
     m_stackBelow = width;
+    m_center->setStretch(0, 2);  // of the plot; the answer has a third
 }
 
 void StudyPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
     if (m_stackBelow > 0)
-        m_center->setDirection(width() < m_stackBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        m_center->setDirection(width() < m_stackBelow ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight);
 }
 
 void StudyPage::addBelow(QWidget* table) {

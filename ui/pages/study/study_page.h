@@ -63,7 +63,7 @@ class StudyPage : public PlotPage {
 
     /// Puts the controls in a row that wraps, the plot below, `beside` to its right; returns the plot. Once.
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
-    /// On a page narrower than that [px], `beside` stands below the plot.
+    /// On a page narrower than that [px], `beside` stands above the plot; else it has a third of the width.
     void stackBelow(int width);
     /// Puts it below the plot, where it belongs to the answer.
     void addBelow(QWidget* table);

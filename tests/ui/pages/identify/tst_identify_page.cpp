@@ -25,6 +25,7 @@
 #include "ui/plot/drag_line.h"
 #include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/result/stale_veil.h"
 #include "ui/text/shown_text.h"
 #include "ui/window/page_tabs.h"
 
@@ -73,6 +74,9 @@ class TestIdentifyPage : public QObject, private test::ImportFixture {
     QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
     QTableWidget& table(const char* name) const {
         return *m_page->findChild<QTableWidget*>(QLatin1String(name));
+    }
+    QCPAxisRect* rectOf(std::size_t panel) const {
+        return m_page->figureFrame().graph(panel)->keyAxis()->axisRect();
     }
     const RecordAnswer& found() const { return m_page->answer()->report.findings.main(); }
 
@@ -135,9 +139,13 @@ void TestIdentifyPage::aMissingDistanceIsAskedFor() {
 }
 
 void TestIdentifyPage::aDimensionlessScenarioSaysWhyNot() {
+    open(QStringLiteral("noise.csv"), {QStringLiteral("1.83 m")});
+    QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
     QCOMPARE(m_document->startFrom(findExample("paper_fig8_minimum")->text, QStringLiteral("groups")),
              QString());
     QVERIFY2(words().contains(QStringLiteral("physical units")), qPrintable(words()));
+    QVERIFY(!m_page->answer());
+    QVERIFY(!m_page->findChild<StaleVeil*>()->isVisible());
 }
 
 void TestIdentifyPage::theAnswerIsThatOfTheCommand_data() {
@@ -207,7 +215,9 @@ void TestIdentifyPage::theRecordIsShownInThreeRows() {
     // Each band follows the one before.
     for (std::size_t i = 1; i < 3; ++i)
         QVERIFY(figure.panels[0].bands[i].from >= figure.panels[0].bands[i - 1].to);
-    const QList<QCPAxisRect*> rects = m_page->plot()->axisRects();
+    QList<QCPAxisRect*> rects{rectOf(0), rectOf(1)};
+    for (QCPAxisRect* rect : m_page->plot()->axisRects())
+        if (!rects.contains(rect)) rects.append(rect);
     QCOMPARE(rects.size(), 3);
     m_page->plot()->replot();
     QVERIFY(rects[0]->bottom() < rects[1]->top() && rects[1]->bottom() < rects[2]->top());
@@ -215,7 +225,9 @@ void TestIdentifyPage::theRecordIsShownInThreeRows() {
     QCOMPARE(rects[0]->axis(QCPAxis::atBottom)->range(), QCPRange(0.1, 0.2));
     QVERIFY(rects[2]->axis(QCPAxis::atBottom)->range() != QCPRange(0.1, 0.2));
     // A cursor stands in both plots over time, and not in the one over penetration.
-    QCOMPARE(m_page->plot()->reader().cursors().rects(), (QList<QCPAxisRect*>{rects[0], rects[1]}));
+    const QList<QCPAxisRect*> withCursors = m_page->plot()->reader().cursors().rects();
+    QCOMPARE(withCursors.size(), 2);
+    QVERIFY(withCursors.contains(rects[0]) && withCursors.contains(rects[1]));
 }
 
 void TestIdentifyPage::theRockIsUsedAsOneUndoStep() {
@@ -250,8 +262,11 @@ void TestIdentifyPage::theRockOfTheScenarioIsNotAsked() {
     QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
     // With the law of the file its rock is what the record is compared with.
     m_page->findChild<QComboBox*>(QStringLiteral("law"))->setCurrentIndex(3);
+    QCOMPARE(m_page->started(), started + 2);
+    m_document->assign(*findParameter("bit_rock.stiffness"), 3e8, m_document->newGesture());
+    QCOMPARE(m_page->started(), started + 3);
     QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
-    QVERIFY2(words().contains(QStringLiteral("rock of the file")), qPrintable(words()));
+    QCOMPARE(found().law, std::string("file"));
     QVERIFY(!m_page->findChild<QPushButton*>(QStringLiteral("useRock"))->isEnabled());
 }
 
@@ -265,7 +280,7 @@ void TestIdentifyPage::aDraggedArrivalMovesTheGauge() {
     PlotWidget& plot = *m_page->plot();
     plot.replot();
     const auto* line = m_page->findChild<DragLine*>();
-    QCPAxisRect* rect = plot.axisRects().first();
+    QCPAxisRect* rect = rectOf(0);
     QCPAxis* time = rect->axis(QCPAxis::atBottom);
     const double factor = line->x() / (found().curves.front + found().match.roundTripOfFile);
     const double seen = (found().curves.front + found().match.roundTrip) * factor;
