@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -77,10 +78,6 @@ QTableWidget* newTable(const char* name, const QString& title, const QStringList
     for (const int column : wide)
         table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // Words wrap in other places once the columns have their widths.
-    QObject::connect(
-        table->horizontalHeader(), &QHeaderView::sectionResized, table, [table] { fitHeight(*table); },
-        Qt::QueuedConnection);
     table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->setItemDelegate(new BarCells(table));
     return table;
@@ -154,6 +151,13 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     setWidget(content);
     setMinimumSize(leastWidth, leastHeight);
     clear();
+}
+
+// Words wrap in other places once the columns have their widths.
+void IdentifyPanel::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    for (QTableWidget* table : {m_values, m_limits})
+        QTimer::singleShot(0, table, [table] { fitHeight(*table); });
 }
 
 void IdentifyPanel::clear() {

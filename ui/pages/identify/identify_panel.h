@@ -31,6 +31,9 @@ class IdentifyPanel : public QScrollArea {
     /// The user wants to type a tolerance, by its key of --known.
     void toleranceWanted(const QString& key);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void showValues(const IdentifyReport& report, const ReadingStyle& style);
     void showLimits(const RecordAnswer& answer, const ReadingStyle& style);
