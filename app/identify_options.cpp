@@ -21,7 +21,6 @@ namespace drillwave {
 
 namespace {
 
-constexpr double leastGaugeDistance = 0.5;  ///< between two gauges [m]
 /// Options of a blow read by --signal that have no meaning for gauges.
 constexpr std::string_view optionsOfOneSignal[] = {"signal", "all-samples", "signal-column",
                                                    "zero",   "from",        "to"};
@@ -110,14 +109,6 @@ Choice choiceOf(const Arguments& arguments, const char* option,
     }
     refuseIdentifyUsage(
         {translatable("--%1 %2: must be one of %3"), {std::string(option), shortened(*word), list}});
-}
-
-void checkGauges(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places) {
-    if (gauges.size() < 2) return;
-    if (places[0].index != places[1].index)
-        refuseIdentifyValue("--gauge", translatable("both gauges must be on one section of the string"));
-    if (std::abs(gauges[0].distance - gauges[1].distance) < leastGaugeDistance)
-        refuseIdentifyValue("--gauge", translatable("two gauges must be at least 0.5 m apart"));
 }
 
 }  // namespace
@@ -225,7 +216,8 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
                                 translatable("is not on a uniform section of the rod or string"));
         places.push_back(std::move(*place));
     }
-    checkGauges(gauges, places);
+    if (const Message problem = gaugePairProblem(gauges, places); !problem.isEmpty())
+        refuseIdentifyValue("--gauge", problem);
     for (const std::string& word : arguments.values("known"))
         question.known.push_back(knownOf(word, scenario));
     const SignalOptions options = signalOptionsOf(arguments);

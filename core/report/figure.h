@@ -2,6 +2,7 @@
 // Figures as data: what is drawn over which axes. Units, language, pens and colours belong to who draws it.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -58,6 +59,7 @@ struct FigureSeries {
     std::vector<double> y = {};
     bool isOnTop = false;                             ///< its x are those of the top axis
     std::function<double(double x)> value = nullptr;  ///< of a line, y between its points; may be empty
+    bool isFaint = false;                             ///< stays behind the others
 };
 
 /// Kind of a marked place of a curve.
@@ -74,12 +76,27 @@ struct FigureLevel {
     Message name;
     double y = 0;
     bool isMain = false;  ///< stands out among the others
+    std::size_t row = 0;
 };
 
 /// All values of y above `from`, shaded and named.
 struct FigureZone {
     Message name;
     double from = 0;
+};
+
+/// All values of x between two, shaded and named.
+struct FigureBand {
+    Message name;
+    double from = 0;
+    double to = 0;
+};
+
+/// A line at a value of x that the reader can drag.
+struct FigureHandle {
+    Message name;
+    double x = 0;
+    std::optional<double> snap = {};  ///< a value that the line jumps to within a few pixels
 };
 
 /// A point of the first panel; without y a line.
@@ -90,7 +107,10 @@ struct FigurePoint {
 
 /// One plot. Panels of a row share the axis of y.
 struct StudyPanel {
-    double width = 1;  ///< over that of the first panel of its row
+    std::size_t row = 0;   ///< from the top; rows follow each other in the list of panels
+    double width = 1;      ///< over that of the first panel of its row
+    double height = 1;     ///< over that of the first row; of the first panel of its row
+    bool sharesX = false;  ///< its x axis shows the same values as that of the first panel
     FigureAxis x = {};
     FigureAxis y = {};                   ///< of the first panel of its row
     std::optional<FigureAxis> top = {};  ///< a second x axis
@@ -99,6 +119,8 @@ struct StudyPanel {
     std::vector<FigureSeries> series = {};
     std::vector<FigureMark> marks = {};  ///< of the first series
     std::optional<FigureZone> zone = {};
+    std::vector<FigureBand> bands = {};
+    std::optional<FigureHandle> handle = {};
 };
 
 /// A number in a caption.
@@ -114,7 +136,7 @@ struct FigureText {
     std::vector<FigureNumber> numbers = {};
 };
 
-/// Panels in a row, with what stands above them. A figure with another number of panels is another figure:
+/// Panels in rows, with what stands above them. A figure with another number of panels is another figure:
 /// series, marks and levels may change from one result to the next.
 struct StudyFigure {
     std::vector<FigureText> caption = {};

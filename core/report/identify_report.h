@@ -2,9 +2,13 @@
 // Reports of an identification: text, JSON, and the tables of its files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/report/figure.h"
+#include "core/study/identify/gauge_place.h"
 #include "core/study/identify/identify_study.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
@@ -40,10 +44,53 @@ std::string incidentCsv(const IdentifyReport& report);
 
 /// Sentence of a remark by its code.
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const ReadingStyle& style);
+/// Whether a remark stands among those that a reader sees; the others are said elsewhere.
+bool isRemarkShown(std::string_view code);
 /// First sentence about one record: whether the model holds and what is known.
 Message identifySentence(const RecordAnswer& answer);
 /// Reason why a rejected record may be so, most likely first.
 Message rejectionReason(const RecordAnswer& answer);
+
+/// A value of the answer in words: "rock when it is first loaded", "stiffness", "131.2 MN/m",
+/// "127.1 MN/m … 135.4 MN/m", "known".
+struct IdentifyRow {
+    std::string key;  ///< of the parameter
+    Message what, term;
+    std::string value;
+    std::string interval;  ///< 95 %; empty where there is none on both sides
+    Message verdict;
+};
+/// Returns rows of a record and, of several records, of the next blow.
+std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
+                                      const std::vector<NextBlowParameter>& nextBlow,
+                                      const ReadingStyle& style);
+
+/// A cause of the error of an answer.
+struct IdentifyLimit {
+    Message cause;
+    std::string key;  ///< of --known, may be empty
+    Message tolerance;
+    double onStiffness = 0, onGamma = 0;  ///< relative, 95 %
+    bool isAssumed = false;
+};
+/// Returns the largest causes, the largest first; none of a record that is refused or rejected.
+std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const ReadingStyle& style);
+/// Returns the one measurement that would help most, in a sentence; empty where there is none.
+Message identifyNext(const RecordAnswer& answer, const ReadingStyle& style);
+
+/// A 95 % tolerance that is assumed where --known gives none.
+struct AssumedTolerance {
+    std::string key;
+    Quantity quantity = Quantity::length;
+    std::optional<double> tolerance;  ///< SI; nothing where it depends on the record
+};
+/// Returns those of the amplifier, the place of the gauges, and the sizes of gauge's section and of the
+/// sections towards the bit.
+std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place);
+
+/// Returns a picture of a record that is not refused, panels in three rows: waves over time, what the model
+/// leaves over, and force over penetration. Times are those of the record, compression is positive.
+StudyFigure identifyFigure(const RecordAnswer& answer);
 
 /// The rock in comments of a file: "identified from string.csv: 127.1 to 135.4 MN/m (95 %)" by key.
 std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter);

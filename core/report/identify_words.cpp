@@ -120,6 +120,10 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
     return std::string(code);
 }
 
+bool isRemarkShown(std::string_view code) {
+    return code != "assumed_tolerances" && code != "dispersion_corrected" && code != "law_tried";
+}
+
 std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter) {
     const auto inUnit = [&](double value) {
         if (parameter.key == "bit_rock.stiffness") return rounded(value / 1e6, 4);

@@ -111,7 +111,8 @@ QWidget* ImportDialog::makeChoices() {
     m_use = addChoice(*form, {"use", tr("import as"), tr("Use of the signal in the program")},
                       {{tr("hammer blow"), static_cast<int>(ImportUse::blow)},
                        {tr("measured N in a section"), static_cast<int>(ImportUse::normalForce)},
-                       {tr("measured force on the rock"), static_cast<int>(ImportUse::impactForce)}});
+                       {tr("measured force on the rock"), static_cast<int>(ImportUse::impactForce)},
+                       {tr("record to read the rock from"), static_cast<int>(ImportUse::rockRecord)}});
     m_name->setObjectName(QStringLiteral("name"));
     m_name->setAccessibleName(tr("name"));
     m_name->setToolTip(tr("Name of the measured curve in the list"));

@@ -8,6 +8,7 @@
 #include "core/signal/signal_option.h"
 #include "core/yaml/recorder_file.h"
 #include "ui/import/import_preview.h"
+#include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -70,16 +71,21 @@ void Importer::keepRecorder() {
 
 void Importer::take() {
     const QString file = QFileInfo(m_dialog->path()).fileName();
-    const bool isBlow = m_dialog->use() == ImportUse::blow;
-    const QString problem = isBlow ? takeBlow() : takeMeasured();
+    const ImportUse use = m_dialog->use();
+    const QString problem = use == ImportUse::blow         ? takeBlow()
+                            : use == ImportUse::rockRecord ? QString()
+                                                           : takeMeasured();
     if (!problem.isEmpty()) return m_dialog->refuse(problem);
     QStringList lines;
     for (const auto& [name, value] : recorderSettings(m_dialog->settings()))
         lines << QString::fromStdString(name + "=" + value);
     Settings().setValue(lastKey, lines);
+    const QString path = m_dialog->path();
+    const SignalOptions settings = m_dialog->settings();
     m_dialog->close();
-    emit imported(isBlow ? tr("The hammer blow is taken from %1.").arg(file)
-                         : tr("%1 is shown on the page Blow.").arg(file));
+    if (use == ImportUse::rockRecord) return emit recordTaken(path, settings);
+    emit imported(use == ImportUse::blow ? tr("The hammer blow is taken from %1.").arg(file)
+                                         : tr("%1 is shown on the page Blow.").arg(file));
 }
 
 QString Importer::takeBlow() {

@@ -29,6 +29,8 @@ class Importer : public QObject {
   signals:
     /// What has been done, in a line.
     void imported(const QString& message);
+    /// A record to read the rock from has been chosen, with the settings by which its table is read.
+    void recordTaken(const QString& path, const drillwave::SignalOptions& settings);
 
   private:
     void take();

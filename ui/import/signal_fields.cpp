@@ -143,6 +143,7 @@ void SignalFields::addTimes() {
         [this] { emit visibleTimesWanted(); });
     add("all", tr("All"), tr("All of the record"), [this] { setTimes({}); });
     m_form->addRow(tr("range"), row);
+    m_rangeButtons = row;
 }
 
 void SignalFields::addEnd() {
@@ -253,6 +254,13 @@ void SignalFields::showRows() {
     setRowVisible(*m_form, *m_clip, m_use == ImportUse::blow);
     setRowVisible(*m_form, *m_factor, scaling == Scaling::byFactor);
     setRowVisible(*m_form, *m_impulse, scaling == Scaling::toImpulse);
+    if (m_use == ImportUse::rockRecord)
+        for (QWidget* row : std::initializer_list<QWidget*>{m_zeroSpan, m_zeroValue, m_factor, m_impulse})
+            setRowVisible(*m_form, *row, false);
+    // The page finds them out for all gauges of the record.
+    for (QWidget* row : std::initializer_list<QWidget*>{m_positive, m_zero, m_from, m_to, m_rangeButtons,
+                                                        m_scaling, m_points})
+        setRowVisible(*m_form, *row, m_use != ImportUse::rockRecord);
 }
 
 // In a rod tension is positive; a hammer and a rock are pressed.

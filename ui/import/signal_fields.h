@@ -32,6 +32,7 @@ enum class ImportUse {
     blow,         ///< the hammer blow of the scenario
     normalForce,  ///< a measured N in a section, beside the computed one
     impactForce,  ///< a measured force on the rock
+    rockRecord,   ///< a record that the rock is read from: only how its table is read
 };
 
 class SignalFields : public QWidget {
@@ -105,6 +106,7 @@ class SignalFields : public QWidget {
     QuantityField* m_zeroValue = nullptr;
     QuantityField* m_from = nullptr;
     QuantityField* m_to = nullptr;
+    QWidget* m_rangeButtons = nullptr;
     QCheckBox* m_clip = nullptr;
     ChoiceBox* m_scaling = nullptr;
     QuantityField* m_factor = nullptr;

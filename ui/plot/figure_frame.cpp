@@ -2,7 +2,6 @@
 #include "ui/plot/figure_frame.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/model/parameter.h"
 #include "ui/plot/curve_graph.h"
@@ -58,20 +57,12 @@ QSharedPointer<QCPAxisTicker> ticker(bool isLogarithmic, int count) {
     return ticks;
 }
 
-QCPRange withMargin(QCPRange range, double share, bool isLogarithmic) {
-    if (isLogarithmic && range.lower > 0) {
-        const double factor = std::pow(range.upper / range.lower, share);
-        return {range.lower / factor, range.upper * factor};
-    }
-    return {range.lower - share * range.size(), range.upper + share * range.size()};
-}
-
-void expand(std::optional<QCPRange>& all, const QCPRange& more, bool isThere) {
-    if (!isThere) return;
-    if (all)
-        all->expand(more);
-    else
-        all = more;
+/// The last panel of a row.
+std::size_t lastOfRow(const StudyFigure& figure, std::size_t row) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < figure.panels.size(); ++i)
+        if (figure.panels[i].row == row) last = i;
+    return last;
 }
 
 }  // namespace
@@ -106,23 +97,29 @@ void FigureFrame::build() {
     layOutAnew();
     addHeader(4);
     m_legend->setWrap(mostLegendColumns);
-    auto* row = new QCPLayoutGrid;
-    m_plot->plotLayout()->addElement(1, 0, row);
-    row->setColumnSpacing(0);
-    auto* margins = new QCPMarginGroup(m_plot);
     m_panels.resize(m_shown.figure.panels.size());
+    QCPLayoutGrid* row = nullptr;
+    QCPMarginGroup* margins = nullptr;
+    QCPMarginGroup* sides = nullptr;
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
-        QCPAxisRect* rect = m_panels[i].rect = newAxisRect(*m_plot, Sides::free);
-        row->addElement(0, int(i), rect);
-        row->setColumnStretchFactor(int(i), panelOf(i).width);
-        rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
-        rect->setMinimumMargins(QMargins(4, 4, 14, 4));
-        rect->axis(QCPAxis::atRight)->setTicks(false);
-        rect->axis(QCPAxis::atTop)->setTickLabels(panelOf(i).top.has_value());
-        rect->axis(QCPAxis::atTop)->setTicks(panelOf(i).top.has_value());
-        if (i == 0) view(rect);
-        if (i > 0) rect->axis(QCPAxis::atLeft)->setTickLabels(false);
-        addZone(m_panels[i]);
+        const bool begins = i == 0 || panelOf(i).row != panelOf(i - 1).row;
+        m_panels[i].first = begins ? i : m_panels[i - 1].first;
+        if (begins) {
+            row = new QCPLayoutGrid;
+            const int place = 1 + static_cast<int>(panelOf(i).row);
+            m_plot->plotLayout()->addElement(place, 0, row);
+            if (i > 0) m_plot->plotLayout()->setRowStretchFactor(place, panelOf(i).height);
+            row->setColumnSpacing(0);
+            margins = new QCPMarginGroup(m_plot);
+        }
+        for (std::size_t k = m_panels[i].first; k <= i; ++k) m_panels[k].last = i;
+        addPanel(i, *row);
+        m_panels[i].rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+        if (panelOf(i).sharesX) {
+            if (!sides) sides = new QCPMarginGroup(m_plot);
+            for (const std::size_t k : {std::size_t{0}, i})
+                m_panels[k].rect->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
+        }
     }
     linkAxes();
     for (std::size_t i = 0; i < m_panels.size(); ++i) showSeries(i);
@@ -133,14 +130,48 @@ void FigureFrame::build() {
     setStyle(PlotStyle(m_style));
 }
 
-// All panels have one axis of values.
+void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
+    Panel& panel = m_panels[index];
+    QCPAxisRect* rect = panel.rect = newAxisRect(*m_plot, Sides::free);
+    const auto column = int(index - panel.first);
+    row.addElement(0, column, rect);
+    row.setColumnStretchFactor(column, panelOf(index).width);
+    rect->setMinimumMargins(QMargins(4, 4, 14, 4));
+    rect->axis(QCPAxis::atRight)->setTicks(false);
+    rect->axis(QCPAxis::atTop)->setTickLabels(panelOf(index).top.has_value());
+    rect->axis(QCPAxis::atTop)->setTicks(panelOf(index).top.has_value());
+    if (index == 0) view(rect);
+    if (!isFirstOfRow(index)) rect->axis(QCPAxis::atLeft)->setTickLabels(false);
+    addZone(panel);
+    panel.bands = FigureBands(rect);
+    if (panelOf(index).handle) addHandle(index);
+}
+
+void FigureFrame::addHandle(std::size_t index) {
+    DragLine* line = m_panels[index].handle = new DragLine(*m_plot, m_panels[index].rect);
+    connect(line, &DragLine::moved, this,
+            [this, index](double x) { emit handleMoved(x / xFactorOf(index)); });
+    connect(line, &DragLine::released, this,
+            [this, index](double x) { emit handleReleased(x / xFactorOf(index)); });
+}
+
+// Panels of a row have one axis of values, and those that share x one axis of keys.
 void FigureFrame::linkAxes() {
     using Changed = void (QCPAxis::*)(const QCPRange&);
     constexpr auto changed = static_cast<Changed>(&QCPAxis::rangeChanged);
+    const auto link = [](QCPAxis* one, QCPAxis* other) {
+        connect(one, changed, other, [other](const QCPRange& range) { other->setRange(range); });
+        connect(other, changed, one, [one](const QCPRange& range) { one->setRange(range); });
+    };
     for (std::size_t i = 1; i < m_panels.size(); ++i) {
-        QCPAxis* same = m_panels[i].rect->axis(QCPAxis::atLeft);
-        connect(y(), changed, same, [same](const QCPRange& range) { same->setRange(range); });
-        connect(same, changed, y(), [values = y()](const QCPRange& range) { values->setRange(range); });
+        if (!isFirstOfRow(i))
+            link(axisOf(m_panels[i].first, QCPAxis::atLeft), axisOf(i, QCPAxis::atLeft));
+        else
+            m_view->watch(axisOf(i, QCPAxis::atLeft));
+        if (panelOf(i).sharesX)
+            link(x(), axisOf(i, QCPAxis::atBottom));
+        else if (isFirstOfRow(i))
+            m_view->watch(axisOf(i, QCPAxis::atBottom));
     }
     connect(x(), changed, this, &FigureFrame::followTopAxes);
 }
@@ -174,6 +205,7 @@ void FigureFrame::present(const ShownFigure& shown) {
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
         showSeries(i);
         showAxes(i);
+        showBands(i);
     }
     showLevels();
     standRunsLast();
@@ -230,15 +262,16 @@ void FigureFrame::showSeries(std::size_t index) {
             plottable->addToLegend(m_legend);
         const StudyPanel& of = panelOf(index);
         const double xFactor = m_shown.units.of(each.isOnTop ? of.top->quantity : of.x.quantity).factor;
+        const double yFactor = yFactorOf(index);
         if (drawn.line) {
             QVector<QCPGraphData> points;
             for (std::size_t point = 0; point < each.x.size(); ++point)
-                appendFinite(points, each.x[point] * xFactor, each.y[point] * m_yUnit.factor);
+                appendFinite(points, each.x[point] * xFactor, each.y[point] * yFactor);
             drawn.line->setData(graphData(points));
         } else {
             QVector<QCPCurveData> points;
             for (std::size_t point = 0; point < each.x.size(); ++point)
-                points.append({double(point), each.x[point] * xFactor, each.y[point] * m_yUnit.factor});
+                points.append({double(point), each.x[point] * xFactor, each.y[point] * yFactor});
             drawn.path->data()->set(points, true);
         }
     }
@@ -256,7 +289,12 @@ void FigureFrame::showAxes(std::size_t index) {
         drawn.setLabel(unit.axisLabel(translated(axis.title)));
     };
     show(panel.x, *rect.axis(QCPAxis::atBottom));
-    if (index == 0) show(panel.y, *rect.axis(QCPAxis::atLeft));
+    if (isFirstOfRow(index)) show(panel.y, *rect.axis(QCPAxis::atLeft));
+    const auto isBelow = [&](const StudyPanel& other) { return other.sharesX && other.row > panel.row; };
+    if ((index == 0 || panel.sharesX) && std::ranges::any_of(m_shown.figure.panels, isBelow)) {
+        rect.axis(QCPAxis::atBottom)->setTickLabels(false);
+        rect.axis(QCPAxis::atBottom)->setLabel({});
+    }
     if (!panel.top) return;
     QCPAxis& top = *rect.axis(QCPAxis::atTop);
     show(*panel.top, top);
@@ -266,14 +304,30 @@ void FigureFrame::showAxes(std::size_t index) {
     if (isSame) top.setLabel({});
 }
 
+void FigureFrame::showBands(std::size_t index) {
+    std::vector<ShownBand> bands;
+    const double factor = xFactorOf(index);
+    for (const FigureBand& band : panelOf(index).bands)
+        bands.push_back({translated(band.name), QCPRange(band.from * factor, band.to * factor)});
+    m_panels[index].bands.present(std::move(bands));
+    if (!m_panels[index].handle) return;
+    const std::optional<FigureHandle>& handle = panelOf(index).handle;
+    if (handle)
+        m_panels[index].handle->present(translated(handle->name), handle->x * factor,
+                                        handle->snap ? std::optional(*handle->snap * factor) : std::nullopt);
+    else
+        m_panels[index].handle->hide();
+}
+
 void FigureFrame::showLevels() {
     const std::vector<FigureLevel>& levels = m_shown.figure.levels;
     for (Panel& panel : m_panels)
         while (panel.levels.size() < levels.size())
             panel.levels.push_back(addLevel(panel.rect, QStringLiteral("grid")));
     while (m_levelNames.size() < levels.size()) {
+        const std::size_t last = lastOfRow(m_shown.figure, levels[m_levelNames.size()].row);
         QCPItemText* name =
-            addText(m_panels.back().rect, QMargins(4, 1, 4, 1), Qt::AlignRight | Qt::AlignVCenter);
+            addText(m_panels[last].rect, QMargins(4, 1, 4, 1), Qt::AlignRight | Qt::AlignVCenter);
         name->setLayer(QStringLiteral("legend"));  // above the curves
         setAcross(*name->position);
         name->setFont(m_style.font);
@@ -282,12 +336,16 @@ void FigureFrame::showLevels() {
     }
     for (std::size_t i = 0; i < m_levelNames.size(); ++i) {
         const bool isShown = i < levels.size() && !m_isCleared;
-        const double at = i < levels.size() ? levels[i].y * m_yUnit.factor : 0;
-        for (Panel& panel : m_panels) setLevel(*panel.levels[i], isShown ? std::optional(at) : std::nullopt);
-        m_levelNames[i]->setVisible(isShown);
+        for (std::size_t k = 0; k < m_panels.size(); ++k) {
+            const bool isThere = isShown && panelOf(k).row == levels[i].row;
+            setLevel(*m_panels[k].levels[i],
+                     isThere ? std::optional(levels[i].y * yFactorOf(k)) : std::nullopt);
+        }
+        m_levelNames[i]->setVisible(isShown && !levels[i].name.isEmpty());
         if (!isShown) continue;
         m_levelNames[i]->setText(translated(levels[i].name));
-        m_levelNames[i]->position->setCoords(1, at);
+        m_levelNames[i]->position->setCoords(
+            1, levels[i].y * yFactorOf(lastOfRow(m_shown.figure, levels[i].row)));
     }
 }
 
@@ -321,11 +379,11 @@ void FigureFrame::breakCaption() {
 
 // As far as they are in view: files do not clip.
 void FigureFrame::placeZones() {
-    if (m_panels.empty()) return;
-    const QCPRange range = y()->range();
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        if (!m_isCleared) m_panels[i].bands.place();
+        const QCPRange range = axisOf(i, QCPAxis::atLeft)->range();
         const std::optional<FigureZone>& zone = panelOf(i).zone;
-        const double from = zone ? zone->from * m_yUnit.factor : 0;
+        const double from = zone ? zone->from * yFactorOf(i) : 0;
         const bool isShown = !m_isCleared && zone && range.upper > from;
         m_panels[i].zone->setVisible(isShown);
         m_panels[i].zoneName->setVisible(isShown);
@@ -344,6 +402,8 @@ void FigureFrame::clear() {
             if (drawn.path) drawn.path->data()->clear();
         }
         if (panel.marks) panel.marks->clear();
+        panel.bands.present({});
+        if (panel.handle) panel.handle->hide();
     }
     showLevels();
     setAxesVisible(false);
@@ -362,10 +422,11 @@ void FigureFrame::restyle() {
         for (std::size_t each = 0; each < panel.series.size(); ++each) {
             const auto role = static_cast<int>(panelOf(i).series[each].role);
             const Drawn& drawn = panel.series[each];
-            if (drawn.line) drawn.line->setPen(m_style.linePen(role));
+            const QPen pen = panelOf(i).series[each].isFaint ? m_style.ghostPen(role) : m_style.linePen(role);
+            if (drawn.line) drawn.line->setPen(pen);
             if (!drawn.path) continue;
             const bool isArea = panelOf(i).series[each].kind == SeriesKind::area;
-            drawn.path->setPen(isArea ? QPen(m_style.lines[role], 1) : m_style.linePen(role));
+            drawn.path->setPen(isArea ? QPen(m_style.lines[role], 1) : pen);
             drawn.path->setBrush(isArea ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
         }
         for (std::size_t level = 0; level < m_shown.figure.levels.size(); ++level)
@@ -375,68 +436,19 @@ void FigureFrame::restyle() {
             panel.rect->axis(QCPAxis::atTop)->grid()->setVisible(false);
         panel.zone->setPen(Qt::NoPen);
         panel.zone->setBrush(m_style.areaBrush(2));
+        m_panels[i].bands.setStyle(m_style);
+        if (panel.handle) panel.handle->setStyle(m_style);
         if (!panel.marks || m_isCleared) continue;
         panel.marks->setStyle(m_style);
         QVector<CurveMark> marks;
         for (const FigureMark& mark : panelOf(i).marks)
-            marks.append({mark.kind, QPointF(mark.x * m_xUnit.factor, mark.y * m_yUnit.factor)});
-        panel.marks->present(marks, m_xUnit, m_yUnit);
+            marks.append({mark.kind, QPointF(mark.x * xFactorOf(i), mark.y * yFactorOf(i))});
+        panel.marks->present(marks, m_shown.units.of(panelOf(i).x.quantity),
+                             m_shown.units.of(panelOf(panel.first).y.quantity));
     }
     for (QCPItemText* name : m_levelNames) name->setBrush(m_style.behindWords());
     if (m_legend) m_style.applyTo(*m_legend);
     if (!isEmpty()) showCaption();  // files have another locale
-}
-
-void FigureFrame::setRanges() {
-    if (isEmpty()) return;
-    std::optional<QCPRange> values;
-    for (std::size_t i = 0; i < m_panels.size(); ++i) {
-        std::optional<QCPRange> keys;
-        bool isFromZero = false;
-        for (std::size_t each = 0; each < m_panels[i].series.size(); ++each) {
-            const Drawn& drawn = m_panels[i].series[each];
-            const FigureSeries& series = panelOf(i).series[each];
-            bool isThere = false;
-            const QCPRange along =
-                drawn.line ? drawn.line->getKeyRange(isThere) : drawn.path->getKeyRange(isThere);
-            if (!series.isOnTop) expand(keys, along, isThere);
-            isFromZero |= series.kind == SeriesKind::area && along.lower == 0;
-            expand(values,
-                   drawn.line ? drawn.line->getValueRange(isThere) : drawn.path->getValueRange(isThere),
-                   isThere);
-        }
-        const FigureAxis& axis = panelOf(i).x;
-        QCPAxis* bottom = m_panels[i].rect->axis(QCPAxis::atBottom);
-        const double factor = m_shown.units.of(axis.quantity).factor;
-        if (axis.range)
-            bottom->setRange(axis.range->first * factor, axis.range->second * factor);
-        else if (isFromZero)
-            bottom->setRange(0, keys && keys->upper > 0 ? 1.05 * keys->upper : 100);
-        else if (keys)
-            bottom->setRange(withMargin(*keys, 0.02, axis.isLogarithmic));
-        if (panelOf(i).top && panelOf(i).top->range)
-            m_panels[i]
-                .rect->axis(QCPAxis::atTop)
-                ->setRange(panelOf(i).top->range->first, panelOf(i).top->range->second);
-    }
-    for (QCPGraph* run : runCurves()) {
-        bool isThere = false;
-        const QCPRange range = run->getValueRange(isThere);
-        expand(values, range, isThere);
-    }
-    QCPRange shown = values.value_or(QCPRange(0, 1));
-    const FigureAxis& axis = panelOf(0).y;
-    if (axis.range)
-        return y()->setRange(axis.range->first * m_yUnit.factor, axis.range->second * m_yUnit.factor);
-    if (axis.isLogarithmic) return y()->setRange(withMargin(shown, 0.1, true));
-    const double size = std::max(shown.size(), 0.02 * std::abs(shown.upper));
-    // Where a zone begins, if that leaves the curves most of the height.
-    constexpr double share = 0.25;
-    if (const std::optional<FigureZone>& zone = panelOf(0).zone) {
-        const double from = zone->from * m_yUnit.factor;
-        if (shown.upper > from - share * size && shown.lower < from + share * size) shown.expand(from);
-    }
-    y()->setRange(shown.lower - 0.1 * size, shown.upper + 0.1 * size);
 }
 
 QCPGraph* FigureFrame::graph(std::size_t panel, std::size_t series) const {
@@ -455,6 +467,13 @@ void FigureFrame::giveMeanings(PlotWidget& plot) const {
     if (std::holds_alternative<KeptParameter>(panelOf(0).x.quantity))
         meaning = CurveMeaning::overParameter(meaning.xUnit, meaning.yUnit);
     for (const QCPGraph* run : runCurves()) plot.setMeaning(run, meaning);
+    for (std::size_t i = 1; i < m_panels.size(); ++i) {
+        if (!panelOf(i).sharesX) continue;
+        CurveMeaning other = meaning;
+        other.yUnit = m_shown.units.of(panelOf(m_panels[i].first).y.quantity).unit;
+        for (const Drawn& drawn : m_panels[i].series)
+            if (drawn.line) plot.setMeaning(drawn.line, other);
+    }
     for (std::size_t i = 0; i < m_panels.front().series.size(); ++i) {
         CurveMeaning exact = meaning;
         if (const auto& value = panelOf(0).series[i].value)

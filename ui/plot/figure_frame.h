@@ -7,6 +7,8 @@
 
 #include "core/report/figure.h"
 #include "ui/plot/curve_marks.h"
+#include "ui/plot/drag_line.h"
+#include "ui/plot/figure_bands.h"
 #include "ui/plot/study_frame.h"
 #include "ui/text/shown_units.h"
 
@@ -51,6 +53,11 @@ class FigureFrame : public StudyFrame {
     /// Along the lines of the first panel, to its marks.
     KeyPlaces keyPlaces() const override;
 
+  signals:
+    /// The user moves the line of a figure's handle, and lets it go; in values of the figure.
+    void handleMoved(double x);
+    void handleReleased(double x);
+
   private:
     /// A series as it is drawn: one of the two.
     struct Drawn {
@@ -64,17 +71,27 @@ class FigureFrame : public StudyFrame {
         QCPItemRect* zone = nullptr;
         QCPItemText* zoneName = nullptr;
         std::vector<QCPItemStraightLine*> levels;
+        FigureBands bands{rect};
+        DragLine* handle = nullptr;
+        std::size_t first = 0;  // panel of its row
+        std::size_t last = 0;   // panel of its row
     };
 
     void clear() override;
     void restyle() override;
     void setRanges() override;
     void build();
+    void addPanel(std::size_t index, QCPLayoutGrid& row);
+    void addHandle(std::size_t index);
     void linkAxes();
     void addZone(Panel& panel);
     void showSeries(std::size_t index);
     void showAxes(std::size_t index);
+    void showBands(std::size_t index);
     void showLevels();
+    void setKeyRange(std::size_t index);
+    std::optional<QCPRange> valuesOf(std::size_t first) const;
+    void setValueRange(std::size_t first, std::optional<QCPRange> values);
     void showCaption();
     void breakCaption();
     void placeZones();
@@ -82,6 +99,14 @@ class FigureFrame : public StudyFrame {
     void setAxesVisible(bool visible);
     bool hasOtherAxes(const ShownFigure& shown) const;
     const StudyPanel& panelOf(std::size_t index) const { return m_shown.figure.panels[index]; }
+    bool isFirstOfRow(std::size_t index) const { return m_panels[index].first == index; }
+    QCPAxis* axisOf(std::size_t index, QCPAxis::AxisType side) const {
+        return m_panels[index].rect->axis(side);
+    }
+    double xFactorOf(std::size_t index) const { return m_shown.units.of(panelOf(index).x.quantity).factor; }
+    double yFactorOf(std::size_t index) const {
+        return m_shown.units.of(panelOf(m_panels[index].first).y.quantity).factor;
+    }
 
     ShownFigure m_shown;
     ShownUnit m_xUnit;

@@ -27,6 +27,7 @@
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/design/design_page.h"
 #include "ui/pages/drilling/drilling_page.h"
+#include "ui/pages/identify/identify_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rod/rod_page.h"
@@ -116,6 +117,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_identifyPage = new IdentifyPage(m_document);
+    m_pages->add(m_identifyPage, PageGroup::thisBlow);
     m_rodPage = new RodPage(m_observation);
     m_pages->add(m_rodPage, PageGroup::thisBlow);
     m_stringPage = new StringPage(m_document);
@@ -344,6 +347,13 @@ void MainWindow::wireImport() {
     connect(m_scenarioPanel.get(), &ScenarioPanel::importRequested, this,
             [this] { m_importer->start(ImportUse::blow); });
     connect(m_importer.get(), &Importer::imported, this, &MainWindow::inform);
+    connect(m_identifyPage, &IdentifyPage::recordWanted, this,
+            [this] { m_importer->start(ImportUse::rockRecord); });
+    connect(m_importer.get(), &Importer::recordTaken, this,
+            [this](const QString& path, const SignalOptions& settings) {
+                m_pages->setCurrentWidget(m_identifyPage);
+                m_identifyPage->openRecord(path, settings);
+            });
 }
 
 // Pages of this blow show the place themselves; from the others the page Rod does. Places are of rods: while

@@ -31,6 +31,7 @@ class PinnedRuns;
 class Recovery;
 class ReportWriter;
 class ResultPanel;
+class IdentifyPage;
 class RodPage;
 class ScenarioPanel;
 class SolveStatus;
@@ -119,6 +120,7 @@ class MainWindow : public QMainWindow {
     ReportWriter* m_report;
     PageTabs* m_pages;
     CurvePage* m_curvePage = nullptr;
+    IdentifyPage* m_identifyPage = nullptr;
     RodPage* m_rodPage = nullptr;
     StringPage* m_stringPage = nullptr;
     SolveStatus* m_solveStatus;

@@ -8,6 +8,8 @@ namespace drillwave {
 
 namespace {
 
+constexpr double leastGaugeDistance = 0.5;  ///< between two gauges [m]
+
 /// One column as force in N, whatever its sign.
 struct ColumnRead {
     std::vector<double> time, force;
@@ -52,6 +54,15 @@ double powerOf(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places) {
+    if (gauges.size() < 2) return {};
+    if (places[0].index != places[1].index)
+        return translatable("both gauges must be on one section of the string");
+    if (std::abs(gauges[0].distance - gauges[1].distance) < leastGaugeDistance)
+        return translatable("two gauges must be at least 0.5 m apart");
+    return {};
+}
 
 GaugeReading readGauges(std::istream& in, const SignalOptions& options,
                         const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,

@@ -22,7 +22,12 @@ struct GaugeChoice {
     std::string opposite;  ///< on the opposite side; empty for one gauge
     double distance = 0;   ///< from the bit face [m]
     std::string name() const { return opposite.empty() ? column : column + "+" + opposite; }
+    bool operator==(const GaugeChoice&) const = default;
 };
+
+/// Why two gauges cannot be used together; empty for one gauge, or where they can. `places` are those of
+/// `gauges`.
+Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places);
 
 /// A record, or why there is none.
 struct GaugeReading {

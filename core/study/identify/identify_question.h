@@ -47,6 +47,7 @@ enum class DispersionChoice {
 struct KnownTolerance {
     std::string key;       ///< "gain", "zero", "gauge", "rod.diameter", "string.bit_head.length"
     double tolerance = 0;  ///< > 0; relative for gain and zero, [m] for gauge, else as the parameter
+    bool operator==(const KnownTolerance&) const = default;
 };
 
 struct IdentifyQuestion {

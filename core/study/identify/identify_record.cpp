@@ -108,6 +108,9 @@ void fillCurves(RecordModel& model, const LawFit& fit, RecordAnswer& answer) {
                    ? grid[i] + (place - static_cast<double>(i)) * (grid[i + 1] - grid[i])
                    : 0.0;
     };
+    curves.front = record.startTime;
+    curves.incidentEnd = record.startTime + record.incidentEnd;
+    curves.quietFrom = record.startTime + record.quietFrom;
     const std::size_t last = model.firstReturning() + model.returningCount();
     for (std::size_t i = record.quiet; i < last; ++i) {
         const double t = record.timeOf(i), atRock = t - record.roundTrip - lag;

@@ -38,7 +38,7 @@ StudyPage::StudyPage(Document& document, QWidget* parent) : PlotPage(parent), m_
     connect(&document, &Document::replaced, this, &StudyPage::forget);
 }
 
-PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls) {
+PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside) {
     m_answerWords = new QLabel(this);
     m_answerWords->setObjectName(QStringLiteral("answer"));
     QFont bold = m_answerWords->font();
@@ -54,7 +54,8 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls) {
     m_words = new ScrolledLabel(words, mostOfWindowForWords, this);
     auto* copyAnswer = newButton(QStringLiteral("copyAnswer"), tr("Copy answer"),
                                  tr("Copies answer and sentences below it as text"));
-    connect(copyAnswer, &QPushButton::clicked, this, &StudyPage::copyAnswer);
+    connect(copyAnswer, &QPushButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(answerText()); });
     auto* answer = new QHBoxLayout;
     answer->addWidget(m_answerWords, 1);
     answer->addWidget(copyAnswer, 0, Qt::AlignTop);
@@ -74,12 +75,19 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls) {
     layout->addWidget(m_words);
     layout->addWidget(m_settings);
     PlotWidget* plot = makePlot();
-    layout->addWidget(plot, 1);
     setLeastLines(plotLines);
+    m_center = new QHBoxLayout;
+    m_center->setSpacing(0);
+    m_center->addWidget(plot, 3);
+    layout->addLayout(m_center, 1);
     m_veil = new StaleVeil(plot);
     m_veil->cover(m_answerWords);
     m_veil->cover(m_words);
     connect(&m_late, &QTimer::timeout, this, [this] { setStale(true); });
+    if (beside) {
+        m_center->addWidget(beside, 1);
+        takeIntoAnswer(beside);
+    }
     return plot;
 }
 
@@ -90,10 +98,21 @@ QPushButton* StudyPage::newButton(const QString& name, const QString& text, cons
     return button;
 }
 
-void StudyPage::copyAnswer() {
+QString StudyPage::answerText() const {
     QString text = m_answerWords->text();
     if (!m_words->text().isEmpty()) text += QLatin1Char('\n') + m_words->text();
-    QGuiApplication::clipboard()->setText(text);
+    return text;
+}
+
+void StudyPage::stackBelow(int width) {
+    m_stackBelow = width;
+    m_center->setStretch(0, 2);
+}
+
+void StudyPage::resizeEvent(QResizeEvent* event) {
+    PlotPage::resizeEvent(event);
+    if (m_stackBelow > 0)
+        m_center->setDirection(width() < m_stackBelow ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight);
 }
 
 void StudyPage::addAbove(QWidget* widget, PartOf part) {
@@ -222,6 +241,12 @@ void StudyPage::showNothing(const QString& why) {
     redraw();
 }
 
+void StudyPage::showNothingAsked(const QString& why) {
+    m_late.stop();
+    setStale(false);
+    showNothing(why);
+}
+
 void StudyPage::showWords() {
     const QString fault = !m_refusal.isEmpty() ? m_refusal : m_activity->problem();
     const bool hasAnswer = fault.isEmpty() && !m_isForeign;
@@ -255,11 +280,20 @@ void StudyPage::pin(const std::vector<ParameterValue>& values) {
     if (m_refusal.isEmpty()) emit pinRequested(contents);
 }
 
-void StudyPage::load(const Scenario& scenario, const QString& step) {
+template <class Take>
+void StudyPage::takeStep(const Take& take, const QString& step) {
     const int before = m_document.undoStack().index();
-    m_refusal = m_document.useScenario(scenario, step);
+    m_refusal = take();
     showWords();
     if (m_document.undoStack().index() != before) emit valuesTaken(step);
+}
+
+void StudyPage::load(const Scenario& scenario, const QString& step) {
+    takeStep([&] { return m_document.useScenario(scenario, step); }, step);
+}
+
+void StudyPage::load(const ScenarioDocument& contents, const QString& step) {
+    takeStep([&] { return m_document.useContents(contents, step); }, step);
 }
 
 void StudyPage::pin(const Scenario& scenario) {

@@ -2,6 +2,7 @@
 // What the pages of studies have in common: when they compute, what they say meanwhile, what they hand on.
 #pragma once
 
+#include <QBoxLayout>
 #include <QTimer>
 #include <optional>
 
@@ -61,8 +62,15 @@ class StudyPage : public PlotPage {
     /// none.
     virtual QStringList commandWords() const = 0;
 
-    /// Builds the page: answer, controls in a row that wraps, plot. Returns the plot. Call it once.
-    PlotWidget* arrange(const QList<QWidget*>& controls);
+    /// Returns the answer as text, for the clipboard.
+    virtual QString answerText() const;
+
+    /// Builds the page: answer, controls in a row that wraps, plot with `beside` at its right. Returns the
+    /// plot. Call it once.
+    PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
+    /// On a page narrower than `width` [px], `beside` is above the plot; otherwise it has a third of the
+    /// width.
+    void stackBelow(int width);
     enum class PartOf { question, answer };
     /// Adds a widget between the sentences and the controls, in view even while the controls are folded.
     void addAbove(QWidget* widget, PartOf part);
@@ -83,12 +91,16 @@ class StudyPage : public PlotPage {
     void say(const QStringList& sentences);
     /// Shows the reason instead of the curves, and as the answer.
     void showNothing(const QString& why);
+    /// The same where nothing is asked any more: no answer is on its way.
+    void showNothingAsked(const QString& why);
     /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
     void load(const std::vector<ParameterValue>& values);
     /// Pins the scenario with those values, which stays as it is; says why not.
     void pin(const std::vector<ParameterValue>& values);
     /// The same with a whole scenario; `step` names the step.
     void load(const Scenario& scenario, const QString& step);
+    /// The same with its text, byte for byte.
+    void load(const ScenarioDocument& contents, const QString& step);
     void pin(const Scenario& scenario);
     /// The one or the other, by Shift.
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
@@ -102,11 +114,13 @@ class StudyPage : public PlotPage {
 
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
-    void copyAnswer();
     void takeIntoAnswer(QWidget* widget);
+    template <class Take>
+    void takeStep(const Take& take, const QString& step);
     void askNow();
     void follow();
     void forget();
@@ -123,6 +137,8 @@ class StudyPage : public PlotPage {
     QLabel* m_answerWords = nullptr;
     ScrolledLabel* m_words = nullptr;
     SectionBox* m_settings = nullptr;
+    QBoxLayout* m_center = nullptr;  // the plot and what stands beside it
+    int m_stackBelow = 0;            // width [px]
     QString m_sentence;
     QString m_more;
     QString m_refusal;         // why a value could not be taken over

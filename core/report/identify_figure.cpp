@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/identify_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/parameter.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr double residualHeight = 0.55;  // over that of the record
+constexpr double rockHeight = 0.95;
+
+bool isOfPair(const RecordAnswer& answer) {
+    return answer.match.zero.size() > 1;
+}
+
+FigureAxis timeAxis(const RecordAnswer& answer) {
+    const MatchCurves& curves = answer.curves;
+    const double length = curves.time.empty() ? 1e-3 : curves.time.back() - curves.time.front();
+    return {.title = translatable("time t"), .quantity = SiValues{Quantity::time, length / 3}};
+}
+
+FigureAxis forceAxis(const RecordAnswer& answer, const char* title) {
+    return {.title = title, .quantity = SiValues{Quantity::force, answer.peak}};
+}
+
+FigureSeries zeroLine(const RecordAnswer& answer) {
+    FigureSeries line{.role = SeriesRole::fourth, .legend = translatable("zero line")};
+    const MatchCurves& curves = answer.curves;
+    if (answer.match.zero.empty() || curves.time.empty()) return line;
+    const ZeroLine95& zero = answer.match.zero.front();
+    for (const double time : {curves.front, curves.time.back()}) {
+        line.x.push_back(time);
+        line.y.push_back(answer.peak * (zero.offset + zero.slope * (time - curves.front) / 1e-3));
+    }
+    return line;
+}
+
+/// The part of a curve from a time on.
+FigureSeries fromTime(double begin, const MatchCurves& curves, const std::vector<double>& values,
+                      FigureSeries series) {
+    for (std::size_t i = 0; i < curves.time.size(); ++i) {
+        if (curves.time[i] < begin) continue;
+        series.x.push_back(curves.time[i]);
+        series.y.push_back(values[i]);
+    }
+    return series;
+}
+
+double returningFrom(const RecordAnswer& answer) {
+    return answer.curves.front + answer.match.from;
+}
+
+StudyPanel recordPanel(const RecordAnswer& answer) {
+    const MatchCurves& curves = answer.curves;
+    StudyPanel panel{.x = timeAxis(answer), .y = forceAxis(answer, translatable("force, compression +"))};
+    const double begin = returningFrom(answer);
+    if (isOfPair(answer)) {
+        panel.series.push_back(
+            {.legend = translatable("returning wave, measured"), .x = curves.time, .y = curves.measured});
+        panel.series.push_back(fromTime(begin, curves, curves.model,
+                                        {.role = SeriesRole::second, .legend = translatable("model")}));
+        panel.series.push_back({.role = SeriesRole::third,
+                                .legend = translatable("incident wave"),
+                                .x = curves.time,
+                                .y = curves.incident});
+    } else {
+        panel.series.push_back({.legend = translatable("measured"), .x = curves.time, .y = curves.measured});
+        panel.series.push_back(fromTime(begin, curves, curves.model,
+                                        {.role = SeriesRole::second, .legend = translatable("model")}));
+    }
+    panel.series.push_back(zeroLine(answer));
+    const bool hasQuiet = !isOfPair(answer) && curves.incidentEnd > curves.quietFrom;
+    panel.bands.push_back({translatable("incident"), curves.front,
+                           hasQuiet ? curves.quietFrom : std::min(curves.incidentEnd, begin)});
+    if (hasQuiet) panel.bands.push_back({translatable("quiet"), curves.quietFrom, curves.incidentEnd});
+    panel.bands.push_back({translatable("returning"), begin, curves.front + answer.match.to});
+    panel.handle =
+        FigureHandle{translatable("arrival by the distance"), curves.front + answer.match.roundTripOfFile,
+                     curves.front + answer.match.roundTrip};
+    return panel;
+}
+
+StudyPanel residualPanel(const RecordAnswer& answer) {
+    StudyPanel panel{.row = 1,
+                     .height = residualHeight,
+                     .sharesX = true,
+                     .x = timeAxis(answer),
+                     .y = forceAxis(answer, translatable("residual"))};
+    panel.series.push_back(fromTime(returningFrom(answer), answer.curves, answer.curves.residual, {}));
+    return panel;
+}
+
+/// The law as identified; penetration counts from the untouched rock, beyond the gap.
+struct IdentifiedLaw {
+    double stiffness = 1, cornerForce = INFINITY, cornerSlope = 1;
+
+    double penetrationAt(double force) const {
+        const double before = std::min(force, cornerForce);
+        return before / stiffness + (force - before) / (cornerSlope * stiffness);
+    }
+};
+
+std::optional<IdentifiedLaw> lawOf(const RecordAnswer& answer) {
+    const IdentifiedParameter* stiffness = answer.find("bit_rock.stiffness");
+    if (!stiffness || !(stiffness->value > 0)) return std::nullopt;
+    IdentifiedLaw law{stiffness->value};
+    const IdentifiedParameter* force = answer.find("bit_rock.corner.1.force");
+    const IdentifiedParameter* slope = answer.find("bit_rock.corner.1.slope");
+    if (force && slope && slope->value > 0) law.cornerForce = force->value, law.cornerSlope = slope->value;
+    return law;
+}
+
+/// Loading between both ends of the stiffness, or unloading between both ends of gamma, as closed areas.
+void addIntervals(const RecordAnswer& answer, double largestForce, StudyPanel& panel) {
+    const std::optional<IdentifiedLaw> law = lawOf(answer);
+    const IdentifiedParameter* stiffness = answer.find("bit_rock.stiffness");
+    const IdentifiedParameter* gamma = answer.find("bit_rock.gamma");
+    if (answer.model == ModelVerdict::rejected || !law || !(largestForce > 0)) return;
+    const auto area = [&](Message legend) {
+        panel.series.push_back(
+            {.kind = SeriesKind::area, .role = SeriesRole::second, .legend = std::move(legend)});
+        return &panel.series.back();
+    };
+    const auto add = [](FigureSeries& series, double x, double y) {
+        series.x.push_back(x);
+        series.y.push_back(y);
+    };
+    if (stiffness->low && stiffness->high) {
+        FigureSeries& band = *area(translatable("law, 95 %"));
+        IdentifiedLaw soft = *law, stiff = *law;
+        soft.stiffness = *stiffness->low;
+        stiff.stiffness = *stiffness->high;
+        const double corner = std::min(law->cornerForce, largestForce);
+        for (const double force : {0.0, corner, largestForce}) add(band, soft.penetrationAt(force), force);
+        for (const double force : {largestForce, corner, 0.0}) add(band, stiff.penetrationAt(force), force);
+    }
+    if (gamma && gamma->low && gamma->high) {
+        FigureSeries& band = *area({});
+        const double deepest = law->penetrationAt(largestForce);
+        add(band, deepest, largestForce);
+        for (const double share : {*gamma->low, *gamma->high})
+            add(band, deepest - share * largestForce / law->stiffness, 0);
+        add(band, deepest, largestForce);
+    }
+}
+
+/// Whether the gauge's section ends at the rock: only then f + b is the force on it. Lengths are a cause of
+/// the error in sections between gauge and rock.
+bool endsAtRock(const RecordAnswer& answer) {
+    for (const IdentifiedParameter& parameter : answer.parameters)
+        for (const BudgetRow& row : parameter.budget)
+            if (row.key.ends_with(".length")) return false;
+    return true;
+}
+
+StudyPanel rockPanel(const RecordAnswer& answer) {
+    const MatchCurves& curves = answer.curves;
+    StudyPanel panel{.row = 2,
+                     .height = rockHeight,
+                     .x = {.title = translatable("penetration U"), .quantity = findParameter("bit_rock.gap")},
+                     .y = forceAxis(answer, translatable("force on the rock F"))};
+    const double largest =
+        curves.modelForce.empty() ? 0 : *std::max_element(curves.modelForce.begin(), curves.modelForce.end());
+    addIntervals(answer, largest, panel);
+    FigureSeries measured{.kind = SeriesKind::path,
+                          .role = SeriesRole::result,
+                          .legend = translatable("measured, only a picture"),
+                          .isFaint = true};
+    FigureSeries model{.kind = SeriesKind::path, .role = SeriesRole::second, .legend = {}};
+    const double begin = returningFrom(answer);
+    for (std::size_t i = 0; i < curves.time.size(); ++i) {
+        if (curves.time[i] < begin) continue;
+        measured.x.push_back(curves.penetration[i]);
+        measured.y.push_back(curves.force[i]);
+        model.x.push_back(curves.penetration[i]);
+        model.y.push_back(curves.modelForce[i]);
+    }
+    if (endsAtRock(answer)) panel.series.push_back(std::move(measured));
+    panel.series.push_back(std::move(model));
+    return panel;
+}
+
+}  // namespace
+
+StudyFigure identifyFigure(const RecordAnswer& answer) {
+    StudyFigure figure;
+    figure.panels = {recordPanel(answer), residualPanel(answer), rockPanel(answer)};
+    const double noise = 2 * answer.match.noise * answer.peak;
+    figure.levels = {{translatable("+2 σ of the noise"), noise, false, 1}, {{}, -noise, false, 1}};
+    return figure;
+}
+
+}  // namespace drillwave

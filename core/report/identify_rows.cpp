@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/identify_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/study/identify/known_sizes.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::size_t mostLimits = 6;  ///< causes of the error that are shown
+constexpr double leastLimit = 5e-4;    ///< relative effect of a cause that is shown
+
+struct ParameterNames {
+    const char *what, *term;
+    Quantity quantity;
+};
+
+ParameterNames namesOf(const std::string& key) {
+    if (key == "bit_rock.stiffness")
+        return {translatable("rock when it is first loaded"), translatable("stiffness"), Quantity::stiffness};
+    if (key == "bit_rock.gamma") return {translatable("springback"), "gamma", Quantity::ratio};
+    if (key == "bit_rock.gap") return {translatable("bit not seated"), translatable("gap"), Quantity::length};
+    if (key == "bit_rock.corner.1.force")
+        return {translatable("force at which the rock yields"), translatable("corner"), Quantity::force};
+    return {translatable("slope after yielding"), translatable("slope"), Quantity::ratio};
+}
+
+Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, const ReadingStyle& style) {
+    const auto shown = [&](double value) { return style.quantity(value, quantity, 3); };
+    switch (parameter.verdict) {
+        case ParameterVerdict::identified:
+            return translatable("known");
+        case ParameterVerdict::uncertain:
+            return translatable("uncertain");
+        case ParameterVerdict::bounded:
+            if (parameter.high) return {translatable("less than %1"), {shown(*parameter.high)}};
+            if (parameter.low) return {translatable("more than %1"), {shown(*parameter.low)}};
+            return translatable("bounded");
+        case ParameterVerdict::notSeen:
+            if (parameter.reason == "no_contact") return translatable("not seen: no contact");
+            if (parameter.reason == "front") return translatable("not seen: the rock is too stiff");
+            return translatable("not seen: the record ends before the rock unloads");
+        case ParameterVerdict::rejected:
+            break;
+    }
+    return translatable("not known");
+}
+
+Message causeWords(const std::string& source, const std::string& key) {
+    if (!key.empty() && key != "gauge" && key != "gain" && key != "material") return key;
+    if (source == "noise") return translatable("noise");
+    if (source == "tail") return translatable("tail of the blow");
+    if (source == "timing") return translatable("arrival of the reflection");
+    if (source == "material") return translatable("modulus and density");
+    if (source == "gain") return translatable("gain of the amplifier");
+    if (source == "place") return translatable("distance between the gauges");
+    if (source == "resolution") return translatable("steepness of the rock in noise");
+    if (source == "law") return translatable("law of the rock");
+    if (source == "step") return translatable("step of the recorder");
+    if (source == "unexplained_wave") return translatable("unexplained waves");
+    return source;
+}
+
+std::string percentOf(double share, const ReadingStyle& style) {
+    return style.number(100 * share, 2) + " %";
+}
+
+Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {
+    if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" ||
+        row.source == "timing" || row.source == "resolution")
+        return {};
+    const std::string value = row.unit == "m"   ? style.quantity(row.tolerance, Quantity::length, 2)
+                              : row.unit == "N" ? style.quantity(row.tolerance, Quantity::force, 2)
+                                                : percentOf(row.tolerance, style);
+    if (row.isAssumed) return {translatable("assumed +-%1"), {value}};
+    return "+-" + value;
+}
+
+}  // namespace
+
+std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
+                                      const std::vector<NextBlowParameter>& nextBlow,
+                                      const ReadingStyle& style) {
+    std::vector<IdentifyRow> rows;
+    const auto interval = [&](double low, double high, Quantity quantity) {
+        return style.quantity(low, quantity, 4) + " … " + style.quantity(high, quantity, 4);
+    };
+    for (const IdentifiedParameter& parameter : answer.parameters) {
+        const auto [what, term, quantity] = namesOf(parameter.key);
+        IdentifyRow row{parameter.key,
+                        what,
+                        term,
+                        style.quantity(parameter.value, quantity, 4),
+                        "",
+                        verdictWords(parameter, quantity, style)};
+        if (answer.model != ModelVerdict::rejected && parameter.low && parameter.high)
+            row.interval = interval(*parameter.low, *parameter.high, quantity);
+        rows.push_back(std::move(row));
+    }
+    for (const NextBlowParameter& next : nextBlow) {
+        const auto [what, term, quantity] = namesOf(next.key);
+        rows.push_back(
+            {next.key, translatable("next blow"), term, style.quantity(next.value, quantity, 4),
+             interval(next.low, next.high, quantity),
+             next.hasChange ? translatable("changes from blow to blow") : translatable("no change is seen")});
+    }
+    return rows;
+}
+
+std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const ReadingStyle& style) {
+    if (answer.refusal || answer.model == ModelVerdict::rejected || answer.parameters.size() < 2) return {};
+    const IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
+    std::vector<IdentifyLimit> limits{{causeWords("noise", ""), "", {}, stiffness.noise, gamma.noise}};
+    for (std::size_t i = 0; i < stiffness.budget.size(); ++i) {
+        const BudgetRow& row = stiffness.budget[i];
+        limits.push_back({causeWords(row.source, row.key), row.key, toleranceWords(row, style), row.effect,
+                          gamma.budget[i].effect, row.isAssumed});
+    }
+    std::stable_sort(limits.begin(), limits.end(), [](const IdentifyLimit& a, const IdentifyLimit& b) {
+        return std::hypot(a.onStiffness, a.onGamma) > std::hypot(b.onStiffness, b.onGamma);
+    });
+    limits.resize(std::min(limits.size(), mostLimits));
+    std::erase_if(limits, [](const IdentifyLimit& limit) {
+        return std::max(limit.onStiffness, limit.onGamma) <= leastLimit;
+    });
+    return limits;
+}
+
+Message identifyNext(const RecordAnswer& answer, const ReadingStyle& style) {
+    const std::optional<NextMeasurement> next = nextMeasurement(answer);
+    if (!next) return {};
+    const Message gain = {translatable("%1 +-%2"),
+                          {namesOf(next->parameter).term, percentOf(next->halfWidth, style)}};
+    for (const IdentifiedParameter& parameter : answer.parameters)
+        if (parameter.verdict == ParameterVerdict::notSeen && parameter.reason == "no_unloading")
+            return translatable("To know more: record until the rock has unloaded.");
+    if (next->source == "noise" || next->source == "law" || next->source == "resolution")
+        return {translatable("To know more: average 4 blows: %1."), {gain}};
+    if (next->source == "unexplained_wave" || next->source == "tail")
+        return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."), {gain}};
+    if (next->source == "step")
+        return {translatable("To know more: use a smaller range or more bits: %1."), {gain}};
+    if (next->source == "timing")
+        return {translatable("To know more: measure the distance of the gauge from the bit: %1."), {gain}};
+    const std::string tolerance = next->unit == "m" ? style.quantity(next->tolerance, Quantity::length, 2)
+                                                    : percentOf(next->tolerance, style);
+    return {translatable("To know more: measure %1 to %2: %3."),
+            {causeWords(next->source, next->key), tolerance, gain}};
+}
+
+std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place) {
+    IdentifyQuestion question;
+    question.scenario = scenario;
+    std::vector<AssumedTolerance> all{{"gain", Quantity::ratio, std::nullopt},
+                                      {"zero", Quantity::ratio, std::nullopt},
+                                      {"gauge", Quantity::length, placeTolerance(question)}};
+    for (const KnownSize& size : knownSizes(question, place))
+        all.push_back({size.key, size.unit == "m^2" ? Quantity::area : Quantity::length, size.tolerance});
+    return all;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/identify/identify_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
+#include <QTableWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double widestInterval = 0.5;  // relative: a wider one goes to the edge of its cell
+constexpr int barRole = Qt::UserRole;   // QPointF: from and to, shares of the width
+constexpr int hatchRole = Qt::UserRole + 1;
+constexpr int barSpace = 7;      // below the text of a cell [px]
+constexpr int leastWidth = 200;  // of the panel [px]
+constexpr int leastHeight = 190;
+
+/// Draws a bar along the bottom of a cell that has one, hatched where it is assumed.
+class BarCells : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, barSpace);
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        if (!index.data(barRole).isValid()) return;
+        const QPointF span = index.data(barRole).toPointF();
+        const QRect cell = option.rect.adjusted(3, 0, -3, -1);
+        constexpr int height = barSpace - 3;
+        const QRectF bar(cell.left() + span.x() * cell.width(), cell.bottom() - height,
+                         std::max(1.0, (span.y() - span.x()) * cell.width()), height);
+        const bool isHatched = index.data(hatchRole).toBool();
+        painter->save();
+        painter->setPen(option.palette.color(QPalette::Text));
+        painter->setBrush(
+            QBrush(option.palette.color(QPalette::Text), isHatched ? Qt::BDiagPattern : Qt::Dense4Pattern));
+        painter->drawRect(bar);
+        painter->restore();
+    }
+};
+
+/// All rows in view: the panel scrolls.
+void fitHeight(QTableWidget& table) {
+    table.resizeRowsToContents();
+    table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + table.verticalHeader()->length() +
+                         2 * table.frameWidth());
+}
+
+/// `wide` columns share the room that is left, and wrap their words.
+QTableWidget* newTable(const char* name, const QString& title, const QStringList& columns,
+                       std::initializer_list<int> wide, QWidget* parent) {
+    auto* table = new QTableWidget(0, int(columns.size()), parent);
+    table->setObjectName(QLatin1String(name));
+    table->setAccessibleName(title);
+    table->setHorizontalHeaderLabels(columns);
+    table->verticalHeader()->hide();
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setTabKeyNavigation(false);
+    table->setWordWrap(true);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    for (const int column : wide)
+        table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->setItemDelegate(new BarCells(table));
+    return table;
+}
+
+QTableWidgetItem* textCell(const QString& text) {
+    auto* item = new QTableWidgetItem(text);
+    item->setToolTip(withoutMarkup(text));
+    item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+    return item;
+}
+
+double intervalEdge(double relative) {
+    return std::clamp(0.5 + relative / (2 * widestInterval), 0.0, 1.0);
+}
+
+QLabel* newWords(const char* name, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+
+}  // namespace
+
+IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
+    setObjectName(QStringLiteral("identifyAnswer"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    auto* content = new QWidget;
+    m_values = newTable("values", tr("Rock as identified"),
+                        {tr("what"), tr("value"), tr("95 %"), tr("verdict")}, {2, 3}, content);
+    m_limitsTitle = new QLabel(translated(translatable("Limits of the result")), content);
+    QFont bold = m_limitsTitle->font();
+    bold.setBold(true);
+    m_limitsTitle->setFont(bold);
+    m_limits = newTable("limits", m_limitsTitle->text(),
+                        {tr("cause"), tr("stiffness"), tr("springback"), tr("tolerance")}, {0, 3}, content);
+    m_limits->setToolTip(tr("A click on a tolerance goes to its field"));
+    const auto wantTolerance = [this](int row) {
+        const std::string& key = m_keys.at(static_cast<std::size_t>(row));
+        if (!key.empty()) emit toleranceWanted(fromView(key));
+    };
+    connect(m_limits, &QTableWidget::cellClicked, this, wantTolerance);
+    connect(m_limits, &QTableWidget::cellActivated, this, wantTolerance);
+    m_next = newWords("next", content);
+    m_remarks = newWords("remarks", content);
+    m_use = new QPushButton(tr("Use this rock"), content);
+    m_use->setObjectName(QStringLiteral("useRock"));
+    m_use->setToolTip(tr("Takes the rock into the scenario as one undo step"));
+    m_pin = new QPushButton(tr("Pin"), content);
+    m_pin->setObjectName(QStringLiteral("pinRock"));
+    m_pin->setToolTip(tr("Pins the scenario with this rock as a run; the scenario stays as it is"));
+    connect(m_use, &QPushButton::clicked, this, &IdentifyPanel::useWanted);
+    connect(m_pin, &QPushButton::clicked, this, &IdentifyPanel::pinWanted);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_use);
+    buttons->addWidget(m_pin);
+    buttons->addStretch();
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(4, 2, 4, 2);
+    layout->addWidget(m_values);
+    layout->addLayout(buttons);
+    layout->addWidget(m_limitsTitle);
+    layout->addWidget(m_limits);
+    layout->addWidget(m_next);
+    layout->addWidget(m_remarks);
+    layout->addStretch();
+    setWidget(content);
+    setMinimumSize(leastWidth, leastHeight);
+    clear();
+}
+
+// Words wrap in other places once the columns have their widths.
+void IdentifyPanel::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    for (QTableWidget* table : {m_values, m_limits})
+        QTimer::singleShot(0, table, [table] { fitHeight(*table); });
+}
+
+void IdentifyPanel::clear() {
+    m_values->setRowCount(0);
+    m_limits->setRowCount(0);
+    m_keys.clear();
+    m_next->clear();
+    m_remarks->clear();
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_values), static_cast<QWidget*>(m_use), static_cast<QWidget*>(m_pin),
+          static_cast<QWidget*>(m_limitsTitle), static_cast<QWidget*>(m_limits),
+          static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_remarks)})
+        part->hide();
+}
+
+void IdentifyPanel::present(const IdentifyReport& report, const ReadingStyle& style) {
+    const RecordAnswer& answer = report.findings.main();
+    showValues(report, style);
+    showLimits(answer, style);
+    m_next->setText(fromView(style.said(identifyNext(answer, style))));
+    m_next->setVisible(!m_next->text().isEmpty());
+    showRemarks(report.findings, style);
+    const bool isUsable = report.findings.saysSomething() && answer.law != "file";
+    for (QPushButton* button : {m_use, m_pin}) {
+        button->setVisible(true);
+        button->setEnabled(isUsable);
+    }
+}
+
+void IdentifyPanel::showValues(const IdentifyReport& report, const ReadingStyle& style) {
+    const RecordAnswer& answer = report.findings.main();
+    const std::vector<IdentifyRow> rows = identifyRows(answer, report.findings.nextBlow, style);
+    m_values->setRowCount(int(rows.size()));
+    for (int row = 0; row < int(rows.size()); ++row) {
+        const IdentifyRow& each = rows[static_cast<std::size_t>(row)];
+        const std::array<QTableWidgetItem*, 4> cells{
+            textCell(fromView(style.said(each.term))), textCell(fromView(each.value)),
+            textCell(fromView(each.interval)), textCell(fromView(style.said(each.verdict)))};
+        cells[0]->setToolTip(fromView(style.said(each.what)));
+        const IdentifiedParameter* parameter = answer.find(each.key);
+        if (!each.interval.empty() && parameter && parameter->value > 0)
+            cells[2]->setData(barRole, QPointF(intervalEdge(*parameter->low / parameter->value - 1),
+                                               intervalEdge(*parameter->high / parameter->value - 1)));
+        for (int column = 0; column < int(cells.size()); ++column)
+            m_values->setItem(row, column, cells[static_cast<std::size_t>(column)]);
+    }
+    // A rejected value is not known.
+    m_values->setEnabled(answer.model != ModelVerdict::rejected);
+    m_values->setVisible(!rows.empty());
+    fitHeight(*m_values);
+}
+
+void IdentifyPanel::showLimits(const RecordAnswer& answer, const ReadingStyle& style) {
+    const std::vector<IdentifyLimit> limits = identifyLimits(answer, style);
+    m_keys.clear();
+    double largest = 0;
+    for (const IdentifyLimit& limit : limits) largest = std::max({largest, limit.onStiffness, limit.onGamma});
+    m_limits->setRowCount(int(limits.size()));
+    const auto percent = [&](double share) {
+        return fromView(style.number(100 * std::min(share, 99.0), 2)) + QStringLiteral(" %");
+    };
+    for (int row = 0; row < int(limits.size()); ++row) {
+        const IdentifyLimit& limit = limits[static_cast<std::size_t>(row)];
+        m_keys.push_back(limit.key);
+        const std::array<QTableWidgetItem*, 4> cells{
+            textCell(fromView(style.said(limit.cause))), textCell(percent(limit.onStiffness)),
+            textCell(percent(limit.onGamma)), textCell(withSigns(fromView(style.said(limit.tolerance))))};
+        const double shares[] = {limit.onStiffness, limit.onGamma};
+        for (std::size_t k = 0; k < 2; ++k) {
+            cells[k + 1]->setData(barRole, QPointF(0, largest > 0 ? shares[k] / largest : 0));
+            cells[k + 1]->setData(hatchRole, limit.isAssumed);
+        }
+        for (int column = 0; column < int(cells.size()); ++column)
+            m_limits->setItem(row, column, cells[static_cast<std::size_t>(column)]);
+    }
+    m_limits->setVisible(!limits.empty());
+    m_limitsTitle->setVisible(!limits.empty());
+    fitHeight(*m_limits);
+}
+
+void IdentifyPanel::showRemarks(const IdentifyFindings& findings, const ReadingStyle& style) {
+    QStringList lines;
+    for (const std::string& code : findings.main().remarks)
+        if (isRemarkShown(code))
+            lines << QStringLiteral("▲ ") +
+                         fromView(style.said(identifyRemark(code, findings.main(), style)));
+    m_remarks->setText(lines.join(u'\n'));
+    m_remarks->setVisible(!lines.isEmpty());
+}
+
+}  // namespace drillwave

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ranges of the axes of a figure that have all of it in view.
+#include "ui/plot/figure_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+namespace {
+
+QCPRange withMargin(QCPRange range, double share, bool isLogarithmic) {
+    if (isLogarithmic && range.lower > 0) {
+        const double factor = std::pow(range.upper / range.lower, share);
+        return {range.lower / factor, range.upper * factor};
+    }
+    return {range.lower - share * range.size(), range.upper + share * range.size()};
+}
+
+void expand(std::optional<QCPRange>& all, const QCPRange& more, bool isThere) {
+    if (!isThere) return;
+    if (all)
+        all->expand(more);
+    else
+        all = more;
+}
+
+}  // namespace
+
+void FigureFrame::setRanges() {
+    if (isEmpty()) return;
+    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        if (i == 0 || !panelOf(i).sharesX) setKeyRange(i);
+        if (isFirstOfRow(i)) setValueRange(i, valuesOf(i));
+    }
+}
+
+void FigureFrame::setKeyRange(std::size_t index) {
+    const StudyPanel& panel = panelOf(index);
+    std::optional<QCPRange> keys;
+    bool isFromZero = false;
+    for (std::size_t each = 0; each < m_panels[index].series.size(); ++each) {
+        const Drawn& drawn = m_panels[index].series[each];
+        bool isThere = false;
+        const QCPRange along =
+            drawn.line ? drawn.line->getKeyRange(isThere) : drawn.path->getKeyRange(isThere);
+        if (!panel.series[each].isOnTop) expand(keys, along, isThere);
+        isFromZero |= panel.series[each].kind == SeriesKind::area && along.lower == 0;
+    }
+    QCPAxis* bottom = axisOf(index, QCPAxis::atBottom);
+    const double factor = xFactorOf(index);
+    if (panel.x.range)
+        bottom->setRange(panel.x.range->first * factor, panel.x.range->second * factor);
+    else if (isFromZero)
+        bottom->setRange(0, keys && keys->upper > 0 ? 1.05 * keys->upper : 100);
+    else if (keys)
+        bottom->setRange(withMargin(*keys, 0.02, panel.x.isLogarithmic));
+    if (panel.top && panel.top->range)
+        axisOf(index, QCPAxis::atTop)->setRange(panel.top->range->first, panel.top->range->second);
+}
+
+// All values of a row; of the first one those of pinned runs, of the others their levels too.
+std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
+    std::optional<QCPRange> values;
+    bool isThere = false;
+    for (std::size_t i = first; i <= m_panels[first].last; ++i)
+        for (const Drawn& drawn : m_panels[i].series) {
+            const QCPRange range =
+                drawn.line ? drawn.line->getValueRange(isThere) : drawn.path->getValueRange(isThere);
+            expand(values, range, isThere);
+        }
+    if (first > 0) {
+        for (const FigureLevel& level : m_shown.figure.levels)
+            if (level.row == panelOf(first).row)
+                expand(values, QCPRange(level.y * yFactorOf(first), level.y * yFactorOf(first)), true);
+        return values;
+    }
+    for (QCPGraph* run : runCurves()) {
+        const QCPRange range = run->getValueRange(isThere);
+        expand(values, range, isThere);
+    }
+    return values;
+}
+
+void FigureFrame::setValueRange(std::size_t first, std::optional<QCPRange> values) {
+    QCPRange shown = values.value_or(QCPRange(0, 1));
+    QCPAxis* left = axisOf(first, QCPAxis::atLeft);
+    const FigureAxis& axis = panelOf(first).y;
+    const double factor = yFactorOf(first);
+    if (axis.range) return left->setRange(axis.range->first * factor, axis.range->second * factor);
+    if (axis.isLogarithmic) return left->setRange(withMargin(shown, 0.1, true));
+    const double size = std::max(shown.size(), 0.02 * std::abs(shown.upper));
+    // Where a zone begins, if that leaves the curves most of the height.
+    constexpr double share = 0.25;
+    if (const std::optional<FigureZone>& zone = panelOf(first).zone) {
+        const double from = zone->from * factor;
+        if (shown.upper > from - share * size && shown.lower < from + share * size) shown.expand(from);
+    }
+    left->setRange(shown.lower - 0.1 * size, shown.upper + 0.1 * size);
+}
+
+}  // namespace drillwave
