@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned runs in the whole window.
 #include <QAction>
+#include <QComboBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
 
+#include "core/blow/outputs.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
+#include "ui/job/output_text.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/compare/compare_page.h"
 #include "ui/result/result_panel.h"
@@ -28,6 +31,7 @@ class TestPinnedRuns : public QObject {
     void init();
     void f7PinsThePresentResult();
     void theListHasThePresentResultFirst();
+    void theListShowsTheChosenResult();
     void tickRenameAndRemove();
     void theTabCountsThem();
     void revertingIsOneStepByName();
@@ -109,6 +113,19 @@ void TestPinnedRuns::theListHasThePresentResultFirst() {
     set("bit_rock.stiffness", 2e8);
     QVERIFY(list().topLevelItem(0)->text(2) != before);
     QVERIFY(list().topLevelItem(0)->text(2).endsWith(u'%'));
+}
+
+void TestPinnedRuns::theListShowsTheChosenResult() {
+    pinThree();
+    auto* choice = window().findChild<QComboBox*>(QStringLiteral("runOutput"));
+    choice->setCurrentIndex(choice->findData(QStringLiteral("peak_force")));
+    QCOMPARE(list().headerItem()->text(1), choice->currentText());
+    const Run& hard = *runs().find(1);
+    QCOMPARE(list().topLevelItem(2)->text(1), outputText(*findOutput("peak_force"), *hard.blow));
+    QCOMPARE(list().topLevelItem(1)->text(2), QString("ref."));
+    QVERIFY(list().topLevelItem(2)->text(2).startsWith(u'+'));
+    choice->setCurrentIndex(0);
+    QCOMPARE(list().topLevelItem(1)->text(1), QString("0.4297"));
 }
 
 void TestPinnedRuns::tickRenameAndRemove() {

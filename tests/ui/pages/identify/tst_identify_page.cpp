@@ -17,6 +17,7 @@
 #include "core/report/identify_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/import_fixture.h"
+#include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/section_box.h"
@@ -71,7 +72,7 @@ class TestIdentifyPage : public QObject, private test::ImportFixture {
     void open(const QString& record, const QStringList& distances);
     void typeInto(QWidget& field, const QString& text);
     bool isDone() const { return m_page->activity()->state() == StudyState::finished; }
-    QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
+    QString words() const { return pageWords(*m_page); }
     QTableWidget& table(const char* name) const {
         return *m_page->findChild<QTableWidget*>(QLatin1String(name));
     }
@@ -167,7 +168,7 @@ void TestIdentifyPage::theAnswerIsThatOfTheCommand() {
     QVERIFY2(text.exitCode == 0, text.error.constData());
     QCOMPARE(belowTitle(text.out), belowTitle(identifyText(m_page->answer()->report).c_str()));
     const QString sentence = translated(identifySentence(found()));
-    QCOMPARE(words(), QStringLiteral("<b>%1</b>").arg(sentence));
+    QCOMPARE(words(), sentence);
     QVERIFY(QString::fromUtf8(text.out).simplified().contains(sentence.simplified()));
 
     const test::Finished json = test::shell(m_page->command() + QStringLiteral(" --json"));
