@@ -3654,6 +3654,50 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <source>sections that differ</source>
         <translation>Unterschiede in Abschnitten</translation>
     </message>
+    <message>
+        <source>Continuous drilling: gap and penetration of every blow, how the gaps scatter and follow each other, and the shares of the energy.</source>
+        <translation>Fortlaufendes Bohren: Spalt und Eindringung jedes Schlags, wie die Spalte streuen und aufeinander folgen, und die Anteile der Energie.</translation>
+    </message>
+    <message>
+        <source>Penetration rate, contact and gaps of continuous drilling over one parameter.</source>
+        <translation>Bohrfortschritt, Kontakt und Spalte des fortlaufenden Bohrens über einem Parameter.</translation>
+    </message>
+    <message>
+        <source>The designs: the first aim over the choice, with its scatter. Several aims and several uncertain inputs are compared below.</source>
+        <translation>Die Auslegungen: das erste Ziel über der Wahl, mit seiner Streuung. Mehrere Ziele und mehrere unsichere Eingaben sind darunter verglichen.</translation>
+    </message>
+    <message>
+        <source>gain of the amplifier [%]</source>
+        <translation>Verstärkung des Verstärkers [%]</translation>
+    </message>
+    <message>
+        <source>zero line [% of the peak]</source>
+        <translation>Nulllinie [% der Spitze]</translation>
+    </message>
+    <message>
+        <source>place of the gauge</source>
+        <translation>Ort des Messstreifens</translation>
+    </message>
+    <message>
+        <source>Identify needs a scenario with physical units: a record of a gauge is in seconds and newtons. Edit ▸ Make a rig of these groups makes one.</source>
+        <translation>Identifizieren braucht ein Szenario mit physikalischen Einheiten: Die Aufzeichnung eines Messstreifens ist in Sekunden und Newton. Bearbeiten ▸ Eine Anlage aus diesen Kennzahlen machen erzeugt eines.</translation>
+    </message>
+    <message>
+        <source>Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
+        <translation>Identifizieren liest Steifigkeit, Rückfederung und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags.</translation>
+    </message>
+    <message>
+        <source>Choose the column of the gauge.</source>
+        <translation>Wählen Sie die Spalte des Messstreifens.</translation>
+    </message>
+    <message>
+        <source>Type the distance of gauge %1 from the bit face.</source>
+        <translation>Geben Sie den Abstand des Messstreifens %1 von der Bohrkrone ein.</translation>
+    </message>
+    <message>
+        <source>Gauge %1 is not on a uniform section of the rod or string: correct its distance from the bit face.</source>
+        <translation>Der Messstreifen %1 ist nicht auf einem gleichmäßigen Abschnitt der Stange oder des Strangs: Berichtigen Sie seinen Abstand von der Bohrkrone.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3834,10 +3878,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
 </context>
 <context>
     <name>drillwave::AlertLink</name>
-    <message>
-        <source>✓ nothing unusual</source>
-        <translation>✓ nichts Ungewöhnliches</translation>
-    </message>
     <message>
         <source>✖ not solved</source>
         <translation>✖ nicht gelöst</translation>
@@ -4483,14 +4523,6 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Alle Stichproben dieser Studie rechnen; die Zeit ist geschätzt</translation>
     </message>
     <message>
-        <source>Refine (%1 s)</source>
-        <translation>Verfeinern (%1 s)</translation>
-    </message>
-    <message>
-        <source>Refine (%1 min)</source>
-        <translation>Verfeinern (%1 min)</translation>
-    </message>
-    <message>
         <source>Not solved yet: this study takes more than 10 s. Press Refine to start it.</source>
         <translation>Noch ist nichts gerechnet: diese Studie dauert länger als 10 s. Der Knopf „Verfeinern“ startet sie.</translation>
     </message>
@@ -4505,6 +4537,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>take the worst case</source>
         <translation>schlechtesten Fall übernehmen</translation>
+    </message>
+    <message>
+        <source>Refine (%1)</source>
+        <translation>Verfeinern (%1)</translation>
     </message>
 </context>
 <context>
@@ -4696,6 +4732,14 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>; in contact means within %1 of the rock; %2</source>
         <translation>; im Kontakt heißt höchstens %1 vom Gestein; %2</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Scan %1</source>
+        <translation>%1 abtasten</translation>
     </message>
 </context>
 <context>
@@ -5336,6 +5380,69 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::GaugeFields</name>
+    <message>
+        <source>gauge</source>
+        <translation>Messstreifen</translation>
+    </message>
+    <message>
+        <source>second gauge</source>
+        <translation>zweiter Messstreifen</translation>
+    </message>
+    <message>
+        <source>Column of the gauge that is nearest to the bit</source>
+        <translation>Spalte des Messstreifens, der der Bohrkrone am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Column of another gauge along the same section, at least 0.5 m away</source>
+        <translation>Spalte eines weiteren Messstreifens auf demselben Abschnitt, mindestens 0,5 m entfernt</translation>
+    </message>
+    <message>
+        <source>%1, opposite side</source>
+        <translation>%1, Gegenseite</translation>
+    </message>
+    <message>
+        <source>Column of the gauge on the opposite side: the mean of both is free of bending</source>
+        <translation>Spalte des Messstreifens auf der Gegenseite: Der Mittelwert beider ist frei von Biegung</translation>
+    </message>
+    <message>
+        <source>%1, distance from the bit face</source>
+        <translation>%1, Abstand von der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>from the bit</source>
+        <translation>ab Bohrkrone</translation>
+    </message>
+    <message>
+        <source>Distance of the gauge from the bit face</source>
+        <translation>Abstand des Messstreifens von der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>must be positive</source>
+        <translation>muss positiv sein</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>one side only</source>
+        <translation>nur eine Seite</translation>
+    </message>
+    <message>
+        <source>on %1, x = %2 m</source>
+        <translation>auf %1, x = %2 m</translation>
+    </message>
+    <message>
+        <source>not on a uniform section</source>
+        <translation>nicht auf einem gleichmäßigen Abschnitt</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::GoalField</name>
     <message>
         <source>Goal: wanted result</source>
@@ -5450,6 +5557,168 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>drillwave::IdentifyPage</name>
+    <message>
+        <source>law of the rock</source>
+        <translation>Gesetz des Gesteins</translation>
+    </message>
+    <message>
+        <source>The loading curve that is fitted</source>
+        <translation>Die Belastungskurve, die angepasst wird</translation>
+    </message>
+    <message>
+        <source>found out</source>
+        <translation>selbst herausfinden</translation>
+    </message>
+    <message>
+        <source>one slope</source>
+        <translation>eine Steigung</translation>
+    </message>
+    <message>
+        <source>yields once</source>
+        <translation>gibt einmal nach</translation>
+    </message>
+    <message>
+        <source>that of the scenario</source>
+        <translation>das des Szenarios</translation>
+    </message>
+    <message>
+        <source>law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Record with the model, what the model leaves over, and force over penetration</source>
+        <translation>Aufzeichnung mit dem Modell, was das Modell übrig lässt, und Kraft über der Eindringung</translation>
+    </message>
+    <message>
+        <source>Open record…</source>
+        <translation>Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>A table of samples of one blow: time and strain, force or the output of a bridge</source>
+        <translation>Eine Tabelle von Messwerten eines Schlags: Zeit und Dehnung, Kraft oder Ausgang einer Brücke</translation>
+    </message>
+    <message>
+        <source>Known tolerances</source>
+        <translation>Bekannte Toleranzen</translation>
+    </message>
+    <message>
+        <source>behind the rock</source>
+        <translation>hinter dem Gestein</translation>
+    </message>
+    <message>
+        <source>Support of the specimen</source>
+        <translation>Worauf die Probe ruht</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>starr</translation>
+    </message>
+    <message>
+        <source>a bar like that of the gauge</source>
+        <translation>ein Stab wie der des Messstreifens</translation>
+    </message>
+    <message>
+        <source>dispersion</source>
+        <translation>Dispersion</translation>
+    </message>
+    <message>
+        <source>How much of the dispersion of a round bar is taken into account</source>
+        <translation>Wie viel der Dispersion eines runden Stabs berücksichtigt wird</translation>
+    </message>
+    <message>
+        <source>all of it</source>
+        <translation>ganz</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>use the rock identified from %1</source>
+        <translation>das aus %1 bestimmte Gestein verwenden</translation>
+    </message>
+    <message>
+        <source>D&amp;raws for Design…</source>
+        <translation>Z&amp;iehungen für Auslegung…</translation>
+    </message>
+    <message>
+        <source>Rows of values that the record allows, for design --draws</source>
+        <translation>Zeilen von Werten, die die Aufzeichnung zulässt, für design --draws</translation>
+    </message>
+    <message>
+        <source>There is no answer yet.</source>
+        <translation>Es gibt noch keine Antwort.</translation>
+    </message>
+    <message>
+        <source>The record does not fix the rock well enough.</source>
+        <translation>Die Aufzeichnung legt das Gestein nicht genau genug fest.</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Identifizieren</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::IdentifyPanel</name>
+    <message>
+        <source>Rock as identified</source>
+        <translation>Gestein, wie bestimmt</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>springback</source>
+        <translation>Rückfederung</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>A click on a tolerance goes to its field</source>
+        <translation>Ein Klick auf eine Toleranz führt zu ihrem Feld</translation>
+    </message>
+    <message>
+        <source>Use this rock</source>
+        <translation>Dieses Gestein verwenden</translation>
+    </message>
+    <message>
+        <source>Takes the rock into the scenario as one undo step</source>
+        <translation>Übernimmt das Gestein als einen Schritt in das Szenario</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Anheften</translation>
+    </message>
+    <message>
+        <source>Pins the scenario with this rock as a run; the scenario stays as it is</source>
+        <translation>Heftet das Szenario mit diesem Gestein als Lauf an; das Szenario bleibt, wie es ist</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ImportDialog</name>
     <message>
         <source>Import – %1</source>
@@ -5551,6 +5820,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>as in the last import</source>
         <translation>wie beim letzten Import</translation>
     </message>
+    <message>
+        <source>record to read the rock from</source>
+        <translation>Aufzeichnung, aus der das Gestein gelesen wird</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::ImportPlot</name>
@@ -5634,6 +5907,29 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>hammer</source>
         <translation>Hammer</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::KnownFields</name>
+    <message>
+        <source>tolerance of %1</source>
+        <translation>Toleranz von %1</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>95 % tolerance; empty: assumed</source>
+        <translation>Toleranz zu 95 %; leer: angenommen</translation>
+    </message>
+    <message>
+        <source>must be positive</source>
+        <translation>muss positiv sein</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
     </message>
 </context>
 <context>
@@ -6095,7 +6391,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Die erste Reflexion kommt vor den letzten %1 % des Schlags zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Kraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
+        <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Kraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
     </message>
     <message>
         <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
@@ -6115,11 +6411,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3. Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10 % ändern; %2 berechnet das.</translation>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3. Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; %2 berechnet das.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2). Die Eindringung kann sich um bis zu 10 % ändern; %3 berechnet das.</translation>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2). Die Eindringung kann sich um bis zu 10&#xa0;% ändern; %3 berechnet das.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6223,11 +6519,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
-        <translation>Nichts dämpft die Wellen: Sprünge klingen nie ab. Einen Wellenverlust angeben; 1 bis 30 % je Hin- und Rücklauf ist üblich.</translation>
+        <translation>Nichts dämpft die Wellen: Sprünge klingen nie ab. Einen Wellenverlust angeben; 1 bis 30&#xa0;% je Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
         <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Nach der Trennung gibt der Kolben noch bis zu %1 % seines Impulses ab: er ist dem zurückprallenden Strang im Weg. Hat die Maschine ihn bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
+        <translation>Nach der Trennung gibt der Kolben noch bis zu %1&#xa0;% seines Impulses ab: er ist dem zurückprallenden Strang im Weg. Hat die Maschine ihn bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
@@ -6251,7 +6547,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
-        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1 %: der Zeitschritt ist lang für diese Kontakte. Ein kürzerer verringert den Fehler im gleichen Verhältnis.</translation>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%: der Zeitschritt ist lang für diese Kontakte. Ein kürzerer verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
         <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
@@ -8134,10 +8430,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>bleibende Eindringung</translation>
     </message>
     <message>
-        <source>residual penetration</source>
-        <translation>bleibende Eindringung</translation>
-    </message>
-    <message>
         <source>largest compression</source>
         <translation>größter Druck</translation>
     </message>
@@ -8431,7 +8723,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
-        <translation>Bei bis zu %1 % der Stichproben einer Auslegung ist der numerische Fehler größer als der der Statistik: die Bohrkrone rattert bei diesen Schlägen.</translation>
+        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung ist der numerische Fehler größer als der der Statistik: die Bohrkrone rattert bei diesen Schlägen.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8820,10 +9112,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>mark</source>
         <translation>Marke</translation>
-    </message>
-    <message>
-        <source>place</source>
-        <translation>wo</translation>
     </message>
     <message>
         <source>FAILED %1: %2</source>
@@ -11770,10 +12058,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nicht zu sehen: die Aufzeichnung endet, bevor sich das Gestein entlastet</translation>
     </message>
     <message>
-        <source>uncertain</source>
-        <translation>unsicher</translation>
-    </message>
-    <message>
         <source>next blow</source>
         <translation>nächster Schlag</translation>
     </message>
@@ -12112,6 +12396,146 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>the incident wave is clipped over %1; choose a larger range of the amplifier or of the recorder</source>
         <translation>die einlaufende Welle ist über %1 abgeschnitten; einen größeren Bereich des Verstärkers oder des Messgeräts wählen</translation>
+    </message>
+    <message>
+        <source>--check needs --backing bar</source>
+        <translation>--check braucht --backing bar</translation>
+    </message>
+    <message>
+        <source>--check takes one column</source>
+        <translation>--check nimmt eine Spalte</translation>
+    </message>
+    <message>
+        <source>--with drill: %1 blows take about %2, more than a report may; set fewer blows (drill.blows), or use `drillwave drill --work-limit`</source>
+        <translation>--with drill: %1 Schläge dauern etwa %2, länger als ein Bericht darf; weniger Schläge setzen (drill.blows) oder `drillwave drill --work-limit` benutzen</translation>
+    </message>
+    <message>
+        <source>--with design needs a block `design` with its list `uncertain`; see `drillwave help files`</source>
+        <translation>--with design braucht einen Block `design` mit seiner Liste `uncertain`; siehe `drillwave help files`</translation>
+    </message>
+    <message>
+        <source>--with %1: `%2` is not a study of reports; choose from %3</source>
+        <translation>--with %1: `%2` ist keine Studie für Berichte; möglich sind %3</translation>
+    </message>
+    <message>
+        <source>nothing, only the present design</source>
+        <translation>nichts, nur die jetzige Auslegung</translation>
+    </message>
+    <message>
+        <source>Design variables: %1. All blows have the energy of the present one.</source>
+        <translation>Zur Wahl: %1. Alle Schläge haben die Energie des jetzigen.</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2: %3 %4, with the values entered %5.</source>
+        <translation>%1 statt %2: %3 %4, mit den eingegebenen Werten %5.</translation>
+    </message>
+    <message>
+        <source>equally good</source>
+        <translation>gleich gut</translation>
+    </message>
+    <message>
+        <source>present design</source>
+        <translation>jetzige</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>Zeit t</translation>
+    </message>
+    <message>
+        <source>force, compression +</source>
+        <translation>Kraft, Druck +</translation>
+    </message>
+    <message>
+        <source>returning wave, measured</source>
+        <translation>rücklaufende Welle, gemessen</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>incident wave</source>
+        <translation>einlaufende Welle</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>incident</source>
+        <translation>einlaufend</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>returning</source>
+        <translation>rücklaufend</translation>
+    </message>
+    <message>
+        <source>arrival by the distance</source>
+        <translation>Ankunft nach dem Abstand</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>law, 95 %</source>
+        <translation>Gesetz, 95 %</translation>
+    </message>
+    <message>
+        <source>penetration U</source>
+        <translation>Eindringung U</translation>
+    </message>
+    <message>
+        <source>force on the rock F</source>
+        <translation>Kraft auf das Gestein F</translation>
+    </message>
+    <message>
+        <source>measured, only a picture</source>
+        <translation>gemessen, nur ein Bild</translation>
+    </message>
+    <message>
+        <source>+2 σ of the noise</source>
+        <translation>+2 σ des Rauschens</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>law of the rock</source>
+        <translation>Gesetz des Gesteins</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>Gegenprobe</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted within %1 of its peak, %2 late</source>
+        <translation>die Welle hinter der Probe wird auf %1 ihres Scheitels vorhergesagt, Verzug %2</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit gives way and cuttings vanish.</source>
+        <translation>Die ersten %1 von %2 Schlägen zählen nicht. Der Bohrfortschritt ist eine obere Grenze: alles Gestein unter der Krone gibt nach, Bohrklein verschwindet.</translation>
+    </message>
+    <message>
+        <source>Design study</source>
+        <translation>Auslegungsstudie</translation>
+    </message>
+    <message>
+        <source>Continuous drilling</source>
+        <translation>Fortlaufendes Bohren</translation>
+    </message>
+    <message>
+        <source>%1: has another number of samples than the gauges</source>
+        <translation>%1: hat eine andere Zahl von Messwerten als die Messstellen</translation>
+    </message>
+    <message>
+        <source>%1: the table does not state this: %2. Open the record again and choose it.</source>
+        <translation>%1: Die Tabelle gibt dies nicht an: %2. Öffnen Sie die Aufzeichnung erneut und wählen Sie es.</translation>
     </message>
 </context>
 <context>
@@ -13007,10 +13431,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Bericht &amp;drucken …</translation>
     </message>
     <message>
-        <source>The report on paper: two to five pages of A4</source>
-        <translation>Der Bericht auf Papier: zwei bis fünf Seiten A4</translation>
-    </message>
-    <message>
         <source>Write the report</source>
         <translation>Bericht schreiben</translation>
     </message>
@@ -13057,6 +13477,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>There is no preview of the report.</source>
         <translation>Es gibt keine Vorschau des Berichts.</translation>
+    </message>
+    <message>
+        <source>The report on pages of A4</source>
+        <translation>Der Bericht auf Seiten A4</translation>
     </message>
 </context>
 <context>
@@ -13132,6 +13556,18 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>Estimate from single blows; %1 solves consecutive blows.</source>
         <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+    </message>
+    <message>
+        <source>penetration, energy, power and restitution</source>
+        <translation>Eindringung, Energie, Leistung und Stoßzahl</translation>
+    </message>
+    <message>
+        <source>%1 per blow</source>
+        <translation>%1 je Schlag</translation>
+    </message>
+    <message>
+        <source>e = %1</source>
+        <translation>e = %1</translation>
     </message>
 </context>
 <context>
@@ -13511,10 +13947,6 @@ in %4</translation>
         <translation>Δ</translation>
     </message>
     <message>
-        <source>Difference of e from the reference</source>
-        <translation>Wie weit e von dem des Bezugs abweicht</translation>
-    </message>
-    <message>
         <source>Re&amp;vert to this run</source>
         <translation>&amp;Zurück zu diesem Lauf</translation>
     </message>
@@ -13553,6 +13985,14 @@ in %4</translation>
     <message>
         <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
         <translation>Mit dem Fenster weg, außer mit Datei ▸ Läufe neben der Datei aufbewahren.</translation>
+    </message>
+    <message>
+        <source>Difference from the reference</source>
+        <translation>Abweichung vom Bezug</translation>
+    </message>
+    <message>
+        <source>Result shown of each run</source>
+        <translation>Ergebnis, das von jedem Lauf gezeigt wird</translation>
     </message>
 </context>
 <context>
@@ -13826,10 +14266,6 @@ in %4</translation>
         <translation>Womit alle Kräfte multipliziert werden</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>wie es ist</translation>
-    </message>
-    <message>
         <source>by a factor</source>
         <translation>mit einem Faktor</translation>
     </message>
@@ -13900,6 +14336,10 @@ in %4</translation>
     <message>
         <source>Largest number of points to keep. By default a blow keeps as many as needed for impulse and e to within 1e-4. The summary below gives the largest deviation.</source>
         <translation>Die von den Abtastwerten bleiben; ein Schlag behält so wenige, wie Kraftstoß und e auf 1e-4 gleich lassen, bis Sie eine Anzahl wählen. Wie weit die übrigen von den Geraden dazwischen entfernt sind, steht unten</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie er ist</translation>
     </message>
 </context>
 <context>
@@ -14463,16 +14903,16 @@ Festigkeit</translation>
         <translation>Antwort kopieren</translation>
     </message>
     <message>
-        <source>Copies the sentence below as text</source>
-        <translation>Der Satz darunter, als Text</translation>
+        <source>Copies answer and sentences below it as text</source>
+        <translation>Kopiert die Antwort und die Sätze darunter als Text</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
     </message>
 </context>
 <context>
     <name>drillwave::StudyStatus</name>
-    <message>
-        <source>%1 s left</source>
-        <translation>noch %1 s</translation>
-    </message>
     <message>
         <source>%1 min left</source>
         <translation>noch %1 min</translation>
@@ -14528,6 +14968,10 @@ Festigkeit</translation>
     <message>
         <source>stopped after %1 s</source>
         <translation>nach %1 s angehalten</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
     </message>
 </context>
 <context>
@@ -15428,14 +15872,6 @@ Schlag und starres Gestein angegeben werden.</translation>
         <translation>oder min:…; eines bis drei, das erste entscheidet</translation>
     </message>
     <message>
-        <source>a limit to every design</source>
-        <translation>eine Grenze für jede Auslegung</translation>
-    </message>
-    <message>
-        <source>likewise</source>
-        <translation>ebenso</translation>
-    </message>
-    <message>
         <source>every design&apos;s blow has the energy of FILE&apos;s</source>
         <translation>der Schlag jeder Auslegung hat dieselbe Energie wie der von FILE</translation>
     </message>
@@ -15446,19 +15882,6 @@ Schlag und starres Gestein angegeben werden.</translation>
     <message>
         <source>write a report: inputs with sources, results, verdict, plots, scenario</source>
         <translation>eine Seite zum Weitergeben: Eingaben mit Quellen, Ergebnisse, Urteil, Diagramme, das Szenario</translation>
-    </message>
-    <message>
-        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
-again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to five pages of
-A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
-units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
-drill string also its sections, drawn to scale, with their largest stresses.</source>
-        <translation>FILE.html enthält alles in einer Datei, auch die Bilder und das Szenario, und lässt sich neu
-rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf zwei bis fünf Seiten A4.
-DIR bekommt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
-SI-Einheiten, wo das Szenario Einheiten hat; die Quelle eines Werts ist der Kommentar dahinter in
-der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, mit ihren größten
-Spannungen.</translation>
     </message>
     <message>
         <source>project, shown below the title</source>
@@ -16039,48 +16462,89 @@ von beiden bekannt ist.
 Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
     </message>
     <message>
-        <source>records of strain gauges, in their order along the hole</source>
-        <translation>Aufzeichnungen von Dehnungsmessstreifen, in ihrer Folge entlang des Bohrlochs</translation>
-    </message>
-    <message>
-        <source>one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>eine oder zwei Messstellen, durch ihren Abstand von der Stirnfläche der Krone; A+B@… mittelt</translation>
-    </message>
-    <message>
-        <source>auto, bilinear, corner or file (default: auto)</source>
-        <translation>auto, bilinear, corner oder file (Vorgabe: auto)</translation>
-    </message>
-    <message>
-        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95&#xa0;%-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
-    </message>
-    <message>
-        <source>rigid, or bar: a specimen between two like bars (default: rigid)</source>
-        <translation>rigid, oder bar: eine Probe zwischen zwei gleichen Stäben (Vorgabe: rigid)</translation>
-    </message>
-    <message>
-        <source>fit, bar or none (default: fit)</source>
-        <translation>fit, bar oder none (Vorgabe: fit)</translation>
-    </message>
-    <message>
-        <source>end of the window after the returning wave arrives</source>
-        <translation>Ende des Fensters nach der Ankunft der zurückkehrenden Welle</translation>
-    </message>
-    <message>
-        <source>first or all, of a record with several fronts (default: first)</source>
-        <translation>first oder all, bei einer Aufzeichnung mit mehreren Fronten (Vorgabe: first)</translation>
-    </message>
-    <message>
-        <source>draws of the noise (default: 1)</source>
-        <translation>Startwert der Ziehungen des Rauschens (Vorgabe: 1)</translation>
-    </message>
-    <message>
-        <source>threads to use (default: all of them)</source>
-        <translation>Zahl der Threads (Vorgabe: alle)</translation>
-    </message>
-    <message>
         <source>Also write tables, draws and the identified scenario into DIR</source>
         <translation>Auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
+    </message>
+    <message>
+        <source>upper limit for every design</source>
+        <translation>Obergrenze für jede Auslegung</translation>
+    </message>
+    <message>
+        <source>lower limit for every design</source>
+        <translation>Untergrenze für jede Auslegung</translation>
+    </message>
+    <message>
+        <source>Read these records of strain gauges, in their order along the hole</source>
+        <translation>Diese Aufzeichnungen von Dehnungsmessstreifen lesen, in ihrer Folge im Bohrloch</translation>
+    </message>
+    <message>
+        <source>Use one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>Eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
+    </message>
+    <message>
+        <source>Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
+        <translation>auto, bilinear oder corner anpassen; file prüft das Gestein der Datei (Vorgabe: auto)</translation>
+    </message>
+    <message>
+        <source>Set the 95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>Die 95-%-Toleranz von gain, zero, gauge oder einem Maß setzen; siehe unten</translation>
+    </message>
+    <message>
+        <source>Put rigid rock behind the bit, or a like bar behind a specimen (default: rigid)</source>
+        <translation>Starres Gestein hinter der Bohrkrone, oder einen gleichen Stab hinter einer Probe annehmen (Vorgabe: rigid)</translation>
+    </message>
+    <message>
+        <source>Predict the gauge on the bar behind, by its distance from the specimen</source>
+        <translation>Die Messstelle am hinteren Stab vorhersagen, mit ihrem Abstand von der Probe</translation>
+    </message>
+    <message>
+        <source>Take dispersion as fit, bar or none (default: fit)</source>
+        <translation>Dispersion als fit, bar oder none ansetzen (Vorgabe: fit)</translation>
+    </message>
+    <message>
+        <source>End the window this long after the returning wave arrives</source>
+        <translation>Das Fenster so lange nach Ankunft der rücklaufenden Welle beenden</translation>
+    </message>
+    <message>
+        <source>Identify the first or all fronts of a record (default: first)</source>
+        <translation>Den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
+    </message>
+    <message>
+        <source>Draw other noise (default: 1)</source>
+        <translation>Anderes Rauschen ziehen (Vorgabe: 1)</translation>
+    </message>
+    <message>
+        <source>Use N threads (default: all of them)</source>
+        <translation>N Threads verwenden (Vorgabe: alle)</translation>
+    </message>
+    <message>
+        <source>Print one JSON object instead of the table</source>
+        <translation>Ein JSON-Objekt statt der Tabelle ausgeben</translation>
+    </message>
+    <message>
+        <source>Overwrite existing files</source>
+        <translation>Vorhandene Dateien überschreiben</translation>
+    </message>
+    <message>
+        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
+again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.
+DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
+units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
+drill string also its sections, drawn to scale, with their largest stresses.</source>
+        <translation>FILE.html enthält alles in einer Datei, auch die Bilder und das Szenario, und lässt sich neu
+rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf Seiten A4.
+DIR bekommt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
+SI-Einheiten, wo das Szenario Einheiten hat; die Quelle eines Werts ist der Kommentar dahinter in
+der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, mit ihren größten
+Spannungen.</translation>
+    </message>
+    <message>
+        <source>also contain these studies, with the settings of FILE: drill, continuous drilling; design, the study of its block `design`</source>
+        <translation>enthält auch diese Studien, mit den Einstellungen von FILE: drill, fortlaufendes Bohren; design, die Studie seines Blocks `design`</translation>
+    </message>
+    <message>
+        <source>number of threads of --with (default: all)</source>
+        <translation>Zahl der Threads von --with (Vorgabe: alle)</translation>
     </message>
 </context>
 </TS>

@@ -3654,6 +3654,50 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <source>sections that differ</source>
         <translation>sektioner som skiljer sig</translation>
     </message>
+    <message>
+        <source>Continuous drilling: gap and penetration of every blow, how the gaps scatter and follow each other, and the shares of the energy.</source>
+        <translation>Kontinuerlig borrning: spalt och inträngning för varje slag, hur spalterna sprids och följer på varandra, och energins andelar.</translation>
+    </message>
+    <message>
+        <source>Penetration rate, contact and gaps of continuous drilling over one parameter.</source>
+        <translation>Borrsjunkning, kontakt och spalter vid kontinuerlig borrning över en parameter.</translation>
+    </message>
+    <message>
+        <source>The designs: the first aim over the choice, with its scatter. Several aims and several uncertain inputs are compared below.</source>
+        <translation>Konstruktionerna: det första målet över valet, med sin spridning. Flera mål och flera osäkra indata jämförs därunder.</translation>
+    </message>
+    <message>
+        <source>gain of the amplifier [%]</source>
+        <translation>förstärkarens förstärkning [%]</translation>
+    </message>
+    <message>
+        <source>zero line [% of the peak]</source>
+        <translation>nollinje [% av toppen]</translation>
+    </message>
+    <message>
+        <source>place of the gauge</source>
+        <translation>givarens läge</translation>
+    </message>
+    <message>
+        <source>Identify needs a scenario with physical units: a record of a gauge is in seconds and newtons. Edit ▸ Make a rig of these groups makes one.</source>
+        <translation>Identifiera behöver ett scenario med fysiska enheter: en givares inspelning är i sekunder och newton. Redigera ▸ Gör en rigg av dessa tal skapar ett.</translation>
+    </message>
+    <message>
+        <source>Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
+        <translation>Identifiera läser bergets styvhet, återfjädring och spalt ur töjningsgivare på stången. Öppna en inspelning av ett slag.</translation>
+    </message>
+    <message>
+        <source>Choose the column of the gauge.</source>
+        <translation>Välj givarens kolumn.</translation>
+    </message>
+    <message>
+        <source>Type the distance of gauge %1 from the bit face.</source>
+        <translation>Skriv avståndet från borrkronan för givare %1.</translation>
+    </message>
+    <message>
+        <source>Gauge %1 is not on a uniform section of the rod or string: correct its distance from the bit face.</source>
+        <translation>Givare %1 sitter inte på en likformig sektion av stången eller strängen: rätta dess avstånd från borrkronan.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3834,10 +3878,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
 </context>
 <context>
     <name>drillwave::AlertLink</name>
-    <message>
-        <source>✓ nothing unusual</source>
-        <translation>✓ inget ovanligt</translation>
-    </message>
     <message>
         <source>✖ not solved</source>
         <translation>✖ inte löst</translation>
@@ -4483,14 +4523,6 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Beräkna alla stickprov i studien; tiden är en uppskattning</translation>
     </message>
     <message>
-        <source>Refine (%1 s)</source>
-        <translation>Förfina (%1 s)</translation>
-    </message>
-    <message>
-        <source>Refine (%1 min)</source>
-        <translation>Förfina (%1 min)</translation>
-    </message>
-    <message>
         <source>Not solved yet: this study takes more than 10 s. Press Refine to start it.</source>
         <translation>Inget är beräknat ännu: studien tar mer än 10 s. Knappen ”Förfina” startar den.</translation>
     </message>
@@ -4505,6 +4537,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>take the worst case</source>
         <translation>ta över det sämsta fallet</translation>
+    </message>
+    <message>
+        <source>Refine (%1)</source>
+        <translation>Förfina (%1)</translation>
     </message>
 </context>
 <context>
@@ -4696,6 +4732,14 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>; in contact means within %1 of the rock; %2</source>
         <translation>; i kontakt är inom %1 från berget; %2</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Scan %1</source>
+        <translation>Svep över %1</translation>
     </message>
 </context>
 <context>
@@ -5336,6 +5380,69 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::GaugeFields</name>
+    <message>
+        <source>gauge</source>
+        <translation>givare</translation>
+    </message>
+    <message>
+        <source>second gauge</source>
+        <translation>andra givare</translation>
+    </message>
+    <message>
+        <source>Column of the gauge that is nearest to the bit</source>
+        <translation>Kolumn för givaren närmast borrkronan</translation>
+    </message>
+    <message>
+        <source>Column of another gauge along the same section, at least 0.5 m away</source>
+        <translation>Kolumn för en annan givare på samma sektion, minst 0,5 m bort</translation>
+    </message>
+    <message>
+        <source>%1, opposite side</source>
+        <translation>%1, motsatta sidan</translation>
+    </message>
+    <message>
+        <source>Column of the gauge on the opposite side: the mean of both is free of bending</source>
+        <translation>Kolumn för givaren på motsatta sidan: medelvärdet av båda är fritt från böjning</translation>
+    </message>
+    <message>
+        <source>%1, distance from the bit face</source>
+        <translation>%1, avstånd från borrkronan</translation>
+    </message>
+    <message>
+        <source>from the bit</source>
+        <translation>från kronan</translation>
+    </message>
+    <message>
+        <source>Distance of the gauge from the bit face</source>
+        <translation>Givarens avstånd från borrkronan</translation>
+    </message>
+    <message>
+        <source>must be positive</source>
+        <translation>måste vara positivt</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>one side only</source>
+        <translation>bara en sida</translation>
+    </message>
+    <message>
+        <source>on %1, x = %2 m</source>
+        <translation>på %1, x = %2 m</translation>
+    </message>
+    <message>
+        <source>not on a uniform section</source>
+        <translation>inte på en likformig sektion</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::GoalField</name>
     <message>
         <source>Goal: wanted result</source>
@@ -5450,6 +5557,168 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
 </context>
 <context>
+    <name>drillwave::IdentifyPage</name>
+    <message>
+        <source>law of the rock</source>
+        <translation>bergets lag</translation>
+    </message>
+    <message>
+        <source>The loading curve that is fitted</source>
+        <translation>Belastningskurvan som anpassas</translation>
+    </message>
+    <message>
+        <source>found out</source>
+        <translation>bestäms automatiskt</translation>
+    </message>
+    <message>
+        <source>one slope</source>
+        <translation>en lutning</translation>
+    </message>
+    <message>
+        <source>yields once</source>
+        <translation>ger efter en gång</translation>
+    </message>
+    <message>
+        <source>that of the scenario</source>
+        <translation>scenariots</translation>
+    </message>
+    <message>
+        <source>law</source>
+        <translation>lag</translation>
+    </message>
+    <message>
+        <source>Record with the model, what the model leaves over, and force over penetration</source>
+        <translation>Inspelning med modellen, vad modellen lämnar kvar och kraft över inträngning</translation>
+    </message>
+    <message>
+        <source>Open record…</source>
+        <translation>Öppna inspelning…</translation>
+    </message>
+    <message>
+        <source>A table of samples of one blow: time and strain, force or the output of a bridge</source>
+        <translation>En tabell med mätvärden av ett slag: tid och töjning, kraft eller utsignal från en brygga</translation>
+    </message>
+    <message>
+        <source>Known tolerances</source>
+        <translation>Kända toleranser</translation>
+    </message>
+    <message>
+        <source>behind the rock</source>
+        <translation>bakom berget</translation>
+    </message>
+    <message>
+        <source>Support of the specimen</source>
+        <translation>Vad provet vilar på</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>stelt</translation>
+    </message>
+    <message>
+        <source>a bar like that of the gauge</source>
+        <translation>en stång som givarens</translation>
+    </message>
+    <message>
+        <source>dispersion</source>
+        <translation>dispersion</translation>
+    </message>
+    <message>
+        <source>How much of the dispersion of a round bar is taken into account</source>
+        <translation>Hur mycket av en rund stångs dispersion som beaktas</translation>
+    </message>
+    <message>
+        <source>all of it</source>
+        <translation>hela</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>use the rock identified from %1</source>
+        <translation>använd berget som bestämts ur %1</translation>
+    </message>
+    <message>
+        <source>D&amp;raws for Design…</source>
+        <translation>D&amp;ragningar för Konstruktion…</translation>
+    </message>
+    <message>
+        <source>Rows of values that the record allows, for design --draws</source>
+        <translation>Rader med värden som inspelningen tillåter, för design --draws</translation>
+    </message>
+    <message>
+        <source>There is no answer yet.</source>
+        <translation>Det finns inget svar ännu.</translation>
+    </message>
+    <message>
+        <source>The record does not fix the rock well enough.</source>
+        <translation>Inspelningen bestämmer inte berget tillräckligt väl.</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Identifiera</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::IdentifyPanel</name>
+    <message>
+        <source>Rock as identified</source>
+        <translation>Berget som bestämt</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>vad</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>värde</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>omdöme</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>orsak</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>styvhet</translation>
+    </message>
+    <message>
+        <source>springback</source>
+        <translation>återfjädring</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolerans</translation>
+    </message>
+    <message>
+        <source>A click on a tolerance goes to its field</source>
+        <translation>Ett klick på en tolerans leder till dess fält</translation>
+    </message>
+    <message>
+        <source>Use this rock</source>
+        <translation>Använd detta berg</translation>
+    </message>
+    <message>
+        <source>Takes the rock into the scenario as one undo step</source>
+        <translation>Tar in berget i scenariot som ett steg</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fäst</translation>
+    </message>
+    <message>
+        <source>Pins the scenario with this rock as a run; the scenario stays as it is</source>
+        <translation>Fäster scenariot med detta berg som en körning; scenariot förblir som det är</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ImportDialog</name>
     <message>
         <source>Import – %1</source>
@@ -5551,6 +5820,10 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <source>as in the last import</source>
         <translation>som vid den senaste importen</translation>
     </message>
+    <message>
+        <source>record to read the rock from</source>
+        <translation>inspelning som berget läses ur</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::ImportPlot</name>
@@ -5634,6 +5907,29 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>hammer</source>
         <translation>hammare</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::KnownFields</name>
+    <message>
+        <source>tolerance of %1</source>
+        <translation>tolerans för %1</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>antaget</translation>
+    </message>
+    <message>
+        <source>95 % tolerance; empty: assumed</source>
+        <translation>95 % tolerans; tomt: antaget</translation>
+    </message>
+    <message>
+        <source>must be positive</source>
+        <translation>måste vara positivt</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
     </message>
 </context>
 <context>
@@ -6095,7 +6391,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Den första reflexionen kommer tillbaka före de sista %1 % av slaget. En verklig hammare skulle känna den, men här är kraften given. En borrsträng med hammare tar hänsyn till den.</translation>
+        <translation>Den första reflexionen kommer tillbaka före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är kraften given. En borrsträng med hammare tar hänsyn till den.</translation>
     </message>
     <message>
         <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
@@ -6115,11 +6411,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3. Inträngningen kan ändras med upp till 10 % med slagfrekvens och stränglängd; %2 beräknar det.</translation>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3. Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; %2 beräknar det.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2). Inträngningen kan ändras med upp till 10 %; %3 beräknar det.</translation>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2). Inträngningen kan ändras med upp till 10&#xa0;%; %3 beräknar det.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6223,11 +6519,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
-        <translation>Inget dämpar vågorna: språng klingar aldrig av. Ange en vågförlust; 1 till 30 % per varv fram och åter är vanlig.</translation>
+        <translation>Inget dämpar vågorna: språng klingar aldrig av. Ange en vågförlust; 1 till 30&#xa0;% per varv fram och åter är vanlig.</translation>
     </message>
     <message>
         <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Efter separationen avger kolven ännu upp till %1 % av sin rörelsemängd: den är i vägen för den studsande strängen. Om maskinen då har dragit den tillbaka, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
+        <translation>Efter separationen avger kolven ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen. Om maskinen då har dragit den tillbaka, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
@@ -6251,7 +6547,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
-        <translation>Energibalansen för alla slag har ett fel på %1 %: tidssteget är långt för dessa kontakter. Ett kortare minskar felet i samma mån.</translation>
+        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%: tidssteget är långt för dessa kontakter. Ett kortare minskar felet i samma mån.</translation>
     </message>
     <message>
         <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
@@ -8134,10 +8430,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kvarstående inträngning</translation>
     </message>
     <message>
-        <source>residual penetration</source>
-        <translation>kvarstående inträngning</translation>
-    </message>
-    <message>
         <source>largest compression</source>
         <translation>största tryck</translation>
     </message>
@@ -8431,7 +8723,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
-        <translation>För upp till %1 % av stickproven i en konstruktion är det numeriska felet större än statistikens: borrkronan skallrar i dessa slag.</translation>
+        <translation>För upp till %1&#xa0;% av stickproven i en konstruktion är det numeriska felet större än statistikens: borrkronan skallrar i dessa slag.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8820,10 +9112,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>mark</source>
         <translation>gräns</translation>
-    </message>
-    <message>
-        <source>place</source>
-        <translation>var</translation>
     </message>
     <message>
         <source>FAILED %1: %2</source>
@@ -11770,10 +12058,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>syns inte: mätningen slutar innan berget avlastas</translation>
     </message>
     <message>
-        <source>uncertain</source>
-        <translation>osäkert</translation>
-    </message>
-    <message>
         <source>next blow</source>
         <translation>nästa slag</translation>
     </message>
@@ -12112,6 +12396,146 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>the incident wave is clipped over %1; choose a larger range of the amplifier or of the recorder</source>
         <translation>den infallande vågen är klippt under %1; välj ett större område på förstärkaren eller mätinstrumentet</translation>
+    </message>
+    <message>
+        <source>--check needs --backing bar</source>
+        <translation>--check kräver --backing bar</translation>
+    </message>
+    <message>
+        <source>--check takes one column</source>
+        <translation>--check tar en kolumn</translation>
+    </message>
+    <message>
+        <source>--with drill: %1 blows take about %2, more than a report may; set fewer blows (drill.blows), or use `drillwave drill --work-limit`</source>
+        <translation>--with drill: %1 slag tar ungefär %2, längre än en rapport får; ange färre slag (drill.blows) eller använd `drillwave drill --work-limit`</translation>
+    </message>
+    <message>
+        <source>--with design needs a block `design` with its list `uncertain`; see `drillwave help files`</source>
+        <translation>--with design behöver ett block `design` med sin lista `uncertain`; se `drillwave help files`</translation>
+    </message>
+    <message>
+        <source>--with %1: `%2` is not a study of reports; choose from %3</source>
+        <translation>--with %1: `%2` är ingen studie för rapporter; välj bland %3</translation>
+    </message>
+    <message>
+        <source>nothing, only the present design</source>
+        <translation>inget, bara den nuvarande konstruktionen</translation>
+    </message>
+    <message>
+        <source>Design variables: %1. All blows have the energy of the present one.</source>
+        <translation>Val: %1. Alla slag har samma energi som det nuvarande.</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2: %3 %4, with the values entered %5.</source>
+        <translation>%1 i stället för %2: %3 %4, med de inmatade värdena %5.</translation>
+    </message>
+    <message>
+        <source>equally good</source>
+        <translation>lika bra</translation>
+    </message>
+    <message>
+        <source>present design</source>
+        <translation>nuvarande</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>tid t</translation>
+    </message>
+    <message>
+        <source>force, compression +</source>
+        <translation>kraft, tryck +</translation>
+    </message>
+    <message>
+        <source>returning wave, measured</source>
+        <translation>återvändande våg, uppmätt</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modell</translation>
+    </message>
+    <message>
+        <source>incident wave</source>
+        <translation>infallande våg</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>uppmätt</translation>
+    </message>
+    <message>
+        <source>incident</source>
+        <translation>infallande</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>lugnt</translation>
+    </message>
+    <message>
+        <source>returning</source>
+        <translation>återvändande</translation>
+    </message>
+    <message>
+        <source>arrival by the distance</source>
+        <translation>ankomst enligt avståndet</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>rest</translation>
+    </message>
+    <message>
+        <source>law, 95 %</source>
+        <translation>lag, 95 %</translation>
+    </message>
+    <message>
+        <source>penetration U</source>
+        <translation>inträngning U</translation>
+    </message>
+    <message>
+        <source>force on the rock F</source>
+        <translation>kraft på berget F</translation>
+    </message>
+    <message>
+        <source>measured, only a picture</source>
+        <translation>uppmätt, bara en bild</translation>
+    </message>
+    <message>
+        <source>+2 σ of the noise</source>
+        <translation>+2 σ av bruset</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inte känt</translation>
+    </message>
+    <message>
+        <source>law of the rock</source>
+        <translation>bergets lag</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>kontroll</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted within %1 of its peak, %2 late</source>
+        <translation>vågen bakom provet förutsägs inom %1 av sin topp, fördröjning %2</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit gives way and cuttings vanish.</source>
+        <translation>De första %1 av %2 slag räknas inte. Borrsjunkningen är en övre gräns: allt berg under borrkronan ger efter och borrkaxet försvinner.</translation>
+    </message>
+    <message>
+        <source>Design study</source>
+        <translation>Konstruktionsstudie</translation>
+    </message>
+    <message>
+        <source>Continuous drilling</source>
+        <translation>Kontinuerlig borrning</translation>
+    </message>
+    <message>
+        <source>%1: has another number of samples than the gauges</source>
+        <translation>%1: har ett annat antal mätvärden än givarna</translation>
+    </message>
+    <message>
+        <source>%1: the table does not state this: %2. Open the record again and choose it.</source>
+        <translation>%1: tabellen anger inte detta: %2. Öppna inspelningen igen och välj det.</translation>
     </message>
 </context>
 <context>
@@ -13007,10 +13431,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Skriv &amp;ut rapporten…</translation>
     </message>
     <message>
-        <source>The report on paper: two to five pages of A4</source>
-        <translation>Rapporten på papper: två till fem A4-sidor</translation>
-    </message>
-    <message>
         <source>Write the report</source>
         <translation>Skriv rapporten</translation>
     </message>
@@ -13057,6 +13477,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>There is no preview of the report.</source>
         <translation>Det finns ingen förhandsvisning av rapporten.</translation>
+    </message>
+    <message>
+        <source>The report on pages of A4</source>
+        <translation>Rapporten på A4-sidor</translation>
     </message>
 </context>
 <context>
@@ -13132,6 +13556,18 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>Estimate from single blows; %1 solves consecutive blows.</source>
         <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+    </message>
+    <message>
+        <source>penetration, energy, power and restitution</source>
+        <translation>inträngning, energi, effekt och studstal</translation>
+    </message>
+    <message>
+        <source>%1 per blow</source>
+        <translation>%1 per slag</translation>
+    </message>
+    <message>
+        <source>e = %1</source>
+        <translation>e = %1</translation>
     </message>
 </context>
 <context>
@@ -13511,10 +13947,6 @@ i %4</translation>
         <translation>Δ</translation>
     </message>
     <message>
-        <source>Difference of e from the reference</source>
-        <translation>Hur mycket e skiljer sig från referensens</translation>
-    </message>
-    <message>
         <source>Re&amp;vert to this run</source>
         <translation>Åter&amp;gå till denna körning</translation>
     </message>
@@ -13553,6 +13985,14 @@ i %4</translation>
     <message>
         <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
         <translation>Försvinner med fönstret, om inte Arkiv ▸ Behåll körningar bredvid filen.</translation>
+    </message>
+    <message>
+        <source>Difference from the reference</source>
+        <translation>Skillnad mot referensen</translation>
+    </message>
+    <message>
+        <source>Result shown of each run</source>
+        <translation>Resultat som visas för varje körning</translation>
     </message>
 </context>
 <context>
@@ -13826,10 +14266,6 @@ i %4</translation>
         <translation>Vad alla krafter multipliceras med</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>som det är</translation>
-    </message>
-    <message>
         <source>by a factor</source>
         <translation>med en faktor</translation>
     </message>
@@ -13900,6 +14336,10 @@ i %4</translation>
     <message>
         <source>Largest number of points to keep. By default a blow keeps as many as needed for impulse and e to within 1e-4. The summary below gives the largest deviation.</source>
         <translation>Som behålls av mätvärdena; ett slag behåller så få att impuls och e är lika till 1e-4 tills du väljer ett antal. Hur långt de övriga är från linjerna emellan står nedan</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>som den är</translation>
     </message>
 </context>
 <context>
@@ -14463,16 +14903,16 @@ fastheten</translation>
         <translation>Kopiera svaret</translation>
     </message>
     <message>
-        <source>Copies the sentence below as text</source>
-        <translation>Meningen nedanför, som text</translation>
+        <source>Copies answer and sentences below it as text</source>
+        <translation>Kopierar svaret och meningarna därunder som text</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Inställningar</translation>
     </message>
 </context>
 <context>
     <name>drillwave::StudyStatus</name>
-    <message>
-        <source>%1 s left</source>
-        <translation>%1 s kvar</translation>
-    </message>
     <message>
         <source>%1 min left</source>
         <translation>%1 min kvar</translation>
@@ -14528,6 +14968,10 @@ fastheten</translation>
     <message>
         <source>stopped after %1 s</source>
         <translation>stoppad efter %1 s</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 kvar</translation>
     </message>
 </context>
 <context>
@@ -15422,14 +15866,6 @@ slag och stelt berg anges.</translation>
         <translation>eller min:…; ett till tre mål, det första avgör</translation>
     </message>
     <message>
-        <source>a limit to every design</source>
-        <translation>en gräns för varje konstruktion</translation>
-    </message>
-    <message>
-        <source>likewise</source>
-        <translation>likaså</translation>
-    </message>
-    <message>
         <source>every design&apos;s blow has the energy of FILE&apos;s</source>
         <translation>varje konstruktions slag har samma energi som det i FILE</translation>
     </message>
@@ -15440,18 +15876,6 @@ slag och stelt berg anges.</translation>
     <message>
         <source>write a report: inputs with sources, results, verdict, plots, scenario</source>
         <translation>en sida att lämna över: indata med källor, resultat, omdöme, diagram, scenariot</translation>
-    </message>
-    <message>
-        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
-again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to five pages of
-A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
-units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
-drill string also its sections, drawn to scale, with their largest stresses.</source>
-        <translation>FILE.html innehåller allt i en enda fil, även bilder och scenario, och kan köras igen:
-`drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på två till fem A4-sidor. DIR får
-båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har enheter, och är de som
-`run --json` ger; källan till ett värde är kommentaren efter det i filen. För en borrsträng även
-dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
     </message>
     <message>
         <source>project, shown below the title</source>
@@ -16027,48 +16451,88 @@ Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen
 Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
     </message>
     <message>
-        <source>records of strain gauges, in their order along the hole</source>
-        <translation>mätningar från töjningsgivare, i ordning längs borrhålet</translation>
-    </message>
-    <message>
-        <source>one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>en givare eller två, med avståndet från kronans frontyta; A+B@… tar medelvärdet</translation>
-    </message>
-    <message>
-        <source>auto, bilinear, corner or file (default: auto)</source>
-        <translation>auto, bilinear, corner eller file (standard: auto)</translation>
-    </message>
-    <message>
-        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95&#xa0;%-tolerans för gain, zero, gauge eller ett mått; se nedan</translation>
-    </message>
-    <message>
-        <source>rigid, or bar: a specimen between two like bars (default: rigid)</source>
-        <translation>rigid, eller bar: ett provstycke mellan två lika stänger (standard: rigid)</translation>
-    </message>
-    <message>
-        <source>fit, bar or none (default: fit)</source>
-        <translation>fit, bar eller none (standard: fit)</translation>
-    </message>
-    <message>
-        <source>end of the window after the returning wave arrives</source>
-        <translation>fönstrets slut efter den återvändande vågens ankomst</translation>
-    </message>
-    <message>
-        <source>first or all, of a record with several fronts (default: first)</source>
-        <translation>first eller all, för en mätning med flera vågfronter (standard: first)</translation>
-    </message>
-    <message>
-        <source>draws of the noise (default: 1)</source>
-        <translation>startvärde för brusets dragningar (standard: 1)</translation>
-    </message>
-    <message>
-        <source>threads to use (default: all of them)</source>
-        <translation>antal trådar (standard: alla)</translation>
-    </message>
-    <message>
         <source>Also write tables, draws and the identified scenario into DIR</source>
         <translation>Skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
+    </message>
+    <message>
+        <source>upper limit for every design</source>
+        <translation>övre gräns för varje konstruktion</translation>
+    </message>
+    <message>
+        <source>lower limit for every design</source>
+        <translation>undre gräns för varje konstruktion</translation>
+    </message>
+    <message>
+        <source>Read these records of strain gauges, in their order along the hole</source>
+        <translation>Läs dessa registreringar från töjningsgivare, i ordning längs hålet</translation>
+    </message>
+    <message>
+        <source>Use one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>Använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
+    </message>
+    <message>
+        <source>Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
+        <translation>Anpassa auto, bilinear eller corner; file prövar berget i FILE (förval: auto)</translation>
+    </message>
+    <message>
+        <source>Set the 95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>Ange 95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
+    </message>
+    <message>
+        <source>Put rigid rock behind the bit, or a like bar behind a specimen (default: rigid)</source>
+        <translation>Anta styvt berg bakom borrkronan, eller en likadan stång bakom ett prov (förval: rigid)</translation>
+    </message>
+    <message>
+        <source>Predict the gauge on the bar behind, by its distance from the specimen</source>
+        <translation>Förutsäg givaren på den bakre stången, med dess avstånd från provet</translation>
+    </message>
+    <message>
+        <source>Take dispersion as fit, bar or none (default: fit)</source>
+        <translation>Ta dispersionen som fit, bar eller none (förval: fit)</translation>
+    </message>
+    <message>
+        <source>End the window this long after the returning wave arrives</source>
+        <translation>Avsluta fönstret så länge efter att den återvändande vågen kommer</translation>
+    </message>
+    <message>
+        <source>Identify the first or all fronts of a record (default: first)</source>
+        <translation>Utvärdera första eller alla slag i en registrering, first eller all (förval: first)</translation>
+    </message>
+    <message>
+        <source>Draw other noise (default: 1)</source>
+        <translation>Dra annat brus (förval: 1)</translation>
+    </message>
+    <message>
+        <source>Use N threads (default: all of them)</source>
+        <translation>Använd N trådar (förval: alla)</translation>
+    </message>
+    <message>
+        <source>Print one JSON object instead of the table</source>
+        <translation>Skriv ut ett JSON-objekt i stället för tabellen</translation>
+    </message>
+    <message>
+        <source>Overwrite existing files</source>
+        <translation>Skriv över befintliga filer</translation>
+    </message>
+    <message>
+        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
+again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.
+DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
+units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
+drill string also its sections, drawn to scale, with their largest stresses.</source>
+        <translation>FILE.html innehåller allt i en enda fil, även bilder och scenario, och kan köras igen:
+`drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på A4-sidor. DIR får
+båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har enheter, och är de som
+`run --json` ger; källan till ett värde är kommentaren efter det i filen. För en borrsträng även
+dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
+    </message>
+    <message>
+        <source>also contain these studies, with the settings of FILE: drill, continuous drilling; design, the study of its block `design`</source>
+        <translation>innehåller även dessa studier, med inställningarna i FILE: drill, kontinuerlig borrning; design, studien i dess block `design`</translation>
+    </message>
+    <message>
+        <source>number of threads of --with (default: all)</source>
+        <translation>antal trådar för --with (förval: alla)</translation>
     </message>
 </context>
 </TS>
