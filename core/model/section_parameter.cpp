@@ -184,8 +184,7 @@ Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parame
         return std::ranges::find(numbers, number) != numbers.end();
     };
     if (std::ranges::none_of(numbersOf(b, ofOther), isOfOne)) return {};
-    if (a.place > 0 && b.place > 0)
-        return translatable("both are the same section of a repeat; set one of them");
+    if (a.place > 0 && b.place > 0) return translatable("are the same section of a repeat");
     const SectionAddress& place = a.place > 0 ? a : b;
     return {place.chain == Chain::hammer
                 ? translatable("set one section: section %1 of the hammer is called %2")

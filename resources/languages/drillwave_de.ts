@@ -2575,11 +2575,11 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>Spalt, unter dem 5&#xa0;% der Schläge liegen</translation>
+        <translation>Spalt, den 95 % der Schläge überschreiten</translation>
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>Spalt, unter dem 95&#xa0;% der Schläge liegen</translation>
+        <translation>Spalt, den 5 % der Schläge überschreiten</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -8266,7 +8266,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Strang hat nur %1 Abschnitte</translation>
     </message>
     <message>
-        <source>both are the same section of a repeat; set one of them</source>
+        <source>are the same section of a repeat</source>
         <translation>setzen denselben Abschnitt, der durch eine Wiederholung unter beiden Nummern vorkommt</translation>
     </message>
     <message>
@@ -16005,7 +16005,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>Spalt, unter dem 5&#xa0;% der Schläge liegen</translation>
+        <translation>Spalt, den 95 % der Schläge überschreiten</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -16013,7 +16013,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>Spalt, unter dem 95&#xa0;% der Schläge liegen</translation>
+        <translation>Spalt, den 5 % der Schläge überschreiten</translation>
     </message>
     <message>
         <source>mean penetration of a blow: an upper limit</source>

@@ -2575,11 +2575,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>spalt som 5&#xa0;% av slagen ligger under</translation>
+        <translation>spalt som 95 % av slagen överskrider</translation>
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>spalt som 95&#xa0;% av slagen ligger under</translation>
+        <translation>spalt som 5 % av slagen överskrider</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -8266,7 +8266,7 @@ en projektion av fler dimensioner</translation>
         <translation>strängen har bara %1 sektioner</translation>
     </message>
     <message>
-        <source>both are the same section of a repeat; set one of them</source>
+        <source>are the same section of a repeat</source>
         <translation>sätter samma sektion, som en upprepning för till båda ställena</translation>
     </message>
     <message>
@@ -15997,7 +15997,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>spalt som 5&#xa0;% av slagen ligger under</translation>
+        <translation>spalt som 95 % av slagen överskrider</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -16005,7 +16005,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>spalt som 95&#xa0;% av slagen ligger under</translation>
+        <translation>spalt som 5 % av slagen överskrider</translation>
     </message>
     <message>
         <source>mean penetration of a blow: an upper limit</source>

@@ -238,7 +238,7 @@ void TestCurves::whatIsWrongIsSaid_data() {
     add("a list", {"--along", "beta=1,2,3"}, 2, "beta needs START:STOP");
     add("a point", {"--along", "beta=1:1"}, 2, "must end above its beginning");
     add("out of range", {"--along", "gamma=0.5:2"}, 5, "must be in (0, 1]");
-    add("without meaning", {"--along", "rod.length=1m:2m"}, 5, "has no meaning here");
+    add("without meaning", {"--along", "rod.length=1m:2m"}, 5, "does not apply here");
     add("set and varied", {"--along", "beta=1:2", "--set", "beta=3"}, 2, "beta");
     add("one quantity twice", {"--along", "beta=1:2", "--family", "beta=1,2"}, 5, "set the same thing");
     add("an unknown output", {"--along", "beta=1:2", "--outputs", "corr"}, 2, "did you mean `cor`?");
@@ -254,7 +254,7 @@ void TestCurves::whatIsWrongIsSaid_data() {
     add("a goal of another unit",
         {"--along", "drill.thrust=8kN:9kN", "--outputs", "peak_force", "--si", "--goal", "5mm"}, 2, "kN");
     add("a goal of two outputs", {"--along", "beta=1:2", "--outputs", "cor,peak_force", "--goal", "1"}, 2,
-        "--goal is about one output");
+        "--goal needs one output");
     add("a goal of a word", {"--along", "beta=1:2", "--outputs", "feed", "--goal", "1"}, 2, "feed");
     add("a goal along words", {"--along", "pulse.shape=rectangular:half_sine", "--goal", "1"}, 2,
         "pulse.shape");
@@ -262,9 +262,9 @@ void TestCurves::whatIsWrongIsSaid_data() {
     add("downwards from nowhere", {"--along", "beta=2:much"}, 5, "beta = much");
     add("downwards below zero by ratios", {"--along", "delta=1:0:log"}, 2, "must begin and end above 0");
     add("a goal on standard output", {"--along", "beta=1:2", "--goal", "1", "-o", "-"}, 2,
-        "--goal has no place");
+        "--goal cannot be used");
     add("force without a file", {"--along", "beta=1:2", "--force"}, 2,
-        "--force is about files; add -o FILE.csv");
+        "--force applies to files; add -o FILE.csv");
 }
 
 void TestCurves::whatIsWrongIsSaid() {

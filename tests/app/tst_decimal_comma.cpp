@@ -124,7 +124,7 @@ void TestDecimalComma::recordsAreOfTheFileAsWritten() {
 void TestDecimalComma::withoutAFileItIsRefused() {
     const Finished refused = run({"gap", "t38_medium_rock", "--decimal-comma"});
     QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.error.contains("--decimal-comma is about files; add -o FILE.csv"),
+    QVERIFY2(refused.error.contains("--decimal-comma applies to files; add -o FILE.csv"),
              refused.error.constData());
 }
 

@@ -97,7 +97,7 @@ void TestJoin::partsThatAreNoWholeAreNamed() {
     QByteArray rows = read(part(2));
     write(part(2), rows.left(rows.lastIndexOf('\n', -2) + 1));
     const QByteArray shorter = refusal(joinOf({1, 2, 3, 4}));
-    QVERIFY2(shorter.contains("part2.csv: is not what its record says"), shorter);
+    QVERIFY2(shorter.contains("part2.csv: differs from its record"), shorter);
 }
 
 void TestJoin::aFolderIsItsParts() {
@@ -218,7 +218,7 @@ void TestJoin::partsOfAnotherRunAreNamed() {
         writePart(index == 2 ? other : sweepOf().mid(0, 5), index, index == 2 ? count : 3);
     const Finished refused = run(joinOf({1, 2, 3}));
     QCOMPARE(refused.exitCode, 5);
-    QVERIFY2(refused.error.contains("part2.csv: is a part of another run than "), refused.error);
+    QVERIFY2(refused.error.contains("part2.csv: belongs to another run than "), refused.error);
     QVERIFY2(refused.error.contains("its " + differs.toUtf8() + " differs"), refused.error);
     QCOMPARE(refused.error.count('\n'), 1);
 }

@@ -189,7 +189,7 @@ void TestMaps::whatIsWrongIsSaid_data() {
     QTest::newRow("SI of groups") << x + y + QStringList{"--si"} << 5
                                   << QByteArray("SI columns need a scenario in physical units");
     QTest::newRow("levels nowhere") << x + y + QStringList{"--level", "1", "-o", "-"} << 2
-                                    << QByteArray("--level has no place where -o - prints the map");
+                                    << QByteArray("--level cannot be used with -o -, which prints the map");
     QTest::newRow("force nothing") << x + y + QStringList{"--force"} << 2 << QByteArray("add -o FILE.csv");
     QTest::newRow("no folder") << x + y + QStringList{"-o", "/nowhere/map.csv"} << 4
                                << QByteArray("/nowhere/map.csv");

@@ -123,7 +123,7 @@ void TestResume::rowsOfAnotherRunAreNotGoneOnWith() {
     const QByteArray before = read(path("rows.csv.partial"));
     const Finished refused = run(resumed(longSweep() + QStringList{"--set", "delta=0.5"}));
     QCOMPARE(refused.exitCode, 4);
-    QVERIFY2(refused.error.contains("rows.csv.partial.yaml: is of another run"), refused.error);
+    QVERIFY2(refused.error.contains("rows.csv.partial.yaml: belongs to another run"), refused.error);
     QVERIFY(read(path("rows.csv.partial")) == before);
 }
 

@@ -186,7 +186,7 @@ void TestSignal::openQuestionsStopAScenario() {
     const QString rod = example("t38_medium_rock");
     const Finished open = run({"run", rod, "--signal", field("01_unit_words.csv")});
     QCOMPARE(open.exitCode, 5);
-    QVERIFY2(open.error.contains("answer by --unit"), open.error.constData());
+    QVERIFY2(open.error.contains("give --unit"), open.error.constData());
     QCOMPARE(run({"run", rod, "--signal", field("01_unit_words.csv"), "--scale", "100kN/V"}).exitCode, 0);
     QCOMPARE(run({"run", rod, "--rate", "5MHz"}).exitCode, 2);
 }

@@ -215,14 +215,15 @@ void TestStudyPlots::whatCannotBeDrawnIsRefused_data() {
     };
     row("without a file", {"gap", paper, "--plots", "png"}, "add -o FILE.csv");
     row("on standard output", {"gap", paper, "--plots", "png", "-o", "-"}, "add -o FILE.csv");
-    row("beside a device", {"gap", paper, "--plots", "png", "-o", "/dev/null"}, "no place for pictures");
+    row("beside a device", {"gap", paper, "--plots", "png", "-o", "/dev/null"},
+        "needs a file to store pictures beside");
     row("another format", {"gap", paper, "--plots", "gif", "-o", path("x.csv")}, "choose from png, svg, pdf");
     row("accuracy on standard output", {"accuracy", paper, "--plots", "png", "-o", "-"}, "add -o DIR");
     row("stability without a folder", {"stability", "--plots", "png"}, "add -o DIR");
     row("figures on standard output", {"figures", "--plots", "png", "-o", "-"}, "add -o DIR");
     row("three axes", sweep + QStringList{"beta=1,2", "gamma=0.5,1", "tau=1,2"}, "one axis or two, not 3");
     row("no axis of numbers", sweep + QStringList{"pulse.shape=rectangular,half_sine"},
-        "no axis has two numbers");
+        "no axis has two or more numeric values");
     row("too many curves", sweep + QStringList{"beta=1:2:17", "gamma=0.1:1:18"}, "at most 16 curves");
     row("too many outputs", sweep + QStringList{"beta=1:2:10", "--outputs", "all"}, "at most 8 outputs");
     row("a part", sweep + QStringList{"beta=1:2:10", "--shard", "1/2"}, "leave out --shard");

@@ -93,9 +93,9 @@ struct SizeOff {
 struct MatchCurves {
     std::vector<double> time, incident, measured, model, residual;
     std::vector<double> penetration, force, modelForce;  ///< at the same times, at the rock
-    double front = 0;        ///< of the blow at the gauge near the bit
-    double incidentEnd = 0;  ///< of the blow there
-    double quietFrom = 0;    ///< begin of the quiet stretch; of two gauges there is none
+    double front = 0;                                    ///< of the blow at the gauge near the bit
+    double incidentEnd = 0;                              ///< of the blow there
+    double quietFrom = 0;  ///< begin of the quiet stretch; of two gauges there is none
 };
 
 /// Prediction of the wave in the bar behind the specimen against its gauge, which no fit has used.

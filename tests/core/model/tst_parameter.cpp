@@ -275,15 +275,15 @@ void TestParameter::wrongTextLeavesTheScenarioAloneAndSaysWhy_data() {
     QTest::newRow("not this shape") << "si"
                                     << "pulse.rise"
                                     << "0.1"
-                                    << "only a trapezoid has it";
+                                    << "only for a trapezoid";
     QTest::newRow("piston only") << "si"
                                  << "pulse.velocity"
                                  << "10 m/s"
-                                 << "only a piston has it";
+                                 << "only for a piston";
     QTest::newRow("ratio in SI") << "si"
                                  << "pulse.impedance_ratio"
                                  << "2"
-                                 << "only a piston has it";
+                                 << "only for a piston";
     QTest::newRow("rod without dimensions") << "none"
                                             << "rod.length"
                                             << "3 m"
@@ -371,7 +371,7 @@ void TestParameter::whatDoesNotReadBackIsRefused() {
         QCOMPARE(assignText(scenario, "beta", text), Message());
     for (const char* text : {"1e301", "1e308"}) {
         const std::string problem = assignText(scenario, "beta", text).text();
-        QVERIFY2(problem.starts_with(std::string("beta = ") + text + " (cannot be kept"), problem.c_str());
+        QVERIFY2(problem.starts_with(std::string("beta = ") + text + " (cannot be stored"), problem.c_str());
     }
     scenario = {};
     QCOMPARE(assignText(scenario, "pulse.force", "255 kN"), Message());

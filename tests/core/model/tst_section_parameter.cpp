@@ -179,9 +179,9 @@ void TestSectionParameter::whatIsNotThereIsRefusedWithItsNeighbour_data() {
     row("hammer.rear.length", "its sections have no names, give a place: `hammer.1.length`");
     row("string.rod.lenght", "did you mean `string.rod.length`?");
     row("sting.rod.length", "did you mean `string.rod.length`?");
-    row("rod.length", "only a uniform rod has it");
-    row("pulse.duration", "only a force instead of the hammer has it");
-    row("pulse.shape", "only a force instead of the hammer has it");
+    row("rod.length", "only for uniform rods");
+    row("pulse.duration", "only for a force instead of the hammer");
+    row("pulse.shape", "only for a force instead of the hammer");
     row("tau", "follows from the lengths of hammer and string");
     row("string", "write it into the scenario file");
 }
@@ -194,7 +194,7 @@ void TestSectionParameter::whatIsNotThereIsRefusedWithItsNeighbour() {
     QVERIFY2(said.contains(reason), qPrintable(said));
     Scenario uniform;
     if (key.startsWith("string.") && findParameter(key.constData()))
-        QVERIFY(set(uniform, key.constData(), "1 m").contains("only a drill string has it"));
+        QVERIFY(set(uniform, key.constData(), "1 m").contains("only for drill strings"));
 }
 
 void TestSectionParameter::keysAreTheSameParameterFromEveryThread() {
@@ -245,7 +245,7 @@ void TestSectionParameter::keysOfOneSectionAreRivals_data() {
     const auto row = [](const char* one, const char* other, const char* problem) {
         QTest::addRow("%s, %s", one, other) << QByteArray(one) << QByteArray(other) << problem;
     };
-    const char* const places = "both are the same section of a repeat; set one of them";
+    const char* const places = "are the same section of a repeat";
     row("string.3.length", "string.5.length", places);
     row("string.3.area", "string.7.diameter", places);
     row("string.3.length", "string.4.length", "");

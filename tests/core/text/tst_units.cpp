@@ -224,7 +224,7 @@ void TestUnits::wrongTextIsRefusedWithTheReason_data() {
     QTest::newRow("words") << "about 3 m" << Quantity::length << "not a number";
     QTest::newRow("no unit") << "38" << Quantity::length << "m, mm, cm, km, um, in, ft";
     QTest::newRow("zero, no unit") << "0" << Quantity::length << "has no unit";
-    QTest::newRow("no share") << "2 mm" << Quantity::share << "units that would do: %";
+    QTest::newRow("no share") << "2 mm" << Quantity::share << "allowed units: %";
     QTest::newRow("wrong quantity") << "38 kN" << Quantity::length << "`kN` is not known here";
     QTest::newRow("decimal comma") << "3,2 m" << Quantity::length << "decimal comma";
     QTest::newRow("two numbers") << "3 4 m" << Quantity::length << "`4 m` is not known";

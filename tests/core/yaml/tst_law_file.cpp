@@ -147,10 +147,9 @@ class TestLawFile : public QObject {
         row("not increasing",
             rod + rock + "  law: corners\n  corners: [{force: 9 kN, slope: 2}, {force: 8 kN, slope: 1}]\n",
             "bit_rock.corners.2.force = 8 kN (must be greater than");
-        row("another law's key", rod + rock + "  exponent: 1.5\n",
-            "bit_rock.exponent (only a power law has it");
+        row("another law's key", rod + rock + "  exponent: 1.5\n", "bit_rock.exponent (only for a power law");
         row("corners of no law", rod + rock + "  corners: [{force: 9 kN, slope: 2}]\n",
-            "bit_rock.corners (only a law with corners has it");
+            "bit_rock.corners (only for a law with corners");
         row("no corners", rod + rock + "  law: corners\n", "bit_rock.corners (is missing");
         row("no such law", rod + rock + "  law: curved\n", "must be one of bilinear, corners, power");
         row("no slope", rod + rock + "  law: corners\n  corners: [{force: 9 kN}]\n",
@@ -161,7 +160,7 @@ class TestLawFile : public QObject {
         row("no unit", rod + rock + "  law: corners\n  corners: [{force: 9, slope: 2}]\n",
             "bit_rock.corners.1.force = 9 (");
         row("stiffness beside groups", groups + "bit_rock: {law: power, stiffness: 3 MN/m}\n",
-            "bit_rock.stiffness (cannot stand beside");
+            "bit_rock.stiffness (cannot be combined with");
         std::string many = rod + rock + "  law: corners\n  corners:\n";
         for (int i = 1; i <= 65; ++i) many += "    - {force: " + std::to_string(i) + " kN, slope: 1}\n";
         row("65 corners", many, "has 65 corners, at most 64 are possible");

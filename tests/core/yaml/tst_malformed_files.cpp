@@ -192,16 +192,16 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace_data() {
 
     // Both ways of saying it.
     invalid("rod and groups", good + "dimensionless: {beta: 1, gamma: 1, tau: 1}\n", 3,
-            "rod (cannot stand beside `dimensionless`");
+            "rod (cannot be combined with `dimensionless`");
     invalid("drill and groups", groups + "pulse: {shape: rectangular}\ndrill: {thrust: 1 kN}\n", 4,
-            "drill (cannot stand beside");
+            "drill (cannot be combined with");
     invalid("diameter and area", with("38 mm", "38 mm\n  area: 1134 mm^2"), 6,
-            "rod.area (cannot stand beside rod.diameter");
+            "rod.area (cannot be combined with rod.diameter");
     invalid("area and bore", with("diameter: 38 mm", "area: 1134 mm^2"), 6, "rod.bore (goes with a diameter");
     invalid("impulse and force", with("51 N s", "51 N s\n  force: 255 kN"), 13,
-            "pulse.force (cannot stand beside pulse.impulse");
+            "pulse.force (cannot be combined with pulse.impulse");
     invalid("file and points", groups + "pulse: {shape: table, file: a.csv, points: [[0, 1], [1, 1]]}\n", 3,
-            "pulse.points (cannot stand beside pulse.file");
+            "pulse.points (cannot be combined with pulse.file");
 
     // Values.
     invalid("no unit", with("38 mm", "38"), 5,
@@ -227,7 +227,7 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace_data() {
     invalid("negative gap", with("0 mm", "-1 mm"), 16, "bit_rock.gap = -1 mm (must be at least 0)");
     invalid("bore too large", with("14.5 mm", "38 mm"), 6,
             "rod.bore = 38 mm (must be less than the diameter");
-    invalid("overflow of a group", with("51 N s", "1e-307 N s"), 1, "the values are so large or small");
+    invalid("overflow of a group", with("51 N s", "1e-307 N s"), 1, "the values are too large or too small");
     invalid("overflow of beta", with("200 us", "1e307 s"), 14, "it follows from the other values");
     invalid("beta zero",
             "drillwave: 1\ndimensionless: {beta: 0, gamma: 1, tau: 1}\npulse: {shape: rectangular}\n", 2,
@@ -238,7 +238,7 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace_data() {
             "pulse.shape = square (must be one of rectangular");
     invalid("shape is a list", with("rectangular", "[rectangular]"), 10, "pulse.shape");
     invalid("rise without trapezoid", with("51 N s", "51 N s\n  rise: 0.1"), 13,
-            "pulse.rise (only a trapezoid has it");
+            "pulse.rise (only for a trapezoid");
     invalid("rise and fall too long", groups + "pulse:\n  shape: trapezoid\n  rise: 0.8\n  fall: 0.8\n", 6,
             "pulse.fall = 0.8 (rise and fall together");
     invalid("piston with duration", with("rectangular", "piston"), 11,
@@ -248,7 +248,7 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace_data() {
     invalid("duration without dimension", groups + "pulse: {shape: rectangular, duration: 1 us}\n", 3,
             "pulse.duration (the scenario is given by");
     invalid("points without table", groups + "pulse: {shape: rectangular, points: [[0, 1], [1, 1]]}\n", 3,
-            "pulse.points (only a table has it");
+            "pulse.points (only for a table");
     invalid("table without points", groups + "pulse: {shape: table}\n", 3,
             "pulse.file (is missing: give it or pulse.points");
     invalid("points are no list", groups + "pulse: {shape: table, points: 3}\n", 3,
@@ -393,7 +393,8 @@ void TestMalformedFiles::aFileTooLargeIsRefusedUnread() {
         QFAIL("it was accepted");
     } catch (const ScenarioError& error) {
         QVERIFY(error.kind() == Kind::unreadable);
-        QVERIFY2(std::string(error.what()).find("larger than 1024 KiB") != std::string::npos, error.what());
+        QVERIFY2(std::string(error.what()).find("larger than the limit of 1024 KiB") != std::string::npos,
+                 error.what());
     }
     const std::string padded = good + "#" + std::string((std::size_t{1} << 20) - good.size() - 1, ' ');
     QCOMPARE(padded.size(), std::size_t{1} << 20);

@@ -307,7 +307,7 @@ void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
     row("unknown shape", with("[piston, data sheet]", "[square, data sheet]"),
         "mine.yaml:8:13: pulse.shape = square (must be a shape");
     row("value of another shape", with("blow_frequency: [50 Hz, data sheet]", "rise: [0.2, assumed]"),
-        "mine.yaml:12:5: pulse.rise (only a trapezoid has it");
+        "mine.yaml:12:5: pulse.rise (only for a trapezoid");
     row("bore wider than the rod", with("[15 mm, measured]", "[50 mm, measured]"),
         "mine.yaml:5:12: rod.bore = 50 mm (must be less than the diameter of 40 mm)");
     row("a name of two lines", with("name: mine\n    diameter", "name: \"mi\\nne\"\n    diameter"),
@@ -321,7 +321,7 @@ void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
     row("no such law", with("[power, fitted]", "[cubic, fitted]"),
         "mine.yaml:25:11: bit_rock.law = cubic (must be one of bilinear, corners, power)");
     row("corners of no law", with("    law: [corners, drop test]\n", ""),
-        "bit_rock.corners (only a law with corners has it");
+        "bit_rock.corners (only for a law with corners");
     row("a law without its corners",
         with("    corners: [[{force: 90 kN, slope: 0.35}, {force: 150 kN, slope: 0.2}], fitted]\n", ""),
         "mine.yaml:17:5: bit_rock.corners (is missing");
@@ -334,7 +334,7 @@ void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
     row("a power law without its exponent", with("    exponent: [1.5, handbook]\n", ""),
         "bit_rock.exponent (is missing");
     row("an exponent of no power law", with("    law: [power, fitted]\n", ""),
-        "bit_rock.exponent (only a power law has it");
+        "bit_rock.exponent (only for a power law");
     row("no list", with("rods:\n  - name: mine\n    diameter", "rods:\n    diameter"),
         "rods (must be a list");
     row("other list", with("rocks:", "stones:"), "mine.yaml:13:1: stones (is not a known key");

@@ -192,7 +192,7 @@ void TestScenarioFile::problemsOfATableFileHaveItsLines_data() {
     QTest::newRow("two forces") << QByteArray("time [us],A [kN],B [kN]\n0,1,1\n1,1,1\n")
                                 << "blow.csv:1:1: several columns could be the force";
     QTest::newRow("strain") << QByteArray("time [us],A [microstrain]\n0,1\n1,1\n")
-                            << "blow.csv:1:1: `A [microstrain]` is no force";
+                            << "blow.csv:1:1: `A [microstrain]` is not a force";
     QTest::newRow("word") << QByteArray("time [us],force [kN]\n0,1\n1,2\n2,much\n")
                           << "blow.csv:4:1: column 2: `much` is not a number";
     QTest::newRow("nan") << QByteArray("time [us],force [kN]\n0,1\n1,2\nnan,1\n")

@@ -217,14 +217,14 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
         "string.1.end_diameter = 12 mm (must be larger than the bore of 12 mm)");
     row("face within the bore", "{length: 250 mm, diameter: 38 mm}",
         "{length: 250 mm, diameter: 38 mm, end_diameter: 11 mm}",
-        "hammer.2.end_diameter = 11 mm (is so narrow that the face meets no more than the bore of 12 mm");
+        "hammer.2.end_diameter = 11 mm (is so narrow that its face only covers the bore of 12 mm");
     row("unknown key", "bore: 12 mm", "boer: 12 mm",
         "string.1.boer (is not a known key, did you mean `bore`?)");
     row("twice", "bore: 12 mm", "length: 1 m", "s.yaml:12:54: string.1.length (is given twice)");
     row("no length", "length: 70 mm, ", "", "s.yaml:17:5: string.8.length (is missing: write for example");
     row("no diameter", "diameter: 76 mm, ", "", "string.9.diameter (is missing: give it or string.9.area)");
     row("area and diameter", "bore: 12 mm", "area: 12 cm^2",
-        "string.1.area (cannot stand beside string.1.diameter");
+        "string.1.area (cannot be combined with string.1.diameter");
     row("bore too wide", "bore: 12 mm", "bore: 45 mm",
         "s.yaml:12:60: string.1.bore = 45 mm (must be less than the diameter of 45 mm)");
     row("a place as a name", "name: adapter", "name: 7",
@@ -243,7 +243,7 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
     row("no velocity", "velocity: 10 m/s", "velocity: 0 m/s",
         "s.yaml:5:13: hammer.velocity = 0 m/s (must be greater than 0)");
     row("rod", "bit_rock:", "rod: {}\nbit_rock:", "s.yaml:19:1: rod (belongs to a uniform rod");
-    row("pulse", "bit_rock:", "pulse: {}\nbit_rock:", "s.yaml:19:1: pulse (stands beside `hammer`");
+    row("pulse", "bit_rock:", "pulse: {}\nbit_rock:", "s.yaml:19:1: pulse (cannot be combined with `hammer`");
     row("neither hammer nor pulse", "hammer:\n", "hamer:\n",
         "hamer (is not a known key, did you mean `hammer`?)");
     row("format 1", "drillwave: 2", "drillwave: 1",
@@ -271,7 +271,7 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
     row("a rock beyond all", "stiffness: 100 MN/m", "stiffness: 1e308 N/m",
         "bit_rock.stiffness = 1e302 MN/m");
     row("an empty name", "name: adapter", "name: \"\"",
-        "string.1.name =  (is empty; a section without a name");
+        "string.1.name =  (is empty; leave it out for a section without a name");
     row("a name without a letter", "name: adapter", "name: \"…\"", "string.1.name = … (must have a letter)");
     row("a name that turns the line", "name: adapter", "name: \"rod\u202E\"",
         "string.1.name = rod\\u202E (must have no characters that change the reading direction)");

@@ -126,7 +126,7 @@ void TestQuantityField::wrongTextStaysWithItsReasonAndTheOldValue_data() {
     QTest::newRow("no number") << "abc"
                                << "not a number";
     QTest::newRow("unit of something else") << "3 kN"
-                                            << "units that would do";
+                                            << "allowed units";
     QTest::newRow("out of range") << "-3 mm"
                                   << "must be positive";
     QTest::newRow("empty") << ""

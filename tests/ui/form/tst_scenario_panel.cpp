@@ -153,7 +153,7 @@ void TestScenarioPanel::aBadTableIsExplainedAndTheOldBlowKept_data() {
     QTest::newRow("time goes back") << QByteArray("time [us],force [kN]\n0,0\n20,3\n10,3\n")
                                     << "blow.csv:4:1";
     QTest::newRow("no number") << QByteArray("time [us],force [kN]\n0,0\n20,x\n")
-                               << "blow.csv:2:1: two rows of numbers are needed";
+                               << "blow.csv:2:1: needs at least two rows of numbers";
     QTest::newRow("not text") << QByteArray("\x00\x01", 2) << "is not text";
     QTest::newRow("empty") << QByteArray() << "holds no header";
 }
@@ -272,7 +272,7 @@ void TestScenarioPanel::aValueBeyondTheSliderIsMarked() {
     m->document.assign(*findParameter("rod.length"), 100, 1);
     QCOMPARE(length.value(), length.maximum());
     QCOMPARE(length.beyond(), 1);
-    QVERIFY(length.toolTip().contains(QStringLiteral("beyond the range of the slider")));
+    QVERIFY(length.toolTip().contains(QStringLiteral("outside the range of the slider")));
     m->document.assign(*findParameter("rod.length"), 0.1, 2);
     QCOMPARE(length.beyond(), -1);
     const QImage marked = length.grab().toImage();

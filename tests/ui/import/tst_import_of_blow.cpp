@@ -116,8 +116,7 @@ void TestImportOfBlow::blowTakesThePlaceOfTheHammerOfAString() {
     ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::blow);
     QVERIFY(settle(dialog));
     QVERIFY2(message(dialog).isEmpty(), qPrintable(message(dialog)));
-    QVERIFY(
-        control<QLabel>(dialog, "summary").text().contains(QStringLiteral("takes the place of the hammer")));
+    QVERIFY(control<QLabel>(dialog, "summary").text().contains(QStringLiteral("replaces the hammer")));
     control<QPushButton>(dialog, "take").click();
     QVERIFY(document.scenario().pulse.shape == PulseShape::table);
     QVERIFY(document.scenario().drillString.hammer.sections.empty());

@@ -430,6 +430,7 @@ class TestResultPanel : public QObject {
     void noValueIsWiderThanItsColumn() {
         ResultPanel panel;
         panel.setAttribute(Qt::WA_DontShowOnScreen);
+        for (SectionBox* section : panel.findChildren<SectionBox*>()) section->setOpen(true);
         panel.show();
         panel.resize(panel.minimumSizeHint());
         for (const SolvedBlowPtr& blow :

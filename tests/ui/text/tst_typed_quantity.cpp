@@ -110,7 +110,7 @@ void TestTypedQuantity::whatCannotBeCalculatedIsRefusedWithAReason_data() {
     QTest::newRow("no digits") << "a/b"
                                << "not a number";
     QTest::newRow("one number, wrong unit") << "3.66 kg"
-                                            << "units that would do";
+                                            << "allowed units";
 }
 
 void TestTypedQuantity::whatCannotBeCalculatedIsRefusedWithAReason() {

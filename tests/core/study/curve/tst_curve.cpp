@@ -610,10 +610,10 @@ void TestCurve::whatCannotBeFollowedIsRefused_data() {
                             << "beta needs START:STOP or START:STOP:log";
     QTest::newRow("a count") << "beta=1:2:30"
                              << ""
-                             << "`30` behind the end of beta";
+                             << "`30` after the range of beta";
     QTest::newRow("a shape") << "pulse.shape=half_sine:table"
                              << ""
-                             << "no numbers to go along";
+                             << "no numeric values";
     QTest::newRow("downwards") << "beta=2:1"
                                << ""
                                << "must end above its beginning";
@@ -631,7 +631,7 @@ void TestCurve::whatCannotBeFollowedIsRefused_data() {
                              << "did you mean `beta`?";
     QTest::newRow("without meaning") << "rod.length=1m:2m"
                                      << ""
-                                     << "has no meaning here";
+                                     << "does not apply here";
     QTest::newRow("one quantity twice") << "beta=1:2"
                                         << "beta=3,4"
                                         << "set the same thing";
@@ -696,7 +696,7 @@ void TestCurve::anAxisThatNoTextSaidIsRefusedAlike_data() {
     add("narrow", AxisKind::linear, 1, 1.00001, "too narrow");
     add("from 0 by ratios", AxisKind::logarithmic, 0, 1, "must begin and end above 0");
     QTest::newRow("a list") << parseAxis("beta=1,2").axis << "beta needs START:STOP";
-    QTest::newRow("shapes") << parseAxis("pulse.shape=half_sine").axis << "no numbers to go along";
+    QTest::newRow("shapes") << parseAxis("pulse.shape=half_sine").axis << "no numeric values";
 }
 
 void TestCurve::anAxisThatNoTextSaidIsRefusedAlike() {

@@ -133,7 +133,7 @@ void TestDrillingLengths::aSectionShorterThanTheCellsIsRefused() {
     const DrillingResult result = studyDrilling(scenario, drillingSettingsOf(scenario), {.lyapunov = true});
     QCOMPARE(name(result.outcome), std::string_view("not_solved"));
     QVERIFY(result.blows.empty() && !result.statistics);
-    QVERIFY(result.reason.text().find("shorter than a cell") != std::string::npos);
+    QVERIFY(result.reason.text().find("shorter than a time step") != std::string::npos);
 }
 
 /// Where faces or bit part for less than a cell, the cells decide: one string in a hundred.

@@ -238,7 +238,7 @@ void TestSweep::pointsThatAreNoScenarioAreEmptyAndCounted_data() {
     row("a place that a repeat makes another",
         sweepOf(withString(), {"string.repeat=1,2", "string.2.length=0.1m,0.2m", "string.4.length=0.3m"},
                 "cor"),
-        "1100", "string.2.length and string.4.length both are the same section of a repeat; set one of them");
+        "1100", "string.2.length and string.4.length are the same section of a repeat");
     row("table without points", sweepOf(blowInGroups, {"pulse.shape=half_sine,table", "beta=1,2"}, "cor"),
         "1100", "pulse.points needs at least two points");
 }
@@ -309,19 +309,19 @@ void TestSweep::impossibleSweepsAreRefused_data() {
     QTest::newRow("no meaning in groups")
         << sweepOf(groups, {"rod.length=3m,4m"}, "cor") << "set `tau` instead";
     QTest::newRow("no meaning for the shape")
-        << sweepOf(groups, {"pulse.rise=0.1,0.2"}, "cor") << "only a trapezoid";
+        << sweepOf(groups, {"pulse.rise=0.1,0.2"}, "cor") << "only for a trapezoid";
     QTest::newRow("invalid all over")
         << sweepOf(rod, {"rod.bore=40mm:60mm:4"}, "cor")
         << "at rod.bore = 40 mm: rod.bore = 40 mm (must be less than the diameter";
     QTest::newRow("two places of one section")
         << sweepOf(withString(), {"string.3.length=2m,3m", "string.5.length=2m,3m"}, "cor")
-        << "string.3.length and string.5.length both are the same section of a repeat; set one of them";
+        << "string.3.length and string.5.length are the same section of a repeat";
     QTest::newRow("name and place of one section")
         << sweepOf(withString(), {"string.3.length=2m,3m", "string.rod.length=2m,3m"}, "cor")
         << "string.3.length and string.rod.length set one section: section 3 of the string is called rod";
     QTest::newRow("a shape over a string")
         << sweepOf(withString(), {"pulse.shape=rectangular,half_sine"}, "cor")
-        << "the axis pulse.shape does not apply here: only a force instead of the hammer has it";
+        << "the axis pulse.shape does not apply here: only for a force instead of the hammer";
     QTest::newRow("too many points") << sweepOf(groups, {"beta=1:2:1000001", "delta=0:1:1000000"}, "cor")
                                      << "more than 1000000000000 points";
     QTest::newRow("SI without units")

@@ -195,11 +195,11 @@ void TestSweepAxis::wrongTextIsRefusedWithTheReason_data() {
     QTest::addColumn<QString>("reason");
     QTest::addColumn<bool>("isValue");
     QTest::newRow("no equals sign") << "beta"
-                                    << "is no axis" << false;
+                                    << "is not an axis" << false;
     QTest::newRow("mistyped key") << "bit_rock.gama=1,2"
                                   << "did you mean `bit_rock.gamma`?" << false;
     QTest::newRow("between whole numbers") << "string.repeat=1:4:3"
-                                           << "takes whole numbers alone" << false;
+                                           << "takes only whole numbers" << false;
     QTest::newRow("true and false") << "hammer.restrike=0,1"
                                     << "give it with --set" << false;
     QTest::newRow("half a repeat") << "string.repeat=1,2.5"
@@ -225,7 +225,7 @@ void TestSweepAxis::wrongTextIsRefusedWithTheReason_data() {
     QTest::newRow("no unit") << "rod.length=3:6:4"
                              << "has no unit" << true;
     QTest::newRow("wrong unit") << "rod.length=3kg,4kg"
-                                << "units that would do: m, mm" << true;
+                                << "allowed units: m, mm" << true;
     QTest::newRow("no number") << "beta=a,b"
                                << "is not a number" << true;
     QTest::newRow("not a number") << "beta=nan,1"

@@ -177,7 +177,7 @@ void TestTable::badTablesAreRefusedWithTheirPlace_data() {
         << QByteArray("rod.length [kg]\n3\n") << "cases.csv:1:1: rod.length: unit `kg`";
     QTest::newRow("unit of a group") << QByteArray("beta [m]\n3\n") << "cases.csv:1:1: beta has no unit";
     QTest::newRow("a parameter twice")
-        << QByteArray("beta,tau,beta\n1,2,3\n") << "cases.csv:1:3: sets beta again";
+        << QByteArray("beta,tau,beta\n1,2,3\n") << "cases.csv:1:3: sets beta, which column 1 also sets";
     QTest::newRow("too few cells") << QByteArray("beta,tau\n1,2\n1\n")
                                    << "cases.csv:3: has 1 cells, the header has 2";
     QTest::newRow("too many cells") << QByteArray("beta,tau\n1,2,3\n")
@@ -188,7 +188,7 @@ void TestTable::badTablesAreRefusedWithTheirPlace_data() {
         << "cases.csv:3: rod.bore = 40 mm (must be less than the diameter of 30 mm)";
     // Every row would be the base beside the numbers of the user.
     QTest::newRow("no parameter") << QByteArray("site,depth\nA,3\n")
-                                  << "cases.csv:1: no column names a parameter";
+                                  << "cases.csv:1: no column is a parameter";
     QTest::newRow("upper case") << QByteArray("n,Beta\n1,2\n")
                                 << "cases.csv:1:2: `Beta` is not a parameter; write `beta`,";
     QTest::newRow("an underscore for the dot, beside a parameter")
@@ -210,19 +210,19 @@ void TestTable::badTablesAreRefusedWithTheirPlace_data() {
                                          << "cases.csv:4:2: tau and rod.length set the same thing";
     QTest::newRow("a key misspelt beside a good one")
         << QByteArray("rod.lenght [m],beta\n1,2\n")
-        << "cases.csv:1:1: `rod.lenght` is not a parameter; did you mean `rod.length`, or another";
+        << "cases.csv:1:1: `rod.lenght` is not a parameter; did you mean `rod.length`? A column";
     QTest::newRow("a key of a section misspelt") << QByteArray("beta,string.rod.lenght [mm]\n1,2\n")
                                                  << "cases.csv:1:2: `string.rod.lenght` is not a parameter; "
-                                                    "did you mean `string.rod.length`, or another";
+                                                    "did you mean `string.rod.length`? A column";
     QTest::newRow("a place with a nought") << QByteArray("beta,string.03.length [mm]\n1,2\n")
                                            << "cases.csv:1:2: `string.03.length` is not a parameter; write a "
-                                              "key that there is, or another name than "
+                                              "known key, or another name than "
                                               "`string.…`";
     for (const char* name : {"pulse.x", "hammer.x", "bit_rock.x", "drill.x", "material.x", "rod."})
         QTest::newRow(name) << QByteArray("beta,") + name + "\n1,2\n"
                             << QString("cases.csv:1:2: `%1` is not a parameter; ").arg(name);
     QTest::newRow("without meaning") << QByteArray("pulse.rise\n0.2\n")
-                                     << "cases.csv:2:1: pulse.rise = 0.2 (only a trapezoid";
+                                     << "cases.csv:2:1: pulse.rise = 0.2 (only for a trapezoid";
 }
 
 void TestTable::badTablesAreRefusedWithTheirPlace() {
@@ -243,7 +243,7 @@ void TestTable::twoCellsOfOneSectionAreRefused() {
     };
     QVERIFY(problemOf("string.3.length [mm],string.5.length [mm]\n3000,2000\n")
                 .startsWith(
-                    "cases.csv:2:2: string.5.length and string.3.length set one section, which a repeat"));
+                    "cases.csv:2:2: string.5.length and string.3.length are the same section of a repeat"));
     QVERIFY(
         problemOf("string.rod.length [mm],string.3.length [mm]\n3000,2000\n")
             .startsWith("cases.csv:2:2: string.3.length and string.rod.length set one section: section 3"));
