@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of Qt itself that the window shows: buttons of questions, menus of fields, the dialog for files. For some
-// languages Qt has no catalogue, and where it has one it need not be installed. Read by lupdate alone.
+// Texts of Qt itself that the window shows: buttons of questions, menus of fields, the dialog for files. For
+// some languages Qt has no catalogue, and where it has one it need not be installed. Read by lupdate alone.
 
 QT_TRANSLATE_NOOP("QPlatformTheme", "OK")
 QT_TRANSLATE_NOOP("QPlatformTheme", "&Yes")
@@ -120,7 +120,8 @@ QT_TRANSLATE_NOOP("QFileDialog", "All files (*)")
 QT_TRANSLATE_NOOP("QFileDialog", "Could not delete directory.")
 QT_TRANSLATE_NOOP("QFileDialog", "%1 already exists.\nDo you want to replace it?")
 QT_TRANSLATE_NOOP("QFileDialog", "%1\nFile not found.\nPlease verify the correct file name was given.")
-QT_TRANSLATE_NOOP("QFileDialog", "%1\nDirectory not found.\nPlease verify the correct directory name was given.")
+QT_TRANSLATE_NOOP("QFileDialog",
+                  "%1\nDirectory not found.\nPlease verify the correct directory name was given.")
 QT_TRANSLATE_NOOP("QFileDialog", "'%1' is write protected.\nDo you want to delete it anyway?")
 QT_TRANSLATE_NOOP("QFileDialog", "Are you sure you want to delete '%1'?")
 

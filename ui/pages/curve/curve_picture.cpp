@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/model/scales.h"
+#include "ui/job/output_text.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/pages/study/preset_places.h"
-#include "ui/job/output_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

@@ -6,11 +6,11 @@
 
 #include "core/model/scales.h"
 #include "core/report/design_words.h"
+#include "ui/job/output_text.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_map.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/job/output_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

@@ -8,10 +8,10 @@
 
 #include "core/model/scales.h"
 #include "core/yaml/preset_file.h"
+#include "ui/job/output_text.h"
 #include "ui/pages/map/map_raster.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/job/output_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
