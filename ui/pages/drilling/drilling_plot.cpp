@@ -26,8 +26,8 @@ bool isSameAxis(const DrillingPicture& a, const DrillingPicture& b) {
 DrillingPlot::DrillingPlot(QCustomPlot* plot) : StudyFrame(plot) {
     layOutAnew();
     useLegend(QMargins(7, 6, 7, 0));
-    if (!m_legend->layer()) m_legend->setLayer(QStringLiteral("legend"));
     plot->plotLayout()->addElement(m_legend);
+    if (!m_legend->layer()) m_legend->setLayer(QStringLiteral("legend"));
     for (QCPLayoutGrid** grid : {&m_front, &m_gaps}) {
         *grid = new QCPLayoutGrid;
         (*grid)->setColumnSpacing(6);
