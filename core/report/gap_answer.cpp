@@ -76,10 +76,24 @@ class GapAnswer : public StudyAnswer {
         return {translatable("could not be solved at all gaps: %1"), {m_study.curve.reason}};
     }
     std::vector<Message> sentences(const ReadingStyle& style) const override {
-        if (Message remark = periodRemark(m_study, style); !remark.isEmpty()) return {remark};
-        if (!hasUnits(scenario())) return {translatable("Results repeat with every d₀ of gap.")};
-        return {{translatable("Results repeat with every d₀ = %1 of gap."),
-                 {style.quantity(scalesOf(scenario()).penetration, Quantity::length, 4)}}};
+        if (!m_study.curve.dependsOnGap) return {periodRemark(m_study, style)};
+        const GapOutputStatistics& cor = m_study.statistics.of(GapOutput::cor);
+        const GapSpread& spread = m_study.normal ? *cor.normal : cor.uniform;
+        const auto number = [&](double value) { return style.number(value, 4); };
+        std::vector<Message> sentences{
+            {m_study.normal
+                 ? translatable("For 90 % of the scattered gaps, e is between %1 and %2; its mean is %3.")
+                 : translatable("For 90 % of all gaps, e is between %1 and %2; its mean is %3."),
+             {number(spread.quantiles.front().value), number(spread.quantiles.back().value),
+              number(spread.mean.value)}}};
+        if (Message remark = periodRemark(m_study, style); !remark.isEmpty())
+            sentences.push_back(std::move(remark));
+        else if (hasUnits(scenario()))
+            sentences.push_back({translatable("Results repeat with every d₀ = %1 of gap."),
+                                 {style.quantity(scalesOf(scenario()).penetration, Quantity::length, 4)}});
+        else
+            sentences.push_back(translatable("Results repeat with every d₀ of gap."));
+        return sentences;
     }
     StudyFigure figure(std::size_t view) const override {
         const auto output = static_cast<GapOutput>(view);

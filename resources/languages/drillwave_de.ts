@@ -2575,11 +2575,11 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>Spalt, den 95 % der Schläge überschreiten</translation>
+        <translation>Spalt, den 95&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>Spalt, den 5 % der Schläge überschreiten</translation>
+        <translation>Spalt, den 5&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -5567,8 +5567,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Belastungskurve, die angepasst wird</translation>
     </message>
     <message>
-        <source>found out</source>
-        <translation>selbst herausfinden</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>one slope</source>
@@ -5627,8 +5627,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Wie viel der Dispersion eines runden Stabs berücksichtigt wird</translation>
     </message>
     <message>
-        <source>all of it</source>
-        <translation>ganz</translation>
+        <source>round bar</source>
+        <translation>runder Stab</translation>
     </message>
     <message>
         <source>none</source>
@@ -12537,6 +12537,14 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>%1: the table does not state this: %2. Open the record again and choose it.</source>
         <translation>%1: Die Tabelle gibt dies nicht an: %2. Öffnen Sie die Aufzeichnung erneut und wählen Sie es.</translation>
     </message>
+    <message>
+        <source>For 90 % of the scattered gaps, e is between %1 and %2; its mean is %3.</source>
+        <translation>Für 90 % der gestreuten Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
+    </message>
+    <message>
+        <source>For 90 % of all gaps, e is between %1 and %2; its mean is %3.</source>
+        <translation>Für 90 % aller Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -16005,7 +16013,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>Spalt, den 95 % der Schläge überschreiten</translation>
+        <translation>Spalt, den 95&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -16013,7 +16021,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>Spalt, den 5 % der Schläge überschreiten</translation>
+        <translation>Spalt, den 5&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
         <source>mean penetration of a blow: an upper limit</source>

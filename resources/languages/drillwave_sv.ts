@@ -2575,11 +2575,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>spalt som 95 % av slagen överskrider</translation>
+        <translation>spalt som 95&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>spalt som 5 % av slagen överskrider</translation>
+        <translation>spalt som 5&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -5567,8 +5567,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Belastningskurvan som anpassas</translation>
     </message>
     <message>
-        <source>found out</source>
-        <translation>bestäms automatiskt</translation>
+        <source>automatic</source>
+        <translation>automatiskt</translation>
     </message>
     <message>
         <source>one slope</source>
@@ -5627,8 +5627,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Hur mycket av en rund stångs dispersion som beaktas</translation>
     </message>
     <message>
-        <source>all of it</source>
-        <translation>hela</translation>
+        <source>round bar</source>
+        <translation>rund stång</translation>
     </message>
     <message>
         <source>none</source>
@@ -12537,6 +12537,14 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1: the table does not state this: %2. Open the record again and choose it.</source>
         <translation>%1: tabellen anger inte detta: %2. Öppna inspelningen igen och välj det.</translation>
     </message>
+    <message>
+        <source>For 90 % of the scattered gaps, e is between %1 and %2; its mean is %3.</source>
+        <translation>För 90 % av de spridda spalterna ligger e mellan %1 och %2; medelvärdet är %3.</translation>
+    </message>
+    <message>
+        <source>For 90 % of all gaps, e is between %1 and %2; its mean is %3.</source>
+        <translation>För 90 % av alla spalter ligger e mellan %1 och %2; medelvärdet är %3.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -15997,7 +16005,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>gap exceeded by 95 % of the blows</source>
-        <translation>spalt som 95 % av slagen överskrider</translation>
+        <translation>spalt som 95&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
         <source>median gap</source>
@@ -16005,7 +16013,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>gap exceeded by 5 % of the blows</source>
-        <translation>spalt som 5 % av slagen överskrider</translation>
+        <translation>spalt som 5&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
         <source>mean penetration of a blow: an upper limit</source>

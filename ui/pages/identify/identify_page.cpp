@@ -48,7 +48,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_gauges(new GaugeFields(this)),
       m_law(makeChoice("law", tr("law of the rock"), tr("The loading curve that is fitted"),
-                       {tr("found out"), tr("one slope"), tr("yields once"), tr("that of the scenario")})),
+                       {tr("automatic"), tr("one slope"), tr("yields once"), tr("that of the scenario")})),
       m_panel(new IdentifyPanel(this)) {
     setObjectName(QStringLiteral("identify"));
     m_panel->hide();
@@ -109,7 +109,7 @@ QWidget* IdentifyPage::makeKnownBox() {
                            {tr("rigid"), tr("a bar like that of the gauge")});
     m_dispersion = makeChoice("dispersion", tr("dispersion"),
                               tr("How much of the dispersion of a round bar is taken into account"),
-                              {tr("found out"), tr("all of it"), tr("none")});
+                              {tr("automatic"), tr("round bar"), tr("none")});
     auto* more = new QHBoxLayout;
     more->addWidget(labelled(tr("behind the rock"), m_backing, this));
     more->addWidget(labelled(tr("dispersion"), m_dispersion, this));
