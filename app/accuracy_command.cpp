@@ -163,7 +163,7 @@ const Command& accuracyCommand() {
              {"json", "", "print one JSON object instead of the table"},
              {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
              plotsOptionSpec(),
-             {"force", "", "overwrite an existing file"},
+             {"force", "", "overwrite existing files"},
              decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = 1,

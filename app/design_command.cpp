@@ -145,7 +145,7 @@ const Command& designCommand() {
              {"aim", "max:OUTPUT@STATISTIC", "or min:…; one to three, the first decides", Times::repeated},
              {"at-most", "OUTPUT@STATISTIC=VALUE", "upper limit for every design", Times::list},
              {"at-least", "OUTPUT@STATISTIC=VALUE", "lower limit for every design", Times::list},
-             {"keep-energy", "", "every design's blow has the energy of FILE's"},
+             {"keep-energy", "", "scale the blow of every design to the blow energy of FILE"},
              {"samples", "N",
               "samples of a design, rounded up to a power of two (default: 4096, for a string 1024)"},
              {"seed", "S", "seed of the samples (default: 1)"},

@@ -76,7 +76,7 @@ const Command& stabilityCommand() {
         .options = {{"json", "", "print one JSON object with all cases"},
                     {"o", "DIR", "write stability.csv into this folder; - prints it instead of the summary"},
                     plotsOptionSpec(),
-                    {"force", "", "overwrite an existing file"},
+                    {"force", "", "overwrite existing files"},
                     decimalCommaSpec()},
         .leastOperands = 0,
         .mostOperands = 0,

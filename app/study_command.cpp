@@ -83,7 +83,7 @@ Command studyCommand(const Study& study) {
     options.push_back({"o", "FILE.csv", study.csvHelp});
     if (study.hasSi) options.push_back({"si", "", "with -o, columns in SI, with units in the header"});
     for (const OptionSpec& option :
-         {plotsOptionSpec(), OptionSpec{"force", "", "overwrite an existing file"}, decimalCommaSpec()})
+         {plotsOptionSpec(), OptionSpec{"force", "", "overwrite existing files"}, decimalCommaSpec()})
         options.push_back(option);
     return Command{.name = study.name,
                    .operands = "FILE",

@@ -188,7 +188,7 @@ const Command& thrustCommand() {
                                     {"json", "", "print one JSON object instead of the tables"},
                                     {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
                                     plotsOptionSpec(),
-                                    {"force", "", "overwrite an existing file"},
+                                    {"force", "", "overwrite existing files"},
                                     decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = 1,

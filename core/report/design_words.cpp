@@ -23,12 +23,12 @@ void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks)
         if (reason.isEmpty()) reason = design.reason;
     }
     if (unsolved == 0) return;
-    Message text{unsolved == 1 ? translatable("%1 sample could not be solved and are left out: %2.")
+    Message text{unsolved == 1 ? translatable("%1 sample could not be solved and is left out: %2.")
                                : translatable("%1 samples could not be solved and are left out: %2."),
                  {std::to_string(unsolved), reason}};
     if (without > 0) {
         const Message more{without == 1
-                               ? translatable("%1 design with more than 0.1 % of them have no statistics.")
+                               ? translatable("%1 design with more than 0.1 % of them has no statistics.")
                                : translatable("%1 designs with more than 0.1 % of them have no statistics."),
                            {std::to_string(without)}};
         text = {"%1 %2", {text, more}};

@@ -151,7 +151,7 @@ constexpr SignalOption readingOptions[] = {
     {"time-unit", "UNIT", "unit of the times where the table does not state it: s, ms, us", setTimeUnit},
     {"unit", "UNIT", "unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s",
      setUnit},
-    {"rate", "RATE", "sampling rate, 5MHz; a column of times is not read then", setRate},
+    {"rate", "RATE", "sampling rate, such as 5MHz; replaces a column of times", setRate},
     {"scale", "S", "factor of the signal, or force per unit: 50kN/V, 18kN s/m", setScale},
     {"gain", "G", "gain of the amplifier, of a signal in volts (default: 1)",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.gain, text); }},
@@ -168,7 +168,7 @@ constexpr SignalOption readingOptions[] = {
      [](SignalOptions& options, std::string_view text) {
          return setPositive(options.modulus, text, Quantity::stress, "GPa");
      }},
-    {"zero", "A:B", "times whose mean is the zero line, -50us:-10us", setZero},
+    {"zero", "A:B", "time range whose mean is the zero line, -50us:-10us", setZero},
     {"from", "T", "leave out samples before this time of the table, 0us",
      [](SignalOptions& options, std::string_view text) { return setTime(options.from, text); }},
     {"to", "T", "leave out samples after this time of the table, 400us",

@@ -8706,7 +8706,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Größter in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
-        <source>%1 sample could not be solved and are left out: %2.</source>
+        <source>%1 sample could not be solved and is left out: %2.</source>
         <translation>%1 Stichprobe konnte nicht gelöst werden und ist weggelassen: %2.</translation>
     </message>
     <message>
@@ -8714,7 +8714,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Stichproben konnten nicht gelöst werden und sind weggelassen: %2.</translation>
     </message>
     <message>
-        <source>%1 design with more than 0.1 % of them have no statistics.</source>
+        <source>%1 design with more than 0.1 % of them has no statistics.</source>
         <translation>%1 Auslegung mit mehr als 0,1&#xa0;% davon hat keine Statistik.</translation>
     </message>
     <message>
@@ -12539,11 +12539,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>For 90 % of the scattered gaps, e is between %1 and %2; its mean is %3.</source>
-        <translation>Für 90 % der gestreuten Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
+        <translation>Für 90&#xa0;% der gestreuten Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
     </message>
     <message>
         <source>For 90 % of all gaps, e is between %1 and %2; its mean is %3.</source>
-        <translation>Für 90 % aller Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
+        <translation>Für 90&#xa0;% aller Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
     </message>
 </context>
 <context>
@@ -15778,10 +15778,6 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>mit -o Spalten in SI-Einheiten, mit Einheiten im Kopf</translation>
     </message>
     <message>
-        <source>overwrite an existing file</source>
-        <translation>eine vorhandene Datei überschreiben</translation>
-    </message>
-    <message>
         <source>short for --set drill.settle=N: transient blows, excluded from statistics</source>
         <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
     </message>
@@ -15880,7 +15876,7 @@ Schlag und starres Gestein angegeben werden.</translation>
         <translation>oder min:…; eines bis drei, das erste entscheidet</translation>
     </message>
     <message>
-        <source>every design&apos;s blow has the energy of FILE&apos;s</source>
+        <source>scale the blow of every design to the blow energy of FILE</source>
         <translation>der Schlag jeder Auslegung hat dieselbe Energie wie der von FILE</translation>
     </message>
     <message>
@@ -16214,7 +16210,7 @@ drilling.png.</translation>
         <translation>Einheit des Signals, wo die Tabelle sie nicht nennt: kN, microstrain, V, MPa, m/s</translation>
     </message>
     <message>
-        <source>sampling rate, 5MHz; a column of times is not read then</source>
+        <source>sampling rate, such as 5MHz; replaces a column of times</source>
         <translation>Abtastrate, 5MHz; eine Spalte von Zeiten wird dann nicht gelesen</translation>
     </message>
     <message>
@@ -16246,7 +16242,7 @@ drilling.png.</translation>
         <translation>Elastizitätsmodul des Stabs, 210GPa</translation>
     </message>
     <message>
-        <source>times whose mean is the zero line, -50us:-10us</source>
+        <source>time range whose mean is the zero line, -50us:-10us</source>
         <translation>Zeiten, deren Mittelwert die Nulllinie ist, -50us:-10us</translation>
     </message>
     <message>

@@ -8706,7 +8706,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Största funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
-        <source>%1 sample could not be solved and are left out: %2.</source>
+        <source>%1 sample could not be solved and is left out: %2.</source>
         <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
     </message>
     <message>
@@ -8714,7 +8714,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
     </message>
     <message>
-        <source>%1 design with more than 0.1 % of them have no statistics.</source>
+        <source>%1 design with more than 0.1 % of them has no statistics.</source>
         <translation>%1 konstruktion med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
     </message>
     <message>
@@ -12539,11 +12539,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>For 90 % of the scattered gaps, e is between %1 and %2; its mean is %3.</source>
-        <translation>För 90 % av de spridda spalterna ligger e mellan %1 och %2; medelvärdet är %3.</translation>
+        <translation>För 90&#xa0;% av de spridda spalterna ligger e mellan %1 och %2; medelvärdet är %3.</translation>
     </message>
     <message>
         <source>For 90 % of all gaps, e is between %1 and %2; its mean is %3.</source>
-        <translation>För 90 % av alla spalter ligger e mellan %1 och %2; medelvärdet är %3.</translation>
+        <translation>För 90&#xa0;% av alla spalter ligger e mellan %1 och %2; medelvärdet är %3.</translation>
     </message>
 </context>
 <context>
@@ -15773,10 +15773,6 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>med -o: kolumner i SI-enheter, angivna i huvudet</translation>
     </message>
     <message>
-        <source>overwrite an existing file</source>
-        <translation>skriv över en befintlig fil</translation>
-    </message>
-    <message>
         <source>short for --set drill.settle=N: transient blows, excluded from statistics</source>
         <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
     </message>
@@ -15874,7 +15870,7 @@ slag och stelt berg anges.</translation>
         <translation>eller min:…; ett till tre mål, det första avgör</translation>
     </message>
     <message>
-        <source>every design&apos;s blow has the energy of FILE&apos;s</source>
+        <source>scale the blow of every design to the blow energy of FILE</source>
         <translation>varje konstruktions slag har samma energi som det i FILE</translation>
     </message>
     <message>
@@ -16205,7 +16201,7 @@ med --histories histories.csv och med --plots drilling.png.</translation>
         <translation>signalens enhet där tabellen inte anger den: kN, microstrain, V, MPa, m/s</translation>
     </message>
     <message>
-        <source>sampling rate, 5MHz; a column of times is not read then</source>
+        <source>sampling rate, such as 5MHz; replaces a column of times</source>
         <translation>samplingsfrekvens, 5MHz; en kolumn med tider läses inte då</translation>
     </message>
     <message>
@@ -16237,7 +16233,7 @@ med --histories histories.csv och med --plots drilling.png.</translation>
         <translation>stångens elasticitetsmodul, 210GPa</translation>
     </message>
     <message>
-        <source>times whose mean is the zero line, -50us:-10us</source>
+        <source>time range whose mean is the zero line, -50us:-10us</source>
         <translation>tider vars medelvärde är nollinjen, -50us:-10us</translation>
     </message>
     <message>

@@ -102,12 +102,15 @@ CursorBar::CursorBar(QWidget* parent)
 }
 
 int CursorBar::leastWidth(Form form) const {
-    constexpr int buttons = 80;  // and what is around
+    // With the margins of the row and the spaces beside the buttons.
+    const int buttons =
+        m_copy->sizeHint().width() + m_close->sizeHint().width() + 4 * m_grid->horizontalSpacing();
     const bool wide = form == Form::wide;
+    constexpr int slack = 4;  // a label takes a little more than its text
     // The words are those of reading_cells.cpp.
-    const int cell =
-        fontMetrics().horizontalAdvance(wide ? drillwave::tr("integral") + QStringLiteral(" −88.8888 kN·ms")
-                                             : drillwave::tr("mean") + QStringLiteral(" −888.88 MPa"));
+    const int cell = slack + fontMetrics().horizontalAdvance(
+                                 wide ? drillwave::tr("integral") + QStringLiteral(" −88.8888 kN·ms")
+                                      : drillwave::tr("mean") + QStringLiteral(" −888.88 MPa"));
     return choiceWidth + (wide ? cellColumns + 2 : cellColumns) * (cell + m_grid->horizontalSpacing()) +
            buttons;
 }
