@@ -236,6 +236,8 @@ void ResultPanel::showFeed() {
     m_followed->setText(followedText(result));
     setWarning(*m_followed, isUnresolved);
     m_followed->setVisible(shown.estimate && shown.estimate->force);
+    m_followed->parentWidget()->layout()->activate();
+    widget()->layout()->activate();  // sentences of more lines have their room at once
 }
 
 QString ResultPanel::followedText(const DrillingResult* result) const {
