@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view stem = "report";  // of the files in a folder
 constexpr std::string_view withoutPlots = "no-plots";
 
-/// What -o asks for.
+/// Files requested by -o.
 struct ReportPlace {
     std::string path;  ///< "-": HTML on standard output
     bool isFolder = false;
@@ -104,7 +104,7 @@ void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite ove
     writeFolder(place.path, folder, overwrite, &interruption);
 }
 
-/// What stands below the title. Throws CommandError (usage).
+/// Returns the lines below the title. Throws CommandError (usage).
 ReportHead headOf(const Arguments& arguments) {
     const auto text = [&](const char* option) {
         std::string words = arguments.value(option).value_or("");

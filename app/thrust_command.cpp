@@ -22,7 +22,7 @@ namespace drillwave {
 
 namespace {
 
-/// What --along or --frequency asks for.
+/// Range requested by --along or --frequency.
 std::optional<SweepAxis> axisOf(const Arguments& arguments) {
     const std::optional<std::string> along = arguments.value("along");
     const std::optional<std::string> frequencies = arguments.value("frequency");

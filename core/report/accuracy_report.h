@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against run time, of a rod and of a drill string, told to people and to programs.
+// Report of error against run time, for a rod and for a drill string.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that is to be handed on about one blow.
+// Data of a report on one blow.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One solved blow told to people.
+// Report of one solved blow as text.
 #pragma once
 
 #include <string>

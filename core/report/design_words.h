@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study of designs says in words.
+// Sentences about a study of designs.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ class DesignNames {
     const ReadingStyle& m_style;
 };
 
-/// What is to be known of the answer.
+/// Remarks on the answer.
 struct DesignRemark {
     bool isWarning = false;
     std::string code;  ///< "flat_optimum", …
@@ -78,7 +78,7 @@ bool carriesShares(const DesignStudy& study);
 /// by its number there: that of the largest share, once the samples carry it.
 std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_t aimed);
 
-/// What an aim is about, of a design (from 0).
+/// Returns the statistic of an aim for a design (from 0).
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);
 
 /// "0.712 +- 0.001": the same as people read it, with its error where it has one.
@@ -96,7 +96,7 @@ std::string designName(const DesignStudy& study, std::uint64_t design,
 std::string outputText(const DesignStudy& study, const Output& output, double value,
                        const ReadingStyle& style = plainStyle(), int digits = 5);
 
-/// How near the best design comes to each limit, a line each, where none meets all.
+/// Returns one line per limit with the nearest value of all designs, if no design meets all limits.
 std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
                                      const ReadingStyle& style = plainStyle());
 

@@ -31,7 +31,7 @@ struct DrillingReport {
 struct DrillingScale {
     Quantity quantity = Quantity::ratio;
     double si = 1;        ///< SI value of 1 in units of Problem
-    double multiple = 1;  ///< SI value of what multiples are told of
+    double multiple = 1;  ///< SI value of the unit of multiples
 
     double value(double ofProblem, OutputUnits units) const {
         return units == OutputUnits::si ? ofProblem * si : ofProblem * si / multiple;
@@ -54,7 +54,7 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units);
 std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units);
 /// A row for every blow, behind the scenario.
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
-/// The blows that are told in full, instant by instant.
+/// Blows whose histories are written, instant by instant.
 std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units);
 
 /// Returns a line of titles, then mean, error, deviation and quantiles of each quantity of a blow. Requires

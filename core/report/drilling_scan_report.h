@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// What is scanned, and the text of the scenario it starts from.
+/// A scan and the text of the scenario it starts from.
 struct DrillingScanReport {
     DrillingScan scan;
     std::string scenarioText;

@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// What one cell says.
+/// Content of one cell.
 struct ReportCell {
     std::string text;
     std::optional<double> number;  ///< behind the text, as JSON has it; nothing where it is no number of JSON

@@ -26,7 +26,7 @@ std::string paragraph(std::string_view words);
 /// Joins sentences with blanks, in the language of the reader.
 std::string inOneParagraph(const std::vector<Message>& sentences, const ReadingStyle& style = plainStyle());
 
-/// Of all cells of a line but the first, which is aligned to the left.
+/// Alignment of all cells of a line except the first, which is aligned to the left.
 enum class CellAlignment { left, right };
 
 /// Lines of cells in columns. The last cell of a line of one or two is a remark, which widens no column.
@@ -41,7 +41,7 @@ class TextGrid {
     std::string text() const;
 
   private:
-    /// Of the columns; the last of a line of two is as wide as it is.
+    /// Widths of the columns; the last of a line of two is as wide as its text.
     std::vector<std::size_t> widths() const;
 
     CellAlignment m_alignment;

@@ -14,7 +14,7 @@ namespace drillwave {
 /// How a CSV file that begins with its scenario begins.
 inline constexpr std::string_view csvRemarksBegin = "# # Written by Drillwave ";
 
-/// What they say; all empty for a text that does not begin with them.
+/// Content of the remarks; all empty for a text that does not begin with them.
 struct ResultRemarks {
     std::string version;
     std::optional<MethodChoice> method;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checks of stiff and extreme cases told to people and programs.
+// Report of the checks of stiff and extreme cases, as text, CSV and JSON.
 #pragma once
 
 #include <string>

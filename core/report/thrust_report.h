@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What blows require of the feed, with all that is reported about it: text, JSON and CSV.
+// Required feed force with all that is reported about it: text, JSON and CSV.
 #pragma once
 
 #include <optional>

@@ -76,7 +76,7 @@ class ImportDialog : public QDialog {
     void showState();
     QString obstacle() const;
 
-    /// What is still to be proposed from what the record turns out to be.
+    /// Proposals that wait until the record is read.
     enum class Proposal { zero, signAndTimes, none };
 
     QString m_path;

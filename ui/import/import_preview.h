@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an import would give, computed away from the window's thread.
+// Result of an import, computed away from the window's thread.
 #pragma once
 
 #include <QPlainTextEdit>
@@ -107,7 +107,7 @@ class ImportPlot : public StudyFrame {
     const Unit* m_forceUnit = nullptr;
 };
 
-// What an import gives, in sentences.
+// Sentences about an import.
 
 /// Samples, impulse, peak, points and how far they are from the samples; what was skipped and clipped.
 /// Requires a preview without problems.

@@ -20,7 +20,7 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// What a row is called, and says of itself.
+/// Name and explanation of a row.
 struct RowWords {
     const char* name;  ///< of the control, for tests
     QString label;
@@ -52,7 +52,7 @@ QSpinBox* addCount(QFormLayout& form, const RowWords& words, int least, int most
 /// Of a control, its unit button with it.
 void setRowVisible(QFormLayout& form, QWidget& control, bool visible);
 
-// What makes a force of a strain: the bar that a gauge is on, and the bridge that it is in.
+// Rows that convert strain to force: the bar with the gauge, and the bridge.
 
 /// Rows of a form, which owns their controls and must outlive this.
 class GaugeRows {

@@ -27,7 +27,7 @@ class Importer : public QObject {
     void open(const QString& path, ImportUse use);
 
   signals:
-    /// What has been done, in a line.
+    /// One line about the import that was done.
     void imported(const QString& message);
     /// A record to read the rock from has been chosen, with the settings by which its table is read.
     void recordTaken(const QString& path, const drillwave::SignalOptions& settings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is made of the samples: unit, sign, zero line, times, clip, scale, number of points.
+// Fields for the samples of a signal: unit, sign, zero line, times, clip, scale, number of points.
 #pragma once
 
 #include <QList>
@@ -27,7 +27,7 @@ class QuantityField;
 class UnitChoice;
 enum class FieldRange;
 
-/// What an imported signal is for.
+/// Use of an imported signal.
 enum class ImportUse {
     blow,         ///< the hammer blow of the scenario
     normalForce,  ///< a measured N in a section, beside the computed one

@@ -27,7 +27,7 @@ class TableFields : public QWidget {
   public:
     explicit TableFields(QWidget* parent = nullptr);
 
-    /// The first lines of a file: everything is found out anew.
+    /// Takes the first lines of a file and detects everything again.
     void setLines(std::vector<std::string> lines);
     const std::vector<std::string>& lines() const { return m_lines; }
 

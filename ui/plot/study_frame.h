@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all plots of pages share: words in place of curves, a view, a style, a header, runs, "you are here".
+// Common part of the plots of pages: messages, view, style, header, runs and the mark of the scenario.
 #pragma once
 
 #include <qcustomplot.h>
@@ -42,7 +42,7 @@ class StudyFrame : public QObject {
     void fitUnlessZoomed();
     /// Where keys may go; no rect where they do nothing.
     virtual KeyPlaces keyPlaces() const { return {}; }
-    /// What the plot shows, in words, for assistive tools and the line above it.
+    /// Returns a description of the plot in words, for assistive tools and the line above it.
     QString textSummary() const { return m_summary; }
 
   protected:
@@ -50,7 +50,7 @@ class StudyFrame : public QObject {
 
     /// Away with what is drawn; message, runs and "you are here" have gone already.
     virtual void clear() = 0;
-    /// What is drawn in m_style; all else has it already.
+    /// Applies m_style to the items of the derived frame; the base class has applied it to its own.
     virtual void restyle() = 0;
     /// That have everything in view.
     virtual void setRanges() = 0;
@@ -64,7 +64,7 @@ class StudyFrame : public QObject {
     QPointF pixelOf(QPointF at) const { return {x()->coordToPixel(at.x()), y()->coordToPixel(at.y())}; }
     /// A row of its own above all others, as high as it has to be.
     void insertAbove(QCPLayoutElement* element);
-    /// That of the plot, or another one where it has gone with the layout.
+    /// Legend of the plot, or another one if that has gone with the layout.
     void useLegend(const QMargins& margins);
     /// Legend and caption (of no words yet) above the axes, where they can hide no part of a curve, and
     /// `spaceBelow` them [px]. Returns what holds them.

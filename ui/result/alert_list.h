@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user should know about a scenario or its solution, in words.
+// Alerts about a scenario or its solution, in words.
 #pragma once
 
 #include <QLabel>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study of designs says, in sentences to act on, with links beside them.
+// Sentences of a study of designs, with links that load designs.
 #pragma once
 
 #include <QTextBrowser>
@@ -17,10 +17,10 @@ class DesignCard : public QTextBrowser {
 
     /// Returns what to do, for a report with a best design.
     static QString headline(const DesignReport& report, const DesignUnits& units);
-    /// Of an answer that has a best design.
+    /// Shows an answer that has a best design.
     void present(const DesignAnswer& answer, const DesignUnits& units);
 
-    /// What the links lead to.
+    /// Targets of the links.
     static QUrl linkToDesign(std::uint64_t design);
     static QUrl linkToWorst(std::size_t aim);
 

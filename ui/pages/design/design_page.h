@@ -33,7 +33,7 @@ class DesignPage : public StudyPage {
     int studies() const { return m_study.started(); }
     const DesignPlot& designPlot() const { return *m_plot; }
     const DesignCard& card() const { return *m_card; }
-    /// What there is now; nullptr at first.
+    /// Returns the present answer; nullptr at first.
     const DesignAnswer* answer() const { return m_study.value(); }
 
   protected:
@@ -44,7 +44,7 @@ class DesignPage : public StudyPage {
     QStringList commandWords() const override;
 
   private:
-    /// What the controls ask, or why that is nothing.
+    /// The study of the controls, or why there is none.
     struct Wish {
         std::optional<DesignStudy> study;
         QString problem;

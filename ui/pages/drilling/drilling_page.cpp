@@ -114,7 +114,7 @@ void DrillingPage::ask() {
     m_march.ask(drillingQuestion(scenario()));
 }
 
-// What was complete stays faintly behind what comes.
+// The last complete answer stays faintly behind the growing one.
 void DrillingPage::keepBefore() {
     if (m_complete && m_complete->question != drillingQuestion(scenario())) m_before = m_complete;
 }

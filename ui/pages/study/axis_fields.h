@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study varies, from where to where: the controls of one axis.
+// Controls of one axis of a study: parameter, start, end and steps.
 #pragma once
 
 #include <QWidget>

@@ -20,7 +20,7 @@ class FamilyFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// Most values, so that curves can still be told apart.
+    /// Most values of a family, so that curves can be distinguished.
     static constexpr std::size_t mostValues = 12;
 
     /// Begins with these values of the first of these keys that applies; in SI. The units must outlive it.

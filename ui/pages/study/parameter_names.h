@@ -20,7 +20,7 @@ enum class StudyOf { oneBlow, manyBlows };
 /// parameter; what is chosen stays chosen where it still applies. Tells nobody.
 void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of = StudyOf::oneBlow);
 
-/// What is chosen, or none.
+/// Returns the selected parameter, or none.
 KeptParameter chosenParameter(const QComboBox& box);
 
 /// Chooses a parameter, or none. Tells nobody.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study makes of each pinned run, found beside that of the scenario.
+// Studies of the pinned runs, computed beside that of the scenario.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class RunCurveFinder {
 
     explicit RunCurveFinder(Find find) : m_find(std::move(find)) {}
 
-    /// Those that are known first. What is not asked any more is forgotten.
+    /// Known answers come first. Questions that are no longer asked are forgotten.
     Answers operator()(const std::vector<Question>& questions, const StudyFeed<Answers>& feed) {
         Answers found;
         std::vector<Question> open;
@@ -54,7 +54,7 @@ class RunCurveFinder {
                 RunAnswer<Question, Curve>{question, std::move(curve)}));
             feed.show(found);
         }
-        // What was stopped goes on from there.
+        // A stopped study continues from there.
         *m_known = found;
         return found;
     }
@@ -80,7 +80,7 @@ class RunStudies {
         for (const Question& question : ofRuns)
             if (std::ranges::find(questions, question) == questions.end()) questions.push_back(question);
         const bool isNothing = questions.empty() && !m_study.question();
-        // What has failed would fail again.
+        // A failed study would fail again.
         const bool hasFailed = m_study.job().state() == StudyState::failed && m_study.question() == questions;
         if (!isNothing && !hasFailed) m_study.ask(std::move(questions));
     }

@@ -191,7 +191,7 @@ void StudyPage::askNow() {
     follow();
 }
 
-// What is shown is the job's, which may still be of an earlier question.
+// The page shows the job's answer, which may be of an earlier question.
 void StudyPage::follow() {
     const bool answered = m_activity->isCurrent();
     const bool isNews = std::exchange(m_answers, m_activity->answers()) != m_activity->answers();
@@ -328,7 +328,7 @@ QList<PageExport> StudyPage::exports() const {
     return all;
 }
 
-// What was stopped has holes, and is not what the command writes.
+// A stopped study has holes: the command would write other rows.
 QString StudyPage::obstacle() const {
     if (m_activity->state() == StudyState::failed) return m_activity->problem();
     if (m_activity->state() == StudyState::stopped) return tr("The study was stopped before its end.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pages of studies have in common: when they compute, what they say meanwhile, what they hand on.
+// Common part of the pages of studies: when they compute, their sentences, and what they export.
 #pragma once
 
 #include <QBoxLayout>
@@ -54,7 +54,7 @@ class StudyPage : public PlotPage {
     /// Shows what the job has, in the units of blow(), and where the present scenario is. Called whenever one
     /// of them has changed; blow() is nullptr before the first, and may be unsolved.
     virtual void present() = 0;
-    /// Why what is shown is not handed on now; empty when it can be.
+    /// Returns why the shown study cannot be exported now; empty if it can.
     virtual QString obstacle() const;
     /// The file that the command of command() writes, of the finished study.
     virtual QByteArray csv() const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study varies: a parameter over a range, or over a list of values.
+// Range of a study: a parameter from start to end, or over a list of values.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study needs and the scenario lacks, to be entered on the spot.
+// Fields for values that a study needs and the scenario lacks.
 #pragma once
 
 #include <QWidget>

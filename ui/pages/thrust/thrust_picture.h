@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of the required feed along a parameter.
+// Picture of the required feed force along a parameter.
 #pragma once
 
 #include <QPointF>
@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Of values in SI.
+/// Values in SI.
 struct ThrustUnits {
     ShownUnit along;      ///< the parameter
     ShownUnit force;      ///< thrusts
@@ -39,9 +39,9 @@ struct ThrustPicture {
     QVector<QPointF> balance;                 ///< f I0
     QVector<QPointF> ofThisBlow;              ///< f I0 (1+e)
     QVector<QPointF> largest;                 ///< f I0 (1+e) of the largest known case
-    QVector<QPointF> largestReturn;           ///< f I0 (1+2e) likewise
+    QVector<QPointF> largestReturn;           ///< f I0 (1+2e) of the largest need
     QVector<QPointF> feed;                    ///< the effective force; empty where no thrust is installed
-    bool isWeighted = false;                  ///< it is not the thrust alone
+    bool isWeighted = false;                  ///< whether the weight is added to the thrust
 };
 
 ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page Feed studies.
+// Study of the page Feed.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ struct ThrustQuestion {
     bool operator==(const ThrustQuestion&) const = default;
 };
 
-/// What there is of it so far.
+/// Answer so far.
 struct ThrustAnswer {
     Scenario scenario;  ///< as it was asked
     ThrustAlong along;
