@@ -23,15 +23,15 @@ std::string scenarioHeader(std::string_view scenarioYaml, std::string_view metho
 /// such lines.
 std::string scenarioFromHeader(std::string_view csv);
 
-/// Of a rod time, impact_force, impulse, momentum, incident_wave, penetration, front_velocity at the front
-/// end: from the arrival of the first wave to the end of the recording. The wave is a normal force, tension
-/// positive; everything else is positive towards the rock. Momentum is that of the rod. Penetration is that
-/// of the bit below the first surface of the rock, negative while it is above. Of a string these but for the
-/// wave, from the first touch to where it was followed, then face_force of hammer and string, and
-/// normal_force, positive_wave and negative_wave, tension positive, and velocity at a place of it; momentum
-/// is what the hammer has given to the string less the impulse on the rock. A time comes twice where a curve
-/// jumps. Without SI forces are in F0, times in t0, lengths in d0, velocities in d0/t0; of a string in v0.
-/// Requires Impact::hasHistories().
+/// Writes the histories of a blow. For rods: time, impact_force, impulse, momentum, incident_wave,
+/// penetration, front_velocity at the bit, from the arrival of the first wave to the end of the recording.
+/// The wave is a normal force, tension positive; all else is positive towards the rock. Momentum is that of
+/// the rod. Penetration is measured from the first surface of the rock, negative above it. For drill strings:
+/// the same without the wave, from the first contact to the end of the blow, then face_force of hammer and
+/// string, and normal_force, positive_wave and negative_wave, tension positive, and velocity at a place of
+/// it; momentum is that given by the hammer to the string less the impulse on the rock. A time comes twice
+/// where a curve jumps. Without SI forces are in F0, times in t0, lengths in d0, velocities in d0/t0; for
+/// strings in v0. Requires Impact::hasHistories().
 std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits units);
 
 /// Signs and units of these columns in one line, for the header of the file, and where the place is.

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// A value of an output in SI units; energies, which are told in shares of that of the hammer, in J.
+/// Returns a value of an output in SI units; energies given as shares of the hammer energy are in J.
 double inSi(const Output& output, double value, const Blow& blow);
 
 /// The JSON objects of alerts: level, code, parameter, text.

@@ -23,7 +23,7 @@ struct ReportInput {
     std::string value;                      ///< as the file has it: "3.66 m"
     std::optional<double> si;               ///< of a number
     Message source;                         ///< where the value is from, never empty: "assumed typical"
-    std::optional<Quantity> quantity = {};  ///< likewise, as the form of the scenario has it
+    std::optional<Quantity> quantity = {};  ///< of the value, in the form of the scenario
     Message word = {};                      ///< for people, of the name of a shape or a law; empty otherwise
     bool operator==(const ReportInput&) const = default;
 };
@@ -39,7 +39,7 @@ struct ReportSection {
     bool operator==(const ReportSection&) const = default;
 };
 
-/// Whose report it is, as it stands below its title; what is empty is left out.
+/// Lines below the title of a report; empty ones are left out.
 struct ReportHead {
     std::string project, author, customer;
     std::string date;  ///< as it is to be read
@@ -54,22 +54,22 @@ struct ReportComparison {
     std::vector<ReportRow> rows;
 };
 
-/// What a report tells. But for its head, other blows and what was measured it does not depend on when, where
+/// Content of a report. Except for head, other blows and measured signals it does not depend on when, where
 /// and how fast it was made.
 struct BlowReport {
     Blow blow;                     ///< solved exactly with histories, stresses and margin of the thrust
     ReportHead head = {};          ///< as asked for
-    ReportComparison others = {};  ///< likewise; empty without others
-    std::vector<MeasuredSignal> measured = {};  ///< likewise; laid over its curves, of a scenario with units
+    ReportComparison others = {};  ///< other blows of the report; empty without others
+    std::vector<MeasuredSignal> measured = {};  ///< signals over the curves of a scenario with units
     ReportComparison misfits = {};              ///< how far each of them is from what is computed
     std::string scenarioText;                   ///< gives its scenario again
     std::vector<Message> recordRemarks = {};    ///< on the quality of a measured blow
     std::vector<ReportInput> inputs;            ///< in the order of a file
-    std::vector<ReportSection> sections;        ///< of hammer and string, likewise; none of a uniform rod
+    std::vector<ReportSection> sections;        ///< of hammer and string; none for a uniform rod
     std::optional<GapStudy> gap;                ///< where e depends on the gap and is known at all gaps
     Message gapProblem;                         ///< why not, in a sentence, else empty; empty of a string
     std::optional<ThrustReport> thrust;         ///< with study and curve, where blows have a frequency
-    Message thrustProblem;                      ///< why not, likewise
+    Message thrustProblem;                      ///< why there is no study of the feed
     ReportStudies studies = {};                 ///< as asked for
 };
 

@@ -21,7 +21,7 @@ std::string familyText(const SweepAxis& family, double value, const ReadingStyle
 /// A line that tells how many of a table are left out where there are more than `most`.
 std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style = plainStyle());
 
-/// What is worth telling of each line and output: where it takes the goal, a table of features, and where
+/// Returns the features of each line and output: places of the goal, a table of features, and ranges where
 /// there is no smooth course or no answer.
 std::string curveText(const CurveReport& report, const ReadingStyle& style = plainStyle());
 

@@ -27,7 +27,7 @@ struct DrillingReport {
     std::string scenarioText;
 };
 
-/// SI value of the unit of Problem, of the multiple that is told without units, and the quantity.
+/// SI value of the unit of Problem, unit of the multiples in scenarios without units, and the quantity.
 struct DrillingScale {
     Quantity quantity = Quantity::ratio;
     double si = 1;        ///< SI value of 1 in units of Problem
@@ -39,7 +39,7 @@ struct DrillingScale {
 };
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
 
-/// A spread or an error, in units of Problem, as it is told: what is rounding alone is nothing.
+/// Returns a spread or an error, in units of Problem, for text: rounding alone becomes zero.
 double withoutRounding(double spread);
 
 /// Sentences on the required feed, then on the results of the sequence.

@@ -26,7 +26,7 @@ struct ReportRow {
     std::vector<ReportCell> cells;
 };
 
-/// What an output is a multiple of: "I0"; empty for a plain number. Energies of a blow by a force are shares
+/// Returns the unit of a multiple: "I0"; empty for a plain number. Energies of a blow by a force are shares
 /// of its work W.
 std::string_view multipleName(Measure measure, const Scenario& scenario);
 
@@ -40,11 +40,11 @@ std::string siText(const Output& output, double value, const Blow& blow,
 /// Where in the rod and when a largest force is: "1.2 m from the hammer, at 300 us"; empty for one of size 0.
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Every output that the scenario has, but for solverRows(): as a multiple of what it is measured in; in its
-/// unit, where the scenario has units; where and when, for the largest stresses. Of a blow that was solved.
+/// Returns every output of the scenario except solverRows(): as a multiple, and in its unit if the scenario
+/// has units; with place and time for the largest stresses. Requires a solved blow.
 std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Those of the rows that say how well the blow is solved: errors and what is left of balances.
+/// Returns the rows on the numerical error: errors and residuals of the balances.
 std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// The four groups and, where the scenario has units, the scales and what follows for the rod.

@@ -12,8 +12,8 @@ namespace drillwave {
 /// Where the energy of the hammer went, in shares and in J.
 TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Titles, then for every section its largest stresses with place and time, in shares of its strengths where
-/// sections have them, and what the joint at its far end throws back. Requires the forces.
+/// Returns titles, then for every section its largest stresses with place and time, as shares of its
+/// strengths if sections have them, and the share reflected by the joint at its far end. Requires the forces.
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -31,8 +31,8 @@ struct ThrustReport {
     double runTime = 0;        ///< [s]
 };
 
-/// What each of the four cases needs, for people: a line of titles, then one for each case. A study must be
-/// there.
+/// Returns the required feed of the four cases as text: a line of titles, then a line for each case. Requires
+/// a study.
 TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
 /// The estimate in words, then what the cases say of it. `shareCovered` is ThrustStudy::shareFull, where

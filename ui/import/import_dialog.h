@@ -40,7 +40,7 @@ class ImportDialog : public QDialog {
     QString path() const { return m_path; }
     ImportUse use() const;
     void setUse(ImportUse use);
-    /// What the present choices give; nullptr while that is not known, or is nothing that can be taken.
+    /// Returns the signal of the present choices; nullptr while it is not known or cannot be used.
     const ShapedSignal* result() const;
     /// The same as a measured signal.
     MeasuredSignal measured() const;

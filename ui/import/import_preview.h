@@ -27,7 +27,7 @@ struct ImportQuestion {
     QString path;
     SampleSource source;
     SignalRecipe recipe;
-    Scenario scenario = {};  ///< that a blow is for: of which e is told
+    Scenario scenario = {};  ///< of the blow, for its e
     bool isThinned = false;  ///< to thinningError, where the user has chosen no number of points
     bool operator==(const ImportQuestion&) const = default;
 };

@@ -35,7 +35,7 @@ struct RowChoice {
 
 /// A choice of one of the entries.
 ChoiceBox* addChoice(QFormLayout& form, const RowWords& words, const QList<RowChoice>& entries);
-/// The entries anew; the value stays if there still is one of it, else the first is chosen. Tells nobody.
+/// Replaces the entries and keeps the value if it is among them, else selects the first. Emits nothing.
 void setEntries(ChoiceBox& box, const QList<RowChoice>& entries);
 /// Tells nobody; no effect where there is no such value.
 void choose(ChoiceBox& box, int value);
@@ -49,7 +49,7 @@ QuantityField* addQuantity(QFormLayout& form, const RowWords& words, Quantity qu
 
 QSpinBox* addCount(QFormLayout& form, const RowWords& words, int least, int most, int value);
 
-/// Of a control, its unit button with it.
+/// Shows or hides the row of a control with its unit button.
 void setRowVisible(QFormLayout& form, QWidget& control, bool visible);
 
 // Rows that convert strain to force: the bar with the gauge, and the bridge.

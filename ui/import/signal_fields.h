@@ -46,9 +46,9 @@ class SignalFields : public QWidget {
     void setUse(ImportUse use);
     /// Its rod or string, whose E A a strain takes; a dimensionless scenario has none.
     void setScenario(const Scenario& scenario);
-    /// What the header says of the column; without one the user has to choose.
+    /// Takes the unit of the header; without one the user has to choose.
     void setUnit(const std::optional<NamedSignalUnit>& unit, SignalKind likely);
-    /// Of a new record its zero line is proposed, where nothing was chosen.
+    /// Proposes the zero line of a new record unless the user has chosen one.
     void proposeZero(RecordSpan record);
     /// Its sign, of the largest value with the zero line off, where nothing was chosen.
     void proposeSign(double signOfPeak);

@@ -37,7 +37,7 @@ class TableFields : public QWidget {
     void addTo(SignalOptions& settings) const;
 
     SampleSource source() const;
-    /// What the header says of the chosen column of values; nothing where its unit is not known.
+    /// Returns the unit in the header of the chosen column of values; nothing if it is not known.
     std::optional<NamedSignalUnit> valueUnit() const;
     /// Returns the likely kind of that column where its unit is not stated.
     SignalKind valueKind() const;

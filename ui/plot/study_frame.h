@@ -26,7 +26,7 @@ class StudyFrame : public QObject {
   public:
     /// No curves, and `message` in their place (why there are none).
     void showNothing(const QString& message);
-    /// Where one looks, in units of the axes: without a y a line alone, without an x nothing.
+    /// Places the mark of the scenario, in units of the axes: without y a line, without x nothing.
     void setHere(std::optional<double> x, std::optional<double> y) { m_here->setPlace(x, y); }
     /// Where pinned runs are and, of a plot that has them, their curves; in units of the axes.
     void setRuns(const QVector<RunMark>& marks, const QVector<RunCurve>& curves = {});

@@ -39,7 +39,7 @@ QString translated(const Message& message);
 QStringList translatedEach(const std::vector<Message>& sentences);
 QString translatedAll(const std::vector<Message>& sentences);
 
-/// What is wrong with a file or with values, a line each, likewise.
+/// Returns the faults of a file or of values in the language of the window, one per line.
 QString translated(const ScenarioError& error);
 
 /// "t₀" for "t0".
@@ -65,7 +65,7 @@ QString parameterTitle(const Parameter& parameter);
 /// The same with a section as above.
 QString parameterTitle(const Parameter& parameter, const Scenario& scenario);
 
-/// A sentence of the core about parameters with their titles in place of their keys, as the form has them.
+/// Returns a sentence of the core about parameters with titles instead of keys, as in the form.
 Message withTitles(Message message);
 
 }  // namespace drillwave

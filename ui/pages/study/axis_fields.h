@@ -23,8 +23,8 @@ class AxisFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// `words` stand in front ("vary"). Of `preferred`, keys of parameters, the first that applies to a
-    /// scenario is chosen until the user chooses. The units must outlive it.
+    /// `words` is the label ("vary"). The first key of `preferred` that applies to a scenario is selected
+    /// until the user selects one. The units must outlive it.
     AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
                QWidget* parent = nullptr, StudyOf of = StudyOf::oneBlow);
 

@@ -13,7 +13,7 @@ namespace drillwave {
 /// "stiffness k", as a box or an axis calls it.
 QString parameterName(const Parameter& parameter);
 
-/// Of what a study is: of one blow, which what counts over many blows alone does not change, or of many.
+/// Subject of a study: one blow, which parameters of many blows do not change, or many blows.
 enum class StudyOf { oneBlow, manyBlows };
 
 /// Fills the box with the parameters that apply to the scenario, keys as data, behind what it has without a

@@ -19,13 +19,13 @@ struct StudyRange {
     bool logarithmic = false;
     bool operator==(const StudyRange&) const = default;
 
-    /// As on the command line, "bit_rock.stiffness=10 MN/m:10000 MN/m": the values read back as the same
-    /// doubles. What may follow, ":log" or a count, is in tail().
+    /// Returns the words of the command line, "bit_rock.stiffness=10 MN/m:10000 MN/m", which read back as the
+    /// same doubles; the suffix ":log" or a count is in tail().
     std::string text() const;
     /// ":log", or nothing.
     std::string tail() const { return logarithmic ? ":log" : ""; }
-    /// How many values a study takes of it that would take `most` (≥ 2): so many, but of whole numbers as
-    /// many as meet whole numbers alone.
+    /// Returns the number of values of a study that takes at most `most` (≥ 2); for whole numbers, as many as
+    /// are whole numbers.
     std::uint64_t pointsWithin(std::uint64_t most) const;
 };
 

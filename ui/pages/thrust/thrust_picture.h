@@ -46,7 +46,7 @@ struct ThrustPicture {
 
 ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units);
 
-/// Those in which the scenario is shown, which must have a thrust, with `along` for the parameter.
+/// Returns the units of a scenario that has a feed force, with `along` for the parameter.
 ThrustUnits thrustUnits(const Scenario& scenario, const Unit& along, const ShownUnits& units);
 
 }  // namespace drillwave

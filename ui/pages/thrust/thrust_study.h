@@ -25,13 +25,13 @@ struct ThrustAnswer {
     bool isComplete() const { return problem.isEmpty() && along.curve.points.size() == along.axis.count; }
 };
 
-/// The range as the command takes it, with a number of points where the customary one will not do.
+/// Returns the range as words of the command, with a number of points if the default does not suit.
 std::string axisText(const StudyRange& range);
 /// The axis that the command line reads from that: the same values, in the same unit.
 SweepAxis axisOf(const StudyRange& range);
 
-/// Answers one question after another. What depends on the gap is remembered from one to the next, so that a
-/// thrust that is dragged costs next to nothing. On one thread at a time.
+/// Answers one question after another. Results that depend on the gap are kept for the next one, so that a
+/// dragged feed force costs next to nothing. On one thread at a time.
 class ThrustStudent {
   public:
     ThrustAnswer answer(const ThrustQuestion& question, const StudyFeed<ThrustAnswer>& feed);

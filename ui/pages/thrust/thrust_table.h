@@ -15,7 +15,7 @@ class ThrustTable : public QTableWidget {
   public:
     explicit ThrustTable(QWidget* parent = nullptr);
 
-    /// Of the scenario as it is; a need that cannot be told has no column.
+    /// Shows the present scenario; a need that is not known has no column.
     void present(const FeedEstimate& feed, const ThrustUnits& units);
     void clearNumbers();
 
