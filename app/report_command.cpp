@@ -159,8 +159,7 @@ const Command& reportCommand() {
             "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.\n"
             "DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
-            "Of a\n"
-            "drill string also its sections, drawn to scale, with their largest stresses.",
+            "For\ndrill strings also the sections, drawn to scale, with their largest stresses.",
         .options = scenarioOptions(
             {{"project", "TEXT", "project, shown below the title"},
              {"author", "TEXT", "author"},

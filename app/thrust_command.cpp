@@ -152,32 +152,24 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
 
 const Command& thrustCommand() {
     static const std::string details =
-        "First whether the installed thrust is enough, or what would be. By blow frequency f,\n"
-        "impulse I0 of a blow and restitution e it is judged so (theory §10):\n"
-        "  below f I0                machine pushed back\n"
-        "  below f I0 (1+e)          penetration lost\n"
-        "  below f I0 (1+2e)         enough, bit bounces: it leaves the rock between blows unless the\n"
-        "                            machine damps\n"
-        "  below f I0 (1+e)/(1-e)    enough, bit may bounce: one that was at rest is back before\n"
-        "                            the next blow\n"
-        "  from there on             enough, bit stays on rock; over-feeding (friction, buckling,\n"
-        "                            stalling) is outside the model\n"
-        "The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit\n"
-        "and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the\n"
-        "installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where\n"
-        "drill.inclination is given, the weight of rod and drill.machine_mass along the hole adds to the\n"
-        "thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if\n"
-        "nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves "
-        "between\n"
-        "two blows; what a damper changes `drillwave drill` follows. Needs a scenario in physical units with "
-        "drill.blow_frequency; verdict and margins need\n"
-        "drill.thrust. Of a drill string I0 is the impulse of the hammer's face; its gaps have no period, so "
-        "that\n"
-        "only this blow and rigid rock are told.";
+        "Prints whether the installed feed force covers single blows, as an estimate, and a table of\n"
+        "four cases: this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst\n"
+        "gap on elastic rock (gamma = 1). With blow frequency f, impulse I0 of a blow and restitution e\n"
+        "each case has (theory §10):\n"
+        "  required         f I0 (1 + e), the mean force that balances the blow\n"
+        "  return in time   f I0 (1 + 2e), with which an undamped rigid rod is back at the rock before\n"
+        "                   the next blow\n"
+        "  margin           effective over required feed force, less 1\n"
+        "  covered up to    blow frequency up to which the effective feed force covers the case\n"
+        "Below f I0 the machine is pushed back. With drill.inclination, the effective feed force is the\n"
+        "installed one plus the weight of rod and drill.machine_mass along the hole. `drillwave drill`\n"
+        "solves consecutive blows. Needs a scenario in physical units with drill.blow_frequency; margins\n"
+        "need drill.thrust. For drill strings, I0 is the impulse of the hammer's face; gaps have no\n"
+        "period, so only this blow and rigid rock are printed.";
     static const Command command{
         .name = "thrust",
         .operands = "FILE",
-        .summary = "thrust that blows need, and what the installed one does between them",
+        .summary = "required feed force of single blows, and whether the installed one covers it",
         .details = details,
         .options = scenarioOptions({{"along", "KEY=VALUES",
                                      "also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] "

@@ -15806,52 +15806,6 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>Zeile je Schlag, dazu FILE.csv.yaml, oder alles nach DIR; - gibt Zeilen aus</translation>
     </message>
     <message>
-        <source>thrust that blows need, and what the installed one does between them</source>
-        <translation>Andruck, den die Schläge brauchen, und was der installierte zwischen ihnen bewirkt</translation>
-    </message>
-    <message>
-        <source>First whether the installed thrust is enough, or what would be. By blow frequency f,
-impulse I0 of a blow and restitution e it is judged so (theory §10):
-  below f I0                machine pushed back
-  below f I0 (1+e)          penetration lost
-  below f I0 (1+2e)         enough, bit bounces: it leaves the rock between blows unless the
-                            machine damps
-  below f I0 (1+e)/(1-e)    enough, bit may bounce: one that was at rest is back before
-                            the next blow
-  from there on             enough, bit stays on rock; over-feeding (friction, buckling,
-                            stalling) is outside the model
-The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit
-and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the
-installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where
-drill.inclination is given, the weight of rod and drill.machine_mass along the hole adds to the
-thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if
-nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves between
-two blows; what a damper changes `drillwave drill` follows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need
-drill.thrust. Of a drill string I0 is the impulse of the hammer&apos;s face; its gaps have no period, so that
-only this blow and rigid rock are told.</source>
-        <translation>Sagt zuerst, ob der installierte Andruck genügt oder welcher genügen würde. Geurteilt wird nach
-Schlagfrequenz f, Kraftstoß I0 eines Schlags und Stoßzahl e (theory §10):
-  unter f I0                Maschine weicht zurück
-  unter f I0 (1+e)          Eindringung verloren
-  unter f I0 (1+2e)         reicht, Krone hebt ab: sie verlässt zwischen den Schlägen das
-                            Gestein, wenn die Maschine nicht dämpft
-  unter f I0 (1+e)/(1-e)    reicht, Krone hebt evtl. ab: eine zuvor ruhende Bohrkrone ist vor
-                            dem nächsten Schlag zurück
-  ab diesem Wert            reicht, Krone ruht; zu hoher Vorschub (Reibung,
-                            Knicken, Stehenbleiben der Drehung) liegt außerhalb des Modells
-Das Urteil richtet sich nach dem e dieses Schlags. Daneben, jeweils mit eigenem e: 95&#xa0;% aller Spalte
-zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der schlechteste Spalt auf elastischem
-Gestein (gamma = 1). Eine Reserve ist der installierte Andruck durch f I0 (1+e), weniger 1;
-thrust_margin ist die beim größten Bedarf. Wo drill.inclination gegeben ist, kommt bei alledem das
-Gewicht von Stange und drill.machine_mass entlang des Lochs zum Andruck hinzu. Spalt beim Schlag:
-wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und nichts den Rückprall
-dämpft; - steht da, wo das nie gleichmäßig wird. n_b: Hin- und Rückläufe der Wellen zwischen zwei
-Schlägen; was ein Dämpfer ändert, verfolgt `drillwave drill`. Braucht ein Szenario in physikalischen
-Einheiten mit drill.blow_frequency; Urteil und Reserven brauchen drill.thrust. Bei einem Bohrstrang
-ist I0 der Kraftstoß an der Schlagfläche des Hammers; seine Spalte haben keine Periode, so dass nur dieser
-Schlag und starres Gestein angegeben werden.</translation>
-    </message>
-    <message>
         <source>short for --along drill.blow_frequency=VALUES</source>
         <translation>kurz für --along drill.blow_frequency=VALUES</translation>
     </message>
@@ -16533,8 +16487,8 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
 again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.
 DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
-units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
-drill string also its sections, drawn to scale, with their largest stresses.</source>
+units, and those of `run --json`; the source of a value is the comment behind it in the file. For
+drill strings also the sections, drawn to scale, with their largest stresses.</source>
         <translation>FILE.html enthält alles in einer Datei, auch die Bilder und das Szenario, und lässt sich neu
 rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf Seiten A4.
 DIR bekommt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
@@ -16549,6 +16503,40 @@ Spannungen.</translation>
     <message>
         <source>number of threads of --with (default: all)</source>
         <translation>Zahl der Threads von --with (Vorgabe: alle)</translation>
+    </message>
+    <message>
+        <source>required feed force of single blows, and whether the installed one covers it</source>
+        <translation>erforderlicher Andruck einzelner Schläge, und ob der angegebene ihn deckt</translation>
+    </message>
+    <message>
+        <source>Prints whether the installed feed force covers single blows, as an estimate, and a table of
+four cases: this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst
+gap on elastic rock (gamma = 1). With blow frequency f, impulse I0 of a blow and restitution e
+each case has (theory §10):
+  required         f I0 (1 + e), the mean force that balances the blow
+  return in time   f I0 (1 + 2e), with which an undamped rigid rod is back at the rock before
+                   the next blow
+  margin           effective over required feed force, less 1
+  covered up to    blow frequency up to which the effective feed force covers the case
+Below f I0 the machine is pushed back. With drill.inclination, the effective feed force is the
+installed one plus the weight of rod and drill.machine_mass along the hole. `drillwave drill`
+solves consecutive blows. Needs a scenario in physical units with drill.blow_frequency; margins
+need drill.thrust. For drill strings, I0 is the impulse of the hammer&apos;s face; gaps have no
+period, so only this blow and rigid rock are printed.</source>
+        <translation>Nennt, ob der Andruck einzelne Schläge abdeckt, als Schätzung, und eine Tabelle mit vier Fällen:
+dieser Schlag, 95 % aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der
+schlechteste Spalt auf elastischem Gestein (gamma = 1). Mit Schlagfrequenz f, Kraftstoß I0 eines
+Schlags und Stoßzahl e hat jeder Fall (theory §10):
+  erforderlich     f I0 (1 + e), die mittlere Kraft, die den Schlag ausgleicht
+  Rückkehr         f I0 (1 + 2e), mit der eine ungedämpfte starre Stange vor dem nächsten Schlag
+                   wieder am Gestein ist
+  Reserve          wirksamer durch erforderlichen Andruck, weniger 1
+  abgedeckt bis    Schlagfrequenz, bis zu der der wirksame Andruck den Fall abdeckt
+Unter f I0 wird die Maschine zurückgedrückt. Mit drill.inclination ist der wirksame Andruck der
+angegebene und das Gewicht von Stange und drill.machine_mass längs des Lochs. `drillwave drill`
+löst aufeinander folgende Schläge. Braucht ein Szenario in physikalischen Einheiten mit
+drill.blow_frequency; Reserven brauchen drill.thrust. Bei Bohrsträngen ist I0 der Kraftstoß der
+Hammerfläche; Spalte haben keine Periode, daher nur dieser Schlag und starres Gestein.</translation>
     </message>
 </context>
 </TS>

@@ -15801,51 +15801,6 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>även en rad per slag, med FILE.csv.yaml, eller allt i DIR; - skriver ut rader</translation>
     </message>
     <message>
-        <source>thrust that blows need, and what the installed one does between them</source>
-        <translation>matningskraft som slagen kräver, och vad den installerade gör mellan dem</translation>
-    </message>
-    <message>
-        <source>First whether the installed thrust is enough, or what would be. By blow frequency f,
-impulse I0 of a blow and restitution e it is judged so (theory §10):
-  below f I0                machine pushed back
-  below f I0 (1+e)          penetration lost
-  below f I0 (1+2e)         enough, bit bounces: it leaves the rock between blows unless the
-                            machine damps
-  below f I0 (1+e)/(1-e)    enough, bit may bounce: one that was at rest is back before
-                            the next blow
-  from there on             enough, bit stays on rock; over-feeding (friction, buckling,
-                            stalling) is outside the model
-The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit
-and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the
-installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where
-drill.inclination is given, the weight of rod and drill.machine_mass along the hole adds to the
-thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if
-nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves between
-two blows; what a damper changes `drillwave drill` follows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need
-drill.thrust. Of a drill string I0 is the impulse of the hammer&apos;s face; its gaps have no period, so that
-only this blow and rigid rock are told.</source>
-        <translation>Först om den installerade matningskraften räcker, eller vilken som skulle räcka. Med slagfrekvensen
-f, slagets impuls I0 och studstalet e bedöms den så (theory §10):
-  under f I0                maskinen trycks tillbaka
-  under f I0 (1+e)          förlorad inträngning
-  under f I0 (1+2e)         räcker, kronan studsar: den lämnar berget mellan slagen om inte
-                            maskinen dämpar
-  under f I0 (1+e)/(1-e)    räcker, kronan studsar ev.: en borrkrona som var i vila är
-                            tillbaka före nästa slag
-  därifrån och uppåt        räcker, kronan vilar; övermatning (friktion, knäckning,
-                            rotation som stannar) ligger utanför modellen
-Omdömet följer av e för detta slag. Dessutom, vart och ett med sitt eget e: 95&#xa0;% av alla spalter
-mellan borrkrona och berg, stelt berg (e = 1) och den sämsta spalten på elastiskt berg (gamma = 1).
-En marginal är den installerade matningskraften genom f I0 (1+e), minus 1; thrust_margin är den för
-det största behovet. Där drill.inclination är angiven läggs vikten av stång och drill.machine_mass
-längs hålet till matningskraften i allt detta. Spalt vid slaget: hur långt borrkronan är från berget
-när hammaren slår, om inget dämpar studsen; - där rörelsen aldrig blir stationär. n_b: vågornas varv fram
-och åter mellan två slag; vad en dämpare ändrar visar `drillwave drill`. Kräver ett scenario i
-fysikaliska enheter med drill.blow_frequency; omdöme och marginaler kräver drill.thrust. För en
-borrsträng är I0 impulsen på hammarens slagyta; dess spalter har ingen period, så att bara detta
-slag och stelt berg anges.</translation>
-    </message>
-    <message>
         <source>short for --along drill.blow_frequency=VALUES</source>
         <translation>kortform för --along drill.blow_frequency=VALUES</translation>
     </message>
@@ -16522,8 +16477,8 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
 again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.
 DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
-units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
-drill string also its sections, drawn to scale, with their largest stresses.</source>
+units, and those of `run --json`; the source of a value is the comment behind it in the file. For
+drill strings also the sections, drawn to scale, with their largest stresses.</source>
         <translation>FILE.html innehåller allt i en enda fil, även bilder och scenario, och kan köras igen:
 `drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på A4-sidor. DIR får
 båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har enheter, och är de som
@@ -16537,6 +16492,40 @@ dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
     <message>
         <source>number of threads of --with (default: all)</source>
         <translation>antal trådar för --with (förval: alla)</translation>
+    </message>
+    <message>
+        <source>required feed force of single blows, and whether the installed one covers it</source>
+        <translation>matningskraft som enstaka slag kräver, och om den angivna täcker den</translation>
+    </message>
+    <message>
+        <source>Prints whether the installed feed force covers single blows, as an estimate, and a table of
+four cases: this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst
+gap on elastic rock (gamma = 1). With blow frequency f, impulse I0 of a blow and restitution e
+each case has (theory §10):
+  required         f I0 (1 + e), the mean force that balances the blow
+  return in time   f I0 (1 + 2e), with which an undamped rigid rod is back at the rock before
+                   the next blow
+  margin           effective over required feed force, less 1
+  covered up to    blow frequency up to which the effective feed force covers the case
+Below f I0 the machine is pushed back. With drill.inclination, the effective feed force is the
+installed one plus the weight of rod and drill.machine_mass along the hole. `drillwave drill`
+solves consecutive blows. Needs a scenario in physical units with drill.blow_frequency; margins
+need drill.thrust. For drill strings, I0 is the impulse of the hammer&apos;s face; gaps have no
+period, so only this blow and rigid rock are printed.</source>
+        <translation>Skriver ut om matningskraften täcker enstaka slag, som en uppskattning, och en tabell med fyra fall:
+detta slag, 95 % av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den sämsta
+spalten på elastiskt berg (gamma = 1). Med slagfrekvens f, impuls I0 för ett slag och studstal e
+har varje fall (theory §10):
+  krävs            f I0 (1 + e), medelkraften som balanserar slaget
+  retur i tid      f I0 (1 + 2e), med vilken en odämpad stel stång är tillbaka vid berget före nästa
+                   slag
+  marginal         effektiv genom krävd matningskraft, minus 1
+  täcks upp till   slagfrekvens upp till vilken den effektiva matningskraften täcker fallet
+Under f I0 trycks maskinen tillbaka. Med drill.inclination är den effektiva matningskraften den
+angivna plus tyngden av stång och drill.machine_mass längs hålet. `drillwave drill` löser slag i
+följd. Kräver ett scenario i fysikaliska enheter med drill.blow_frequency; marginaler kräver
+drill.thrust. För borrsträngar är I0 impulsen på hammarens yta; spalter har ingen period, så bara
+detta slag och stelt berg skrivs ut.</translation>
     </message>
 </context>
 </TS>
