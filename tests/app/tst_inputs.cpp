@@ -298,7 +298,7 @@ void TestInputs::noInputIsOverwritten() {
                          " --rod T51 --presets " + presets + " --force";
     const Finished refused = shell(line, folder.path());
     QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.error.contains("is read as input (" + presets.toUtf8() + ")"), refused.error);
+    QVERIFY2(refused.error.contains("is also the input (" + presets.toUtf8() + ")"), refused.error);
     QVERIFY(read(folder.filePath(presets)) == mine);
 }
 

@@ -276,7 +276,7 @@ void TestReport::badPlacesAreRefused_data() {
         << QStringList{"-o", "a.html", "--project", "a\nb"} << 2 << "--project: must be one line";
     QTest::newRow("no such language")
         << QStringList{"-o", "a.html", "--language", "tlh"} << 2 << "`tlh` is not one of en, de, sv";
-    QTest::newRow("the input") << QStringList{"-o", "input.html", "--force"} << 2 << "is read as input";
+    QTest::newRow("the input") << QStringList{"-o", "input.html", "--force"} << 2 << "is also the input";
 }
 
 void TestReport::badPlacesAreRefused() {

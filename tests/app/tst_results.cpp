@@ -260,7 +260,7 @@ void TestResults::recordsFollowTheRulesOfOverwriting() {
     const QByteArray record = read(map + ".yaml");
     const Finished input = run({"sweep", map + ".yaml", "--vary", "beta=3", "-o", map, "--force"});
     QCOMPARE(input.exitCode, 2);
-    QVERIFY2(input.error.contains("is read as input"), input.error);
+    QVERIFY2(input.error.contains("is also the input"), input.error);
     QCOMPARE(read(map + ".yaml"), record);
 }
 

@@ -169,7 +169,7 @@ void TestRows::noInputIsOverwritten() {
         const QByteArray before = read(output);
         const Finished refused = run(words + QStringList{"-o", output, "--force"});
         QCOMPARE(refused.exitCode, 2);
-        QVERIFY2(refused.error.contains("is read as input"), refused.error);
+        QVERIFY2(refused.error.contains("is also the input"), refused.error);
         QCOMPARE(read(output), before);
     }
     QCOMPARE(run(table + QStringList{"-o", folder.filePath("rows.csv")}).exitCode, 0);

@@ -310,7 +310,7 @@ void TestRun::aRunIsRepeatedFromItsHistories() {
     const QByteArray before = read(out + "/histories.csv");
     const Finished refused = run({"run", out + "/histories.csv", "--set", "beta=2", "-o", out, "--force"});
     QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.error.contains("is read as input"), refused.error);
+    QVERIFY2(refused.error.contains("is also the input"), refused.error);
     QCOMPARE(read(out + "/histories.csv"), before);
 }
 

@@ -76,7 +76,7 @@ void TestStudies::gapTakesAScatteredGapInTheUnitsOfTheScenario() {
     const QJsonObject inPeriods =
         json({"gap", example("paper_fig4a"), "--gap-mean", "0.3", "--gap-deviation", "0.1"});
     QCOMPARE(inPeriods["normal"]["mean"].toDouble(), 0.3);
-    QVERIFY(output({"gap", drill, "--gap-deviation", "0.2mm"}).contains("cut off at no gap"));
+    QVERIFY(output({"gap", drill, "--gap-deviation", "0.2mm"}).contains("cut off at zero"));
 }
 
 void TestStudies::gapSaysWhereThePeriodBegins() {

@@ -180,7 +180,7 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     const QByteArray bytes("0.5\n1.5\nNaN\n3.5\n-1.5\n");
     ImportDialog& dialog = open(write("plain.txt", bytes), ImportUse::impactForce);
     QVERIFY(settle(dialog));
-    QVERIFY2(message(dialog).contains(QStringLiteral("sampling rate: the table does not state it")),
+    QVERIFY2(message(dialog).contains(QStringLiteral("sampling rate: not given in the table")),
              qPrintable(message(dialog)));
     type(dialog, "rate", QStringLiteral("2 Hz"));
     QVERIFY(settle(dialog));

@@ -89,7 +89,7 @@ class TestResultPanel : public QObject {
         // A share that no word fits into stays in the list below.
         panel.present(withShares(0.98, 0.01, 0.01));
         QCOMPARE(bar->labelOf(EnergyPart::waves), QString());
-        QCOMPARE(valueOf(panel, "Energy: left in waves"), QString("1 %"));
+        QCOMPARE(valueOf(panel, "Energy: remaining in waves"), QString("1 %"));
     }
 
     void sharesOfAStringAddUpToAllOfItsEnergy() {
@@ -268,7 +268,7 @@ class TestResultPanel : public QObject {
         ResultPanel panel;
         panel.present(solved(scenario, UnitSystem::si));
         const auto* line = panel.findChild<QLabel*>("sequence");
-        QVERIFY(line->text().contains("consecutive blows are followed …"));
+        QVERIFY(line->text().contains("solving consecutive blows …"));
         const DrillingResult march = studyDrilling(scenario, windowSettingsOf(scenario), quickWants());
         const QString expected = QString::fromStdString(sequenceText(march, PrintedStyle(plainStyle())));
         QTRY_VERIFY2_WITH_TIMEOUT(line->text().startsWith(expected.section(": ", 0, 0)),

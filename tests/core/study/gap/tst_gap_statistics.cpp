@@ -191,7 +191,7 @@ void TestGapStatistics::aScatteredGapAgreesWithASumOverBlows_data() {
     QTest::addColumn<double>("deviation");
     QTest::newRow("inside a period") << 10.0 << 0.5 << 0.05;
     QTest::newRow("across the cusp") << 10.0 << 1.02 << 0.1;
-    QTest::newRow("cut off at no gap") << 10.0 << 0.1 << 0.5;
+    QTest::newRow("cut off at zero") << 10.0 << 0.1 << 0.5;
     QTest::newRow("over several periods") << 10.0 << 2.3 << 1.5;
     QTest::newRow("before the period begins") << 0.3 << 0.4 << 0.2;
 }

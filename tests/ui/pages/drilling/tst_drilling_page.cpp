@@ -14,6 +14,7 @@
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
+#include "ui/form/section_box.h"
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_table.h"
@@ -241,6 +242,7 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
 
 void TestDrillingPage::aClickOnABlowOpensItAndShiftPinsItsGap() {
     set("drill.thrust", 3500);
+    m_page->findChild<SectionBox*>(QStringLiteral("details"))->setOpen(true);
     showPage();
     const MarchRects& march = m_page->drillingPlot().march();
     const DrillingResult result = *m_page->answer()->result;
