@@ -256,7 +256,7 @@ class TestResultPanel : public QObject {
                                       first().endsWith(": the machine is pushed back."),
                                   qPrintable(first()), 30000);
         panel.present(solved(scenarioOf(0.5, 1, 10, 0)));
-        QVERIFY2(first().startsWith("The feed is not judged: "), qPrintable(first()));
+        QVERIFY2(first().startsWith("The feed cannot be judged: "), qPrintable(first()));
         panel.present(failedBlow({}, "The rod has melted."));
         QVERIFY(!panel.text().contains("judged"));
     }
