@@ -234,12 +234,10 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
         return begins;
     };
     QCOMPARE(rows(QString::fromUtf8(exported.csv())), rows(shell(m_page->command()).out));
+    // The scan of another scenario starts by itself.
+    const int scans = m_page->scans();
     set("drill.wave_loss", 0.2);
-    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
-    QVERIFY(m_page->drillingPlot().picture().isScanOld);
-    QVERIFY(!exported.obstacle().isEmpty());
-    QVERIFY(!m_page->command().contains(QStringLiteral("--scan")));
-    QCOMPARE(m_page->scans(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_page->scans(), scans + 1, patience);
 }
 
 void TestDrillingPage::aClickOnABlowOpensItAndShiftPinsItsGap() {
