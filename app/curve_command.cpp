@@ -203,7 +203,7 @@ std::vector<OptionSpec> curveOptions() {
 const Command& curveCommand() {
     static constexpr std::string_view details =
         "Follows outputs along a parameter by smooth pieces between kinks, which are found where the order\n"
-        "of events changes; no grid to be chosen. Prints where each output is least and largest, its local\n"
+        "of events changes; no grid is needed. Prints where each output is least and largest, its local\n"
         "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is "
         "not\nsmooth within the work permitted, only points of it are known, and the table says so.\n"
         "--goal asks the other way round: where along KEY the output is X. Prints each place with its\nerror "

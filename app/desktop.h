@@ -18,8 +18,8 @@ namespace drillwave {
 /// file and no option, and where there is no display.
 int openWindow(int argc, char** argv);
 
-/// Starts drawing for a command, in a language; needs no display. Throws CommandError: usage where the means
-/// of drawing are missing; unwritable output where there are no fonts.
+/// Starts drawing for a command, in a language; needs no display. Throws CommandError: usage if the program
+/// that draws is missing; unwritable output if there are no fonts.
 std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Language& language);
 
 }  // namespace drillwave

@@ -127,8 +127,8 @@ WindowArguments wordsFor(const QStringList& words) {
     return windowArguments(plain);
 }
 
-// Undoes the user's locale, which the application object sets: printf would write decimal commas, and reasons
-// of the system would be in another language than the sentences around them.
+// Undoes the user's locale, which the application object sets: printf would write decimal commas, and
+// messages of the system would have another language than the sentences around them.
 void writePlainly() {
     std::setlocale(LC_NUMERIC, "C");
     std::setlocale(LC_MESSAGES, "C");

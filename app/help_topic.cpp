@@ -147,7 +147,7 @@ std::string optionText(std::string_view word, std::size_t width, const ReadingSt
     if (meanings.empty()) return {};
     ManualBlock table{Kind::table, 0, {}, {}};
     table.rows.push_back({style.said(translatable("option")), style.said(translatable("meaning")),
-                          style.said(translatable("of commands"))});
+                          style.said(translatable("commands"))});
     for (const auto& [option, owners] : meanings)
         table.rows.push_back(
             {synopsis(option), style.patternFor(std::string(option.help)),

@@ -124,7 +124,7 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"known", "KEY=+-TOL", "Set the 95 % tolerance of gain, zero, gauge or a size; see below",
          Times::list},
         {"backing", "KIND",
-         "Put rigid rock behind the bit, or a like bar behind a specimen (default: rigid)"},
+         "Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)"},
         {"check", "COLUMN@DISTANCE",
          "Predict the gauge on the bar behind, by its distance from the specimen"},
         {"dispersion", "KIND", "Take dispersion as fit, bar or none (default: fit)"},

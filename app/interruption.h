@@ -28,8 +28,8 @@ class HeldInterruptions {
     HeldInterruptions& operator=(const HeldInterruptions&) = delete;
 };
 
-/// While one exists, the first of these signals requests a stop instead of ending the program; a second one
-/// of its kind ends it at once. If no thread can be started, the first one ends it. At most one at a time.
+/// While an object exists, the first of these signals requests a stop instead of ending the program; a second
+/// signal ends the program at once. If no thread can be started, the first signal does. One object at a time.
 class Interruption {
   public:
     Interruption();

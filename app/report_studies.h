@@ -34,10 +34,10 @@ class ReportStudyPlan {
     std::shared_ptr<const DesignReport> design(const Interruption& interruption) const;
 
     Scenario m_scenario;
-    std::string m_path;  // of the scenario, for messages
+    std::string m_path;  // name of the scenario in messages
     const ReadingStyle& m_style;
     int m_jobs;
-    std::optional<DrillingSettings> m_drilling;  // of many blows, if they are wanted
+    std::optional<DrillingSettings> m_drilling;  // settings, if continuous drilling is requested
     std::optional<DesignStudy> m_design;         // if it is wanted
 };
 

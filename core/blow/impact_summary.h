@@ -100,8 +100,8 @@ ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
 /// Detail::cor, which takes a few percent of the time of its histories.
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
-/// Summarises such a blow as summarizeWithWaves() does, solving it again. After a stop, without the numbers
-/// of the waves.
+/// Summarises such a blow as summarizeWithWaves() does, solving it again. After a stop the numbers of the
+/// waves are missing.
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop);
 

@@ -120,11 +120,11 @@ std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<Sect
     rod.yieldStrength = scenario.rod.yieldStrength;
     rod.fatigueStrength = scenario.rod.fatigueStrength;
     if (sections.empty()) sections.push_back(&rod);
-    std::vector<const Section*> told;  // a section that is repeated is reported once, where it is worst
+    std::vector<const Section*> reported;  // a repeated section is reported once, where it is worst
     for (std::size_t j = 0; j < stresses.size(); ++j) {
         const Section* section = sections[j];
-        if (std::ranges::find(told, section) != told.end()) continue;
-        told.push_back(section);
+        if (std::ranges::find(reported, section) != reported.end()) continue;
+        reported.push_back(section);
         const auto worst = [&](auto measure) {
             std::size_t most = j;
             for (std::size_t i = j; i < stresses.size(); ++i)

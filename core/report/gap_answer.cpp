@@ -77,8 +77,7 @@ class GapAnswer : public StudyAnswer {
     }
     std::vector<Message> sentences(const ReadingStyle& style) const override {
         if (!m_study.curve.dependsOnGap) return {periodRemark(m_study, style)};
-        const GapOutputStatistics& cor = m_study.statistics.of(GapOutput::cor);
-        const GapSpread& spread = m_study.normal ? *cor.normal : cor.uniform;
+        const GapSpread& spread = m_study.spread(GapOutput::cor);
         const auto number = [&](double value) { return style.number(value, 4); };
         std::vector<Message> sentences{
             {m_study.normal

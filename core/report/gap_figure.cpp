@@ -147,11 +147,7 @@ StudyFigure gapFigure(const GapStudy& study, GapOutput output) {
                               study.normal ? GapDistribution::normal(study.curve, *study.normal)
                                            : GapDistribution::uniform(study.curve)));
     panel.marks = marksOf(study, output);
-    const auto spreadOf = [&](GapOutput of) {
-        const GapOutputStatistics& statistics = study.statistics.of(of);
-        return study.normal ? *statistics.normal : statistics.uniform;
-    };
-    const GapSpread spread = spreadOf(output);
+    const GapSpread& spread = study.spread(output);
     const double low = spread.quantiles.front().value, high = spread.quantiles.back().value;
     figure.levels = {{translatable("5 %"), low},
                      {translatable("mean"), spread.mean.value, true},
@@ -166,7 +162,7 @@ StudyFigure gapFigure(const GapStudy& study, GapOutput output) {
         figure.caption.push_back(
             {translatable("e > 1 at %1 of gaps"), {{100 * share.value, PlainNumber::percent}}});
     }
-    if (const auto thrust = thrustNeeded(study.scenario, spreadOf(GapOutput::cor).quantiles.back().value))
+    if (const auto thrust = thrustNeeded(study.scenario, study.spread(GapOutput::cor).quantiles.back().value))
         figure.caption.push_back({translatable("feed force for 95 % of gaps %1"),
                                   {{*thrust, SiValues{Quantity::force, *thrust}}}});
     return figure;

@@ -45,12 +45,12 @@ std::string drillingHtml(const DrillingResult& result, const ReportElements& pag
     const ReadingStyle& style = page.style();
     std::string html = page.paragraph(sequenceText(result, style));
     if (result.statistics)
-        html += page.table("drilling", htmlRows(sequenceGrid(result, OutputUnits::si, style).rows())) +
-                page.paragraph(asSentence(page.said(regimeWords(result, style)))) +
-                page.paragraph(
-                    {translatable("The first %1 of %2 blows are not counted. The rate is an upper limit: all "
-                                  "rock under the bit gives way and cuttings vanish."),
-                     {std::to_string(result.settings.settle), std::to_string(result.settings.blows)}});
+        html +=
+            page.table("drilling", htmlRows(sequenceGrid(result, OutputUnits::si, style).rows())) +
+            page.paragraph(asSentence(page.said(regimeWords(result, style)))) +
+            page.paragraph({translatable("The first %1 of %2 blows are not counted. The rate is an upper "
+                                         "limit: all rock under the bit breaks and cuttings are removed."),
+                            {std::to_string(result.settings.settle), std::to_string(result.settings.blows)}});
     for (const Alert& alert : result.alerts) html += page.alert(alert);
     return html;
 }

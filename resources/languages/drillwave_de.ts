@@ -3101,8 +3101,8 @@ Trotzdem löschen?</translation>
         <translation>Wellen, verloren</translation>
     </message>
     <message>
-        <source>remaining behind</source>
-        <translation>zurückgeblieben</translation>
+        <source>new faces</source>
+        <translation>neue Gesteinsflächen</translation>
     </message>
     <message>
         <source>remaining energy</source>
@@ -10726,8 +10726,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>bewirkt</translation>
     </message>
     <message>
-        <source>of commands</source>
-        <translation>bei den Befehlen</translation>
+        <source>commands</source>
+        <translation>Befehle</translation>
     </message>
     <message>
         <source>all</source>
@@ -12518,7 +12518,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Welle hinter der Probe wird auf %1 ihres Scheitels vorhergesagt, Verzug %2</translation>
     </message>
     <message>
-        <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit gives way and cuttings vanish.</source>
+        <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit breaks and cuttings are removed.</source>
         <translation>Die ersten %1 von %2 Schlägen zählen nicht. Der Bohrfortschritt ist eine obere Grenze: alles Gestein unter der Krone gibt nach, Bohrklein verschwindet.</translation>
     </message>
     <message>
@@ -15671,7 +15671,7 @@ CASES darf - oder eine Pipe sein. FILE.csv.yaml neben FILE.csv sagt, was die Zei
     </message>
     <message>
         <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid to be chosen. Prints where each output is least and largest, its local
+of events changes; no grid is needed. Prints where each output is least and largest, its local
 extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
 smooth within the work permitted, only points of it are known, and the table says so.
 --goal asks the other way round: where along KEY the output is X. Prints each place with its
@@ -16448,8 +16448,8 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
         <translation>Die 95-%-Toleranz von gain, zero, gauge oder einem Maß setzen; siehe unten</translation>
     </message>
     <message>
-        <source>Put rigid rock behind the bit, or a like bar behind a specimen (default: rigid)</source>
-        <translation>Starres Gestein hinter der Bohrkrone, oder einen gleichen Stab hinter einer Probe annehmen (Vorgabe: rigid)</translation>
+        <source>Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
+        <translation>Auflage wählen: rigid (starr), oder bar für eine Probe zwischen zwei gleichen Stäben (Standard: rigid)</translation>
     </message>
     <message>
         <source>Predict the gauge on the bar behind, by its distance from the specimen</source>

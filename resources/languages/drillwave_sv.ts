@@ -3101,8 +3101,8 @@ Ta bort ändå?</translation>
         <translation>vågor, förlorat</translation>
     </message>
     <message>
-        <source>remaining behind</source>
-        <translation>kvarlämnat</translation>
+        <source>new faces</source>
+        <translation>nya bergytor</translation>
     </message>
     <message>
         <source>remaining energy</source>
@@ -10726,8 +10726,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>gör</translation>
     </message>
     <message>
-        <source>of commands</source>
-        <translation>till kommandona</translation>
+        <source>commands</source>
+        <translation>kommandon</translation>
     </message>
     <message>
         <source>all</source>
@@ -12518,7 +12518,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>vågen bakom provet förutsägs inom %1 av sin topp, fördröjning %2</translation>
     </message>
     <message>
-        <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit gives way and cuttings vanish.</source>
+        <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit breaks and cuttings are removed.</source>
         <translation>De första %1 av %2 slag räknas inte. Borrsjunkningen är en övre gräns: allt berg under borrkronan ger efter och borrkaxet försvinner.</translation>
     </message>
     <message>
@@ -15668,7 +15668,7 @@ raderna är.</translation>
     </message>
     <message>
         <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid to be chosen. Prints where each output is least and largest, its local
+of events changes; no grid is needed. Prints where each output is least and largest, its local
 extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
 smooth within the work permitted, only points of it are known, and the table says so.
 --goal asks the other way round: where along KEY the output is X. Prints each place with its
@@ -16438,8 +16438,8 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
         <translation>Ange 95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
     </message>
     <message>
-        <source>Put rigid rock behind the bit, or a like bar behind a specimen (default: rigid)</source>
-        <translation>Anta styvt berg bakom borrkronan, eller en likadan stång bakom ett prov (förval: rigid)</translation>
+        <source>Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
+        <translation>Välj stöd: rigid (stelt), eller bar för ett prov mellan två likadana stänger (standard: rigid)</translation>
     </message>
     <message>
         <source>Predict the gauge on the bar behind, by its distance from the specimen</source>

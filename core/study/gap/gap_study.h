@@ -20,6 +20,13 @@ struct GapStudy {
     std::optional<NormalGap> normal;
     GapStatistics statistics;  ///< where the curve is complete
     double runTime = 0;        ///< [s]
+
+    /// Returns the statistics of an output under the distribution of the study: the scattered gap, or all
+    /// gaps. Requires a complete curve.
+    const GapSpread& spread(GapOutput output) const {
+        const GapOutputStatistics& both = statistics.of(output);
+        return normal ? *both.normal : both.uniform;
+    }
 };
 
 /// Why there is no study of all gaps of a scenario; empty when there is.

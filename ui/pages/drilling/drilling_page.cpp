@@ -125,8 +125,7 @@ DrillingScanQuestion DrillingPage::scanQuestion() const {
 
 void DrillingPage::scan() {
     if (!m_axis->isValid()) return;
-    m_wantsScan = true;
-    m_scan.ask(scanQuestion());
+    startScan(scanQuestion());
     present();
 }
 
@@ -163,6 +162,10 @@ void DrillingPage::scanIfQuick(const DrillingAnswer& answer) {
     const DrillingScanQuestion question = scanQuestion();
     if ((m_scan.question() && *m_scan.question() == question) || scanSeconds(question) > mostSecondsUnasked)
         return;
+    startScan(question);
+}
+
+void DrillingPage::startScan(const DrillingScanQuestion& question) {
     m_wantsScan = true;
     m_scan.ask(question);
     showScanState();

@@ -66,6 +66,7 @@ class DrillingPage : public StudyPage {
     void refuse(const std::vector<Message>& problems);
     void draw(const DrillingAnswer& answer);
     void scanIfQuick(const DrillingAnswer& answer);
+    void startScan(const DrillingScanQuestion& question);
     void stopScan();
     void addScan(DrillingPicture& picture) const;
     /// Returns whether the march, or the scan, is of the present scenario and complete.

@@ -28,7 +28,7 @@ QVector<MarchPicture::Share> energyShares(const DrillingLedger& ledger) {
     QVector<MarchPicture::Share> shares{{tr("rock"), ledger.rock / given},
                                         {tr("damper"), ledger.damper / given},
                                         {tr("lost waves"), ledger.waves / given},
-                                        {tr("remaining behind"), ledger.faces / given},
+                                        {tr("new faces"), ledger.faces / given},
                                         {tr("remaining energy"), ledger.stored / given}};
     return shares;
 }
