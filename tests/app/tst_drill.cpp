@@ -270,7 +270,7 @@ void TestDrill::aCurveOfManyBlowsIsStraightBetweenPoints() {
     const QStringList words{
         "curve",   example("t38_medium_rock"), "--outputs", "drill_penetration", "--set", "drill.blows=3",
         "--along", "drill.thrust=4.3kN:4.4kN"};
-    QVERIFY(output(words).contains("straight between points"));
+    QVERIFY(output(words).contains("straight lines between points"));
 }
 
 void TestDrill::aRecordStandsBesideTheRows() {

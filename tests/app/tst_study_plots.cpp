@@ -72,7 +72,7 @@ void TestStudyPlots::everyStudyIsDrawn_data() {
         << QStringList{"thrust", example("t38_string"), "--along", "drill.blow_frequency=20Hz:100Hz:21"}
         << QStringList{"thrust [kN]", "this blow", "rigid rock", "installed"};
     QTest::newRow("gap, scattered") << QStringList{"gap", drill, "--gap-deviation", "0.3 mm"}
-                                    << QStringList{"scattered gap", "thrust for 95 % of gaps"};
+                                    << QStringList{"scattered gap", "feed force for 95 % of gaps"};
     QTest::newRow("drill") << QStringList{"drill", drill, "--blows", "30", "--cells", "10"}
                            << QStringList{"gap at the blow [mm]", "next gap [mm]", "share of the energy [%]"};
     QTest::newRow("drill, scan") << QStringList{"drill",   drill, "--scan",  "drill.thrust=3kN:8kN:6",

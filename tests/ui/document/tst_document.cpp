@@ -468,7 +468,7 @@ void TestDocument::aFullDiskLosesNothing() {
 void TestDocument::whatIsNoScenarioChangesNothing_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("says");
-    QTest::newRow("huge") << QByteArray(3 << 20, 'a') << QStringLiteral("larger than the limit of 1024 KiB");
+    QTest::newRow("huge") << QByteArray(3 << 20, 'a') << QStringLiteral("larger than 1024 KiB");
     QTest::newRow("binary") << QByteArray(
                                    "\x7f"
                                    "ELF\0\1\2",

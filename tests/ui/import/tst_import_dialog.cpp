@@ -227,7 +227,7 @@ void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
     QVERIFY2(message(dialog).contains(QStringLiteral("ticks is not known")), qPrintable(message(dialog)));
     choose(dialog, "timeUnit", QStringLiteral("ms"));
     QVERIFY(settle(dialog));
-    QVERIFY2(message(dialog).contains(QStringLiteral("unit in the header is not known")),
+    QVERIFY2(message(dialog).contains(QStringLiteral("header has no known unit")),
              qPrintable(message(dialog)));
     QVERIFY(!dialog.result());
     choose(dialog, "kind", QStringLiteral("strain"));

@@ -75,7 +75,7 @@ void TestImportOfBlow::aBlowOfAllThePointsThereMayBeFitsItsFile() {
 
 // A scenario keeps the points alone: later nobody knows.
 void TestImportOfBlow::whatLeavingOutSamplesDoesToTheReboundIsTold() {
-    const QString words = QStringLiteral("that changes e = ");
+    const QString words = QStringLiteral("this changes e = ");
     ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::blow);
     control<QSpinBox>(dialog, "points").setValue(20);
     QVERIFY(settle(dialog));

@@ -397,6 +397,7 @@ class TestResultPanel : public QObject {
         const double worst = studyThrust(drillOf(1)).largestNeed().thrust;
         ResultPanel panel;
         panel.setAttribute(Qt::WA_DontShowOnScreen);
+        panel.findChild<SectionBox*>(QStringLiteral("feed"))->setOpen(true);
         panel.show();
         panel.present(solved(drillOf(share * worst), UnitSystem::si));
         const QString size = quantityText(std::abs(share - 1) * worst, {1e-3, "kN", false}, QLocale())

@@ -44,7 +44,7 @@ class DrillingPlot : public StudyFrame {
     ScanRects* m_scan;
     QCPLayoutGrid* m_front;  // rates and penetrations
     QCPLayoutGrid* m_gaps;   // blow by blow, and over the scanned parameter
-    bool m_isDetailed = false;
+    bool m_isDetailed = true;
     DrillingPicture m_picture;
 };
 

@@ -440,7 +440,7 @@ void TestDesignStudy::headlinesWarnOfOverloadedRods() {
     study.choices.clear();
     study.base = heavy;
     study.base.rod.fatigueStrength = 350e6;
-    QVERIFY2(headline().startsWith("Warning: The rod is fatigued"), qPrintable(headline()));
+    QVERIFY2(headline().startsWith("Warning: The rod suffers fatigue"), qPrintable(headline()));
     for (const Alert& alert : report.findings.alerts) QCOMPARE(alert.code, AlertCode::stressAboveFatigue);
 }
 

@@ -273,14 +273,14 @@ void TestDesignPage::aRangeUpsideDownIsMarkedAndAsksNothing() {
     low.setFocus();
     low.selectAll();
     QTest::keyClicks(&low, QLocale().toString(0.9));
-    QVERIFY2(low.problem().contains(QStringLiteral("upside down")), qPrintable(low.problem()));
+    QVERIFY2(low.problem().contains(QStringLiteral("reversed")), qPrintable(low.problem()));
     QCOMPARE(m_page->studies(), studies);
     // what is shown is no longer what stands there
-    QTRY_VERIFY(pageWords(*m_page).contains(QStringLiteral("upside down")));
+    QTRY_VERIFY(pageWords(*m_page).contains(QStringLiteral("reversed")));
     QVERIFY(m_page->command().isEmpty());
     low.selectAll();
     QTest::keyClicks(&low, QLocale().toString(0.07));
-    QTRY_VERIFY(!pageWords(*m_page).contains(QStringLiteral("upside down")));
+    QTRY_VERIFY(!pageWords(*m_page).contains(QStringLiteral("reversed")));
     QVERIFY(low.problem().isEmpty());
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QVERIFY(m_page->studies() > studies);

@@ -260,9 +260,9 @@ void TestStringPicture::laterThanTheBlowWasFollowedNothingIsTold() {
     for (int row = 0; row < grid.rows; ++row)
         QCOMPARE(std::isnan(picture().raster.values[grid.index(50, row)]), grid.time(row) > end);
     hover(pixel(2, 1.5 * end * blow->units.time.factor));
-    QVERIFY2(readout().endsWith(QStringLiteral("later than the blow was followed")), qPrintable(readout()));
+    QVERIFY2(readout().endsWith(QStringLiteral("after the computed time")), qPrintable(readout()));
     m_observation->setTime(1.5 * end);
-    QVERIFY2(m_page->rodStrip()->stateText().contains(QStringLiteral("later than the blow was followed")),
+    QVERIFY2(m_page->rodStrip()->stateText().contains(QStringLiteral("after the computed time")),
              qPrintable(m_page->rodStrip()->stateText()));
     QVERIFY(m_page->rodProfile()->lines().first().points.isEmpty());
     QVERIFY(!m_page->grab().isNull());
