@@ -6048,11 +6048,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>exakt · nicht gelöst</translation>
     </message>
     <message>
-        <source>polynomial cells · not solved</source>
-        <translation>polynomiale Zellen · nicht gelöst</translation>
+        <source>cells · not solved</source>
+        <translation>Zellen · nicht gelöst</translation>
     </message>
     <message>
-        <source>polynomial cells · %1 · efficiency %2 ± %3</source>
+        <source>cells · %1 · efficiency %2 ± %3</source>
         <translation>polynomiale Zellen · %1 · Wirkungsgrad %2 ± %3</translation>
     </message>
     <message>

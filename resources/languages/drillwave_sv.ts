@@ -6048,12 +6048,12 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>exakt · inte löst</translation>
     </message>
     <message>
-        <source>polynomial cells · not solved</source>
-        <translation>polynomceller · inte löst</translation>
+        <source>cells · not solved</source>
+        <translation>celler · inte löst</translation>
     </message>
     <message>
-        <source>polynomial cells · %1 · efficiency %2 ± %3</source>
-        <translation>polynomceller · %1 · verkningsgrad %2 ± %3</translation>
+        <source>cells · %1 · efficiency %2 ± %3</source>
+        <translation>celler · %1 · verkningsgrad %2 ± %3</translation>
     </message>
     <message>
         <source>exact · %1 · %2 · e = %3 ± %4</source>

@@ -159,8 +159,9 @@ StudyStatus::StudyStatus(QWidget* parent)
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(6 * fontMetrics().averageCharWidth() + 24, fontMetrics().height());
     m_bar->setAccessibleName(tr("Progress of the study"));
-    m_text->setMinimumWidth(
-        m_text->fontMetrics().horizontalAdvance(QStringLiteral("9999/9999 · ") + tr("%1 min left").arg(99)));
+    constexpr double manySeconds = 99 * 60;
+    m_text->setMinimumWidth(m_text->fontMetrics().horizontalAdvance(
+        QStringLiteral("9999/9999 · ") + tr("%1 left").arg(waitText(manySeconds, locale()))));
     m_button->setObjectName(QStringLiteral("studyButton"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 4, 0);

@@ -60,11 +60,10 @@ constexpr int messageMilliseconds = 8000;
 QString statusText(const SolvedBlow& blow) {
     const bool isExact = isFollowedByEvents(blow.request.scenario);
     if (!blow.fault.isEmpty())
-        return isExact ? MainWindow::tr("exact · not solved")
-                       : MainWindow::tr("polynomial cells · not solved");
+        return isExact ? MainWindow::tr("exact · not solved") : MainWindow::tr("cells · not solved");
     const QLocale locale;
     if (!isExact)
-        return MainWindow::tr("polynomial cells · %1 · efficiency %2 ± %3")
+        return MainWindow::tr("cells · %1 · efficiency %2 ± %3")
             .arg(runTimeText(blow.runTime, locale), numberText(blow.summary.energy.rockWork, 4, locale),
                  magnitudeText(blow.summary.efficiencyError, locale));
     const int peaks = blow.summary.forcePeaks.value_or(0);
