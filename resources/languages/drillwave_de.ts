@@ -6053,7 +6053,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>cells · %1 · efficiency %2 ± %3</source>
-        <translation>polynomiale Zellen · %1 · Wirkungsgrad %2 ± %3</translation>
+        <translation>Zellen · %1 · Wirkungsgrad %2 ± %3</translation>
     </message>
     <message>
         <source>exact · %1 · %2 · e = %3 ± %4</source>
@@ -14922,10 +14922,6 @@ Festigkeit</translation>
 <context>
     <name>drillwave::StudyStatus</name>
     <message>
-        <source>%1 min left</source>
-        <translation>noch %1 min</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
@@ -16524,7 +16520,7 @@ solves consecutive blows. Needs a scenario in physical units with drill.blow_fre
 need drill.thrust. For drill strings, I0 is the impulse of the hammer&apos;s face; gaps have no
 period, so only this blow and rigid rock are printed.</source>
         <translation>Nennt, ob der Andruck einzelne Schläge abdeckt, als Schätzung, und eine Tabelle mit vier Fällen:
-dieser Schlag, 95 % aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der
+dieser Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der
 schlechteste Spalt auf elastischem Gestein (gamma = 1). Mit Schlagfrequenz f, Kraftstoß I0 eines
 Schlags und Stoßzahl e hat jeder Fall (theory §10):
   erforderlich     f I0 (1 + e), die mittlere Kraft, die den Schlag ausgleicht

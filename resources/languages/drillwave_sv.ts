@@ -14922,10 +14922,6 @@ fastheten</translation>
 <context>
     <name>drillwave::StudyStatus</name>
     <message>
-        <source>%1 min left</source>
-        <translation>%1 min kvar</translation>
-    </message>
-    <message>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
@@ -16513,7 +16509,7 @@ solves consecutive blows. Needs a scenario in physical units with drill.blow_fre
 need drill.thrust. For drill strings, I0 is the impulse of the hammer&apos;s face; gaps have no
 period, so only this blow and rigid rock are printed.</source>
         <translation>Skriver ut om matningskraften täcker enstaka slag, som en uppskattning, och en tabell med fyra fall:
-detta slag, 95 % av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den sämsta
+detta slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den sämsta
 spalten på elastiskt berg (gamma = 1). Med slagfrekvens f, impuls I0 för ett slag och studstal e
 har varje fall (theory §10):
   krävs            f I0 (1 + e), medelkraften som balanserar slaget
