@@ -162,7 +162,7 @@ void TestIdentifyCases::measuredBar_rejectsTheBilinearLaw() {
     question.barBehind = true;
     question.checkDistance = 0.741;
     const std::vector<GaugeChoice> gauges{{"incident_bar", "", 1.018}};
-    std::ifstream in(DRILLWAVE_SOURCE_DIR "/tests/cases/measured/shpb_epoxy_02.csv", std::ios::binary);
+    std::ifstream in(DRILLWAVE_SOURCE_DIR "/resources/examples/identify/epoxy.csv", std::ios::binary);
     GaugeReading reading =
         readGauges(in, {}, gauges, {*gaugePlace(question.scenario, 1.018)}, {}, "transmitted_bar");
     QVERIFY(reading.problem.isEmpty() && reading.questions.empty());

@@ -2,6 +2,7 @@
 // The page Identify: the words and numbers of `drillwave identify`, and what its controls do.
 #include <QClipboard>
 #include <QComboBox>
+#include <QFile>
 #include <QGuiApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -35,7 +36,9 @@ using namespace drillwave;
 namespace {
 
 QString caseFile(const QString& name) {
-    return QStringLiteral(DRILLWAVE_SOURCE_DIR "/tests/cases/identify/") + name;
+    const QString example = QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/examples/identify/") + name;
+    return QFile::exists(example) ? example
+                                  : QStringLiteral(DRILLWAVE_SOURCE_DIR "/tests/cases/identify/") + name;
 }
 
 // The title names the record as it was given, here with its folder.
