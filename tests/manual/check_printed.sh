@@ -5,7 +5,7 @@
 # differ from machine to machine.
 set -u
 export LC_ALL=C
-root=${1:?check_printed.sh ROOT PROGRAM}
+root=$(readlink -f "${1:?check_printed.sh ROOT PROGRAM}")
 program=$(readlink -f "${2:?check_printed.sh ROOT PROGRAM}")
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
@@ -16,6 +16,7 @@ for page in "$root/README.md" "$root"/resources/manual/*.md; do
         /^```/ { inside = 0 }
         inside && NF { print page "\t" words "\t" $0 }' "$page"
 done >"$work/told"
+cd "$root/resources/examples/identify" || exit 2  # the records that commands name
 [ -s "$work/told" ] || { echo "no page has a block that begins with \`\`\`text drillwave" && exit 1; }
 cut -f2 "$work/told" | sort -u | while IFS= read -r words; do
     # Words of the manual, without quotes in them.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs every command of the tutorial, from top to bottom in one folder: check_tutorial.sh ROOT PROGRAM
+# Runs every command of the tutorial, from top to bottom in a copy of resources/examples/identify: check_tutorial.sh ROOT PROGRAM
 # Each must end with 0; where a goal has no answer with 6. The other languages must have the same commands. `drillwave stability`
 # is left out, which takes long, writes nothing and has tests of its own.
 set -u
@@ -39,7 +39,8 @@ for language in de sv; do
     commands "$root/resources/manual/$language/tutorial.md" >"$work/$language"
     diff "$work/en" "$work/$language" || echo "$language/tutorial.md: other commands than tutorial.md"
 done >"$work/wrong"
-mkdir "$work/folder" && cd "$work/folder" || exit 2
+# The tutorial asks the reader to copy this folder.
+cp -R "$root/resources/examples/identify" "$work/folder" && cd "$work/folder" || exit 2
 while IFS= read -r line; do
     code=0
     sh -c "$line" </dev/null >"$work/printed" 2>&1 || code=$?
