@@ -41,6 +41,9 @@ Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, co
             return translatable("bounded");
         case ParameterVerdict::notSeen:
             if (parameter.reason == "no_contact") return translatable("not seen: no contact");
+            if (parameter.reason == "no_corner")
+                return translatable("not seen: the force stays below a corner");
+            if (parameter.reason == "noise") return translatable("not known: any value fits");
             if (parameter.reason == "front") return translatable("not seen: the rock is too stiff");
             return translatable("not seen: the record ends before the rock unloads");
         case ParameterVerdict::rejected:

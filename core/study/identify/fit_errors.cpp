@@ -344,7 +344,9 @@ void addUnexplained(RecordModel& model, const LawFit& fit, const std::stop_token
 }  // namespace
 
 Eigen::VectorXd FitErrors::halfWidths() const {
-    constexpr double ofCells = 0.003, gapOfCells = 2e-6;
+    constexpr double ofOneLine = 0.003, ofCorner = 0.02;  // recorders round corners off
+    constexpr double gapOfCells = 5e-6;
+    const double ofCells = hasCorner ? ofCorner : ofOneLine;
     Eigen::VectorXd squares = noise.cwiseAbs2() * std::max(1.0, misfit.ratio * misfit.ratio);
     for (const BudgetEffect& row : budget) squares += row.effect.cwiseAbs2();
     squares += unexplainedEffect.cwiseAbs2();
@@ -397,6 +399,7 @@ FitErrors fitErrors(RecordModel& model, const LawFit& fit, const IdentifyQuestio
                     const std::vector<KnownSize>& sizes, std::uint64_t seed, const std::stop_token& stop) {
     FitErrors errors;
     const PreparedRecord& record = model.record();
+    errors.hasCorner = model.law() == TrialLaw::corner;
     drawNoise(model, fit, seed, stop, errors);
     errors.misfit = misfitOf(model, fit, errors.misfit.noise, errors.misfit.scatter);
     addSizes(model, fit, sizes, errors);

@@ -84,7 +84,8 @@ std::optional<GaugePlace> gaugePlace(const Scenario& scenario, double distance) 
     if (index == 0) return std::nullopt;
     --index;
     const Section& own = all[index];
-    if (!isUniform(own)) return std::nullopt;
+    constexpr double rearEnd = 1e-6;  // a gauge at the struck end sees no wave by itself [m]
+    if (!isUniform(own) || (index == 0 && left > own.length - rearEnd)) return std::nullopt;
     GaugePlace place;
     place.section = sizesOf(scenario, all, index);
     place.index = index;

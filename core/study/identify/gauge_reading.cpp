@@ -56,6 +56,14 @@ double powerOf(const std::vector<double>& values) {
 }  // namespace
 
 Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places) {
+    std::vector<std::string> columns;
+    for (const GaugeChoice& gauge : gauges)
+        for (const std::string& column : {gauge.column, gauge.opposite}) {
+            if (!column.empty() && std::ranges::find(columns, column) != columns.end())
+                return {translatable("column %1 is given twice; every gauge has a column of its own"),
+                        {column}};
+            columns.push_back(column);
+        }
     if (gauges.size() < 2) return {};
     if (places[0].index != places[1].index)
         return translatable("both gauges must be on one section of the string");

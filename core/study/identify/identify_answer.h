@@ -45,7 +45,8 @@ struct IdentifiedParameter {
     double value = 0;  ///< SI
     std::optional<double> low, high;
     ParameterVerdict verdict = ParameterVerdict::notSeen;
-    std::string reason;    ///< of notSeen: "no_contact", "front", "no_unloading"; else empty
+    std::string
+        reason;  ///< of notSeen: "no_contact", "front", "no_unloading", "no_corner", "noise"; else empty
     double halfWidth = 0;  ///< 95 %; of the logarithm, of a gap [m]
     double noise = 0;      ///< part of it
     std::vector<BudgetRow> budget;

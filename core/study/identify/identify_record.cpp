@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/study/identify/blind_check.h"
 #include "core/study/identify/law_checks.h"
@@ -42,6 +44,35 @@ PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record,
     const double allowed = arrivalFrom + 2 * placeTolerance(question) / places.front().waveSpeed;
     const bool isNear = std::abs(lag) <= allowed && keptRms < 1.5 * movedRms;
     return isNear || keptRms < 0.8 * movedRms ? other.record : seen;
+}
+
+/// The record with the distance between its gauges that fits best, up to twice its tolerance away; nothing
+/// where that explains little.
+std::optional<PreparedRecord> transitChosen(const PreparedRecord& record, const IdentifyQuestion& question,
+                                            const SizeTolerances& sizes, const std::stop_token& stop) {
+    constexpr double explained = 0.5;  // of Σr²
+    constexpr int steps = 4;           // to either side, half a tolerance each
+    const double tolerance = placeTolerance(question) / record.places.front().waveSpeed;
+    RecordModel model(record, question, sizes, TrialLaw::bilinear);
+    const double unmoved = fitFromStarts(model, stop).cost;
+    PreparedRecord best = record;
+    double least = unmoved;
+    for (const int way : {-1, 1}) {
+        double before = unmoved;
+        for (int step = 1; step <= steps && !stop.stop_requested(); ++step) {
+            PreparedRecord moved = record;
+            moved.transit += way * step * tolerance / 2;
+            RecordModel other(moved, question, sizes, TrialLaw::bilinear);
+            const double cost = fitFromStarts(other, stop).cost;
+            if (cost > before) break;
+            before = cost;
+            if (cost >= least) continue;
+            least = cost;
+            best = std::move(moved);
+        }
+    }
+    if (least > (1 - explained) * unmoved) return std::nullopt;
+    return best;
 }
 
 double autocorrelationOf(const RecordModel& model, const LawFit& fit) {
@@ -239,30 +270,11 @@ void checkFileLaw(const IdentifyQuestion& question, const GaugeRecord& given, co
     answer.laws.push_back({"file", candidate.misfit(), candidate.errors.misfit.ratio, {}});
 }
 
-}  // namespace
-
-RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& given,
-                            const std::vector<GaugePlace>& places, std::size_t blow,
-                            const std::stop_token& stop) {
-    RecordAnswer answer;
-    answer.file = given.file;
-    answer.blow = blow;
-    Preparation preparation = prepareRecord(given, places, question, blow);
-    answer.refusal = preparation.refusal;
-    if (answer.refusal) return answer;
-    const std::vector<KnownSize> sizes = knownSizes(question, places.front());
-    const SizeTolerances tolerances = sizeTolerances(sizes, places.front());
-    const PreparedRecord record =
-        arrivalChosen(std::move(preparation.record), given, places, question, blow, tolerances, stop);
-    answer.remarks = record.remarks;
-    answer.sign = record.sign;
-    answer.peak = record.peak;
-    answer.impedance = places.front().end.impedance;
-    if (record.shift != 0) answer.remarks.emplace_back("distance_off");
-    if (question.law == LawChoice::file) {
-        checkFileLaw(question, given, record, stop, answer);
-        return answer;
-    }
+/// Adds the answer by the law that fits to what is known of the record before.
+RecordAnswer fittedAnswer(RecordAnswer answer, const IdentifyQuestion& question, const GaugeRecord& given,
+                          const PreparedRecord& record, const std::vector<KnownSize>& sizes,
+                          const std::stop_token& stop) {
+    const std::vector<GaugePlace>& places = record.places;
     LawTrials trials = tryLaws(record, question, sizes, stop);
     if (stop.stop_requested()) return answer;
     const LawCandidate& chosen = trials.chosen();
@@ -301,6 +313,38 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
         openGap(answer);
     }
     return answer;
+}
+
+}  // namespace
+
+RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& given,
+                            const std::vector<GaugePlace>& places, std::size_t blow,
+                            const std::stop_token& stop) {
+    RecordAnswer answer;
+    answer.file = given.file;
+    answer.blow = blow;
+    Preparation preparation = prepareRecord(given, places, question, blow);
+    answer.refusal = preparation.refusal;
+    if (answer.refusal) return answer;
+    const std::vector<KnownSize> sizes = knownSizes(question, places.front());
+    const SizeTolerances tolerances = sizeTolerances(sizes, places.front());
+    const PreparedRecord record =
+        arrivalChosen(std::move(preparation.record), given, places, question, blow, tolerances, stop);
+    answer.remarks = record.remarks;
+    answer.sign = record.sign;
+    answer.peak = record.peak;
+    answer.impedance = places.front().end.impedance;
+    if (record.shift != 0) answer.remarks.emplace_back("distance_off");
+    if (question.law == LawChoice::file) {
+        checkFileLaw(question, given, record, stop, answer);
+        return answer;
+    }
+    const RecordAnswer fitted = fittedAnswer(answer, question, given, record, sizes, stop);
+    if (!record.isPair() || fitted.model != ModelVerdict::rejected || stop.stop_requested()) return fitted;
+    const std::optional<PreparedRecord> moved = transitChosen(record, question, tolerances, stop);
+    if (!moved) return fitted;
+    RecordAnswer other = fittedAnswer(std::move(answer), question, given, *moved, sizes, stop);
+    return other.model == ModelVerdict::rejected ? fitted : other;
 }
 
 }  // namespace drillwave

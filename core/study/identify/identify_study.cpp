@@ -2,6 +2,7 @@
 #include "core/study/identify/identify_study.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <random>
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr std::size_t leastRecordsOfScatter = 3;
 constexpr std::size_t fewRecords = 5;
+constexpr double widestDraws = 2.3;  ///< of a logarithm: a factor 10 says nothing
 
 bool isGapKey(const std::string& key) {
     return key == "bit_rock.gap";
@@ -204,7 +206,7 @@ std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer) {
     if (!(first.together() > 0)) return std::nullopt;
     NextMeasurement next{first.source, first.key, 0, first.unit, "", 0};
     double share = std::min(1.0, second / first.together());
-    if (first.source == "noise") share = std::min(share, 0.5);
+    if (first.source == "noise") share = 0.5;  // of 4 blows
     if (!first.key.empty() && first.tolerance > 0) {
         // one digit, no finer than a fifth of today's tolerance
         const double wanted = first.tolerance * std::max(share, 0.2);
@@ -230,7 +232,7 @@ PosteriorDraws posteriorDraws(const IdentifyFindings& findings, std::size_t coun
     bool isMainKnown = false;
     for (std::size_t i = 0; i < answer.parameters.size(); ++i) {
         const IdentifiedParameter& parameter = answer.parameters[i];
-        if (!isTwoSided(parameter)) continue;
+        if (!isTwoSided(parameter) || parameter.halfWidth > widestDraws) continue;
         used.push_back(i);
         isMainKnown = isMainKnown || i < 2;
     }
@@ -283,8 +285,10 @@ Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& fi
     // five digits: more would be noise, and a file is read by people
     const auto shortened = [](double value) {
         if (!(value > 0)) return 0.0;
-        const double digit = std::pow(10, std::floor(std::log10(value)) - 4);
-        return std::round(value / digit) * digit;
+        char digits[32];
+        const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 5);
+        std::from_chars(digits, end.ptr, value);
+        return value;
     };
     const auto valueOf = [&](const char* key) {
         for (const NextBlowParameter& next : findings.nextBlow)

@@ -21,6 +21,7 @@ constexpr double jumpExplains = 0.15;      ///< of Σr² at least
 constexpr double checkedMisfit = 0.002;    ///< of the peak
 constexpr double nearbyGain = 15;          ///< of Σr²: more than noise gives to one more unknown
 constexpr double nearbyShare = 0.08;       ///< of Σr², where the bilinear law leaves more than noise
+constexpr double likelyGain = 8;           ///< of Σr²: noise seldom gives as much
 constexpr double unsureShare = 1.5;        ///< of the noise, at most, by a law that gains less
 constexpr double nearbyFactor = 1.3;       ///< of the way to a law that gains as much
 constexpr double craterShare = 1.05;       ///< of the Σr² of a corner, which has one unknown more
@@ -124,8 +125,8 @@ bool addNearbyLaws(LawCandidate& bilinear, const IdentifyQuestion& question, con
             const auto own = static_cast<Index>(bilinear.model->find(kind));
             const double way =
                 std::abs(fit.values[static_cast<Index>(model.find(kind))] - bilinear.fit.values[own]);
-            const double most = unsureShare * bilinear.errors.noise[own];
-            row.effect[own] = std::max(row.effect[own], isSure ? share * way : std::min(share * way, most));
+            const double most = gain > likelyGain ? INFINITY : unsureShare * bilinear.errors.noise[own];
+            row.effect[own] = std::max(row.effect[own], std::min(share * way, most));
         }
     }
     bilinear.errors.budget.push_back(std::move(row));
@@ -230,6 +231,12 @@ double widthWithLaws(const LawTrials& trials, Unknown::Kind kind, double own) {
         const double theirs = other.errors.halfWidths()[static_cast<Index>(same)];
         const double distance = std::abs(other.fit.values[static_cast<Index>(same)] - value);
         width = std::max(width, distance + std::min(theirs, own));
+    }
+    // A jump takes what the bilinear law calls a gap; where in the blow it stands, the record hardly says.
+    if (answer.name == "jump" && kind == Unknown::Kind::gap) {
+        const LawCandidate& bilinear = trials.candidates.front();
+        const std::size_t same = bilinear.model->find(kind);
+        width = std::max(width, std::abs(bilinear.fit.values[static_cast<Index>(same)] - value));
     }
     return width;
 }

@@ -72,7 +72,14 @@ double evenShare(unsigned index, unsigned base) {
 struct Start {
     Eigen::VectorXd values;
     double cost = 0;
+    int group = 0;  ///< of starts that are alike; 0: like no other
 };
+
+/// The largest force on the rock in a solution [N].
+double largestForce(RecordModel& model, const LawFit& fit) {
+    const std::vector<double>& force = model.solved(fit.values).rockForce();
+    return force.empty() ? 0 : *std::ranges::max_element(force);
+}
 
 void scoreAndSort(RecordModel& model, std::vector<Start>& starts, const std::stop_token& stop) {
     Eigen::VectorXd residuals;
@@ -86,9 +93,15 @@ void scoreAndSort(RecordModel& model, std::vector<Start>& starts, const std::sto
                      [](const Start& a, const Start& b) { return a.cost < b.cost; });
 }
 
-/// The best of searches from the best of these starts.
+/// The best of searches from the best start of each group, from at most so many.
 Start bestOf(RecordModel& model, std::vector<Start> starts, std::size_t most, const std::stop_token& stop) {
     scoreAndSort(model, starts, stop);
+    std::vector<int> groups;
+    std::erase_if(starts, [&](const Start& start) {
+        const bool isLater = start.group > 0 && std::ranges::find(groups, start.group) != groups.end();
+        groups.push_back(start.group);
+        return isLater;
+    });
     starts.resize(std::min(starts.size(), most));
     for (Start& start : starts) start.cost = minimise(model, start.values, 25, stop);
     return *std::min_element(starts.begin(), starts.end(),
@@ -157,7 +170,7 @@ void followQuiet(RecordModel& model, Eigen::VectorXd& values, const std::stop_to
 }
 
 /// Starts of a law about the solution of the bilinear one.
-std::vector<Start> startsFrom(const RecordModel& model, const RecordModel& bilinear, const LawFit& from) {
+std::vector<Start> startsFrom(const RecordModel& model, RecordModel& bilinear, const LawFit& from) {
     using Kind = Unknown::Kind;
     Eigen::VectorXd base = startValues(model);
     for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
@@ -177,12 +190,16 @@ std::vector<Start> startsFrom(const RecordModel& model, const RecordModel& bilin
     const auto get = [&](Kind kind) { return base[static_cast<Index>(model.find(kind))]; };
     const double peak = model.record().peak;
     if (model.law() == TrialLaw::corner) {
-        for (const double force : {0.15, 0.35, 0.6, 1.0})
-            for (const double slope : {0.2, 0.45, 1.6, 3.5})
-                for (const double softer : {1.0, 1.7, 3.0}) {
+        // A corner that the force hardly reaches fits as well as the bilinear law and leads nowhere: each
+        // place and sense of the corner has a search of its own.
+        const double largest = std::max(largestForce(bilinear, from), 0.1 * peak);
+        for (const double force : {0.15, 0.35, 0.55, 0.75, 0.9})
+            for (const double slope : {0.2, 0.45, 0.75, 1.6, 3.5})
+                for (const double softer : {1.0, 1.4, 2.0, 3.0}) {
                     if (slope > 1 && softer > 1.8) continue;
-                    Start start{base, 0};
-                    set(start, Kind::cornerForce, std::log(force * peak));
+                    const int group = 1 + 2 * static_cast<int>(10 * force) + (slope > 1 ? 1 : 0);
+                    Start start{base, 0, group};
+                    set(start, Kind::cornerForce, std::log(force * largest));
                     set(start, Kind::cornerSlope, std::log(slope));
                     set(start, Kind::stiffness,
                         get(Kind::stiffness) + (slope < 1 ? 1 : -1) * std::log(softer));
@@ -451,8 +468,7 @@ void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
     fit = finished(model, fit.values);
 }
 
-LawFit fitNearby(RecordModel& model, const RecordModel& bilinear, const LawFit& from,
-                 const std::stop_token& stop) {
+LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, const std::stop_token& stop) {
     using Kind = Unknown::Kind;
     const QuietErrors errors = quietErrors(bilinear, from.values);
     model.setQuietErrors(errors.before, errors.last);
@@ -472,12 +488,15 @@ LawFit fitNearby(RecordModel& model, const RecordModel& bilinear, const LawFit& 
         if (unknown.kind == Kind::memory) value = 0.02 * model.record().peak;
         if (unknown.kind == Kind::cornerSlope) value = std::log(0.85);
     }
+    const double largest = largestForce(bilinear, from);
+    if (model.law() == TrialLaw::corner && largest > 0)
+        values[static_cast<Index>(model.find(Kind::cornerForce))] = std::log(0.5 * largest);
     double cost = minimise(model, values, 30, stop);
-    if (model.law() == TrialLaw::corner) {
+    if (model.law() == TrialLaw::corner && largest > 0) {
         const auto force = static_cast<Index>(model.find(Kind::cornerForce));
-        for (const double part : {0.25, 0.9}) {
+        for (const double part : {0.2, 0.4, 0.6, 0.8}) {
             Eigen::VectorXd other = values;
-            other[force] = std::log(part * model.record().peak);
+            other[force] = std::log(part * largest);
             const double found = minimise(model, other, 30, stop);
             if (found >= cost) continue;
             cost = found;
@@ -492,7 +511,7 @@ LawFit fitNearby(RecordModel& model, const RecordModel& bilinear, const LawFit& 
     return fit;
 }
 
-LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
+LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop) {
     // The weights of a law that does not fit would let the zero lines go.
     const double floor = 0.003 * model.record().peak;
@@ -508,7 +527,7 @@ LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& fr
             if (std::abs(share - shares.front()) > 0.1) shares.push_back(share);
     Start best;
     double bestShare = shares.front();
-    const std::size_t most = model.law() == TrialLaw::corner ? 4 : 2;
+    const std::size_t most = model.law() == TrialLaw::corner ? 8 : 2;
     for (const double share : shares) {
         model.setDispersion(share, false);
         Start found = bestOf(model, startsFrom(model, bilinear, from), most, stop);

@@ -56,13 +56,12 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
 /// Another law from the solution of the bilinear one; where that fits badly, from several shares of
 /// dispersion.
-LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
+LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop);
 
 /// A law that contains the bilinear one, from the solution of the bilinear one on and near it; of a model of
 /// the same record.
-LawFit fitNearby(RecordModel& model, const RecordModel& bilinear, const LawFit& from,
-                 const std::stop_token& stop);
+LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, const std::stop_token& stop);
 
 /// Again from a solution of the same model.
 void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop);

@@ -14,6 +14,8 @@ constexpr double identifiedShare = 0.2;   ///< half-width at most
 constexpr double identifiedGap = 0.1e-3;  ///< [m]
 constexpr double unloadedShare = 0.05;    ///< of the largest force
 constexpr double contactDeviations = 3;   ///< of the misfit's noise
+constexpr double widestKnown = 2.3;       ///< half-width of a logarithm: a factor 10 says nothing
+constexpr double cornerReached = 0.98;    ///< of the largest force: a corner there has no effect
 constexpr double widestLog = 12;          ///< of an interval in logarithms, beyond it nothing is known
 
 /// Force of the model within the window.
@@ -172,7 +174,10 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
         const double width = std::max(widthWithLaws(trials, kinds[i], own), atLeast[i]);
         answer.parameters.push_back(parameterOf(chosen, keys[i], kinds[i], width));
     }
-    if (chosen.name == "corner") openCrater(answer);
+    const ForceSeen force = forceSeen(*chosen.model, chosen.fit);
+    const bool hasCorner =
+        chosen.name == "corner" && answer.parameters[3].value <= cornerReached * force.largest;
+    if (hasCorner) openCrater(answer);
     fillCovariance(trials, kinds, answer);
     IdentifiedParameter& stiffness = answer.parameters[0];
     IdentifiedParameter& gamma = answer.parameters[1];
@@ -186,11 +191,17 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
         return;
     }
     const PreparedRecord& record = chosen.model->record();
-    const ForceSeen force = forceSeen(*chosen.model, chosen.fit);
     judgeLog(stiffness);
     judgeGamma(gamma);
     judgeGap(gap);
+    if (stiffness.halfWidth > widestKnown) notSeen(stiffness, "noise");
     for (std::size_t i = 3; i < answer.parameters.size(); ++i) judgeLog(answer.parameters[i]);
+    if (chosen.name == "corner" && !hasCorner) {
+        answer.parameters[3].verdict = ParameterVerdict::bounded;
+        answer.parameters[3].low = force.largest;
+        answer.parameters[3].high.reset();
+        notSeen(answer.parameters[4], "no_corner");
+    }
     const double noise = std::max(contactDeviations * chosen.errors.misfit.noise, 0.005) * record.peak;
     if (force.largest < noise) {
         notSeen(stiffness, "no_contact");

@@ -59,6 +59,24 @@ double wavesBefore(const PreparedGauge& gauge, std::size_t quiet, double step, d
     return found;
 }
 
+/// A front behind fewer samples than a level needs: the largest step of the record, if it is among them.
+FrontFound earlyFront(const std::vector<double>& force, std::size_t from, std::size_t to) {
+    constexpr std::size_t levelSamples = 3;
+    FrontFound found;
+    if (to - from < leastZeroSamples) return found;
+    for (std::size_t i = from; i < from + levelSamples; ++i) found.zero += force[i] / levelSamples;
+    for (std::size_t i = from; i < to; ++i)
+        found.peak = std::max(found.peak, std::abs(force[i] - found.zero));
+    for (std::size_t i = from; i < from + levelSamples; ++i)
+        if (std::abs(force[i] - found.zero) > 0.05 * found.peak) return found;
+    for (std::size_t i = from; i < to && !found.isFound; ++i)
+        if (std::abs(force[i] - found.zero) > 0.2 * found.peak) {
+            found.front = i;
+            found.isFound = i - from < leastZeroSamples;
+        }
+    return found;
+}
+
 double peakBetween(const PreparedRecord& record, double from, double to) {
     double peak = 0;
     for (std::size_t i = record.front; i < record.count(); ++i) {
@@ -133,7 +151,8 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
     const auto [from, to] = ranges[blow];
     record.furtherBlows = ranges.size() - 1 - blow;
     if (record.furtherBlows > 0 && !question.allBlows) record.remarks.emplace_back("further_blows");
-    const FrontFound first = findFront(even.force[leader], from, to, even.step);
+    FrontFound first = findFront(even.force[leader], from, to, even.step);
+    if (!first.isFound) first = earlyFront(even.force[leader], from, to);
     double largest = 0;
     for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::abs(even.force[leader][i]));
     if (!first.isFound || !(first.peak > 1e-9 * largest) || first.peak == 0)
@@ -216,7 +235,9 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
         }
         record.incidentEnd = record.roundTrip + record.shift - margins;
         if (record.arrival > 0) record.incidentEnd = std::min(record.incidentEnd, record.arrival - 15e-6);
-        if (!quiet || *quiet > record.incidentEnd)
+        // A blow that falls just when its reflection must arrive is cut by it.
+        const bool isCut = quiet && *quiet - quietSpan > record.roundTrip - margins;
+        if (!quiet || isCut || *quiet > record.incidentEnd)
             return refused(
                 std::move(record), "blow_not_over",
                 {translatable("the blow is not over when its reflection arrives after %1; a second gauge "
@@ -236,12 +257,18 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
                        {translatable("samples are missing from %1 to %2; record without a pause"),
                         {microseconds(even.gap->first), microseconds(even.gap->second)}});
     const double begin = record.roundTripToRock() + record.shift;
+    if (record.end <= begin)
+        return refused(
+            std::move(record), "too_short",
+            {translatable("the record ends before the reflection arrives, %1 after the front; record longer"),
+             {microseconds(begin)}});
     if ((record.end - begin) < leastZeroSamples * record.step)
         return refused(
             std::move(record), "too_short",
-            {translatable("the window ends %1 after the reflection arrives; record longer, or put the gauge "
-                          "further from the end behind it"),
-             {microseconds(std::max(0.0, record.end - begin))}});
+            {translatable("only %1 samples show the reflection, in a window of %2; at least 50 are needed: "
+                          "record faster or longer, or put the gauge further from the end behind it"),
+             {std::to_string(static_cast<int>((record.end - begin) / record.step)),
+              microseconds(record.end - begin)}});
     for (std::size_t g = 0; g < given.gauges.size(); ++g) {
         if (even.isClipped[g].empty() ||
             !(record.gauges[g].noise.deviation() > record.gauges[g].recorderStep / 2))
@@ -287,7 +314,7 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
             std::sqrt(power / static_cast<double>(std::max<std::size_t>(count, 1))) / record.peak;
     }
     const double stress = record.peak * places[0].youngsModulus / places[0].axialStiffness;
-    if (stress < 1e6 || stress > 1e9) record.remarks.emplace_back("unit_doubtful");
+    if (stress < 15e6 || stress > 1e9) record.remarks.emplace_back("unit_doubtful");
     return {std::move(record), std::nullopt};
 }
 
