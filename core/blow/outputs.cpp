@@ -258,7 +258,7 @@ constexpr auto drillTable = std::to_array<Output>({
     row<&D::roundTrips>("drill_round_trips", "round trips of a wave from blow to blow, n_b", Measure::number,
                         "round trips from blow to blow"),
     row<&D::momentumResidual>("drill_momentum_residual",
-                              "error of the momentum balance of all blows, over the impulse of the feed",
+                              "momentum balance error of all blows, relative to the feed impulse",
                               Measure::error, "error of the momentum of many blows"),
     row<&D::energyResidual>("drill_energy_residual",
                             "error of the energy balance of all blows, over the hammer work", Measure::error,

@@ -2558,8 +2558,8 @@ Trotzdem löschen?</translation>
         <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Impuls des Vorschubs</translation>
     </message>
     <message>
         <source>error of the energy of many blows</source>
@@ -15704,8 +15704,8 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
         <translation>Ergebnisse in SI-Einheiten</translation>
     </message>
     <message>
-        <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
-        <translation>Punkte auch schreiben, dazu FILE.csv.yaml, Ziele in FILE_goal.csv; - gibt Punkte aus</translation>
+        <source>also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to FILE_goal.csv; - prints the points instead</source>
+        <translation>auch Kurvenpunkte nach FILE.csv schreiben, Einstellungen nach FILE.csv.yaml, Orte des Ziels nach FILE_goal.csv; - gibt die Punkte aus</translation>
     </message>
     <message>
         <source>an output over two parameters, and its contours</source>
@@ -15762,8 +15762,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
 --gap-deviation, auch für einen normalverteilten Spalt (bei null abgeschnitten).</translation>
     </message>
     <message>
-        <source>standard deviation of the scattered gap</source>
-        <translation>Standardabweichung des gestreuten Spalts</translation>
+        <source>standard deviation of the random (normal) gap</source>
+        <translation>Standardabweichung des zufälligen (normalverteilten) Spalts</translation>
     </message>
     <message>
         <source>also write the results along the gap; - prints them instead of the table</source>
@@ -15778,8 +15778,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, seed of the scattered intervals</source>
-        <translation>kurz für --set drill.seed=N: Startwert der Streuung der Schlagabstände</translation>
+        <source>short for --set drill.seed=N, seed of the random blow intervals</source>
+        <translation>kurz für --set drill.seed=N: Startwert der zufälligen Schlagabstände</translation>
     </message>
     <message>
         <source>scan these values; :log after the count, or KEY=A,B,C</source>
@@ -15822,8 +15822,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
     </message>
     <message>
-        <source>or min:…; one to three, the first decides</source>
-        <translation>oder min:…; eines bis drei, das erste entscheidet</translation>
+        <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
+        <translation>zu maximierendes Ziel, oder min:… zum Minimieren; bis zu drei, das erste ordnet die Auslegungen</translation>
     </message>
     <message>
         <source>scale the blow of every design to the blow energy of FILE</source>
@@ -15850,8 +15850,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>für wen er ist</translation>
     </message>
     <message>
-        <source>date as text (default: none)</source>
-        <translation>von wann er ist, so wie es dort stehen soll; ohne Angabe kein Datum</translation>
+        <source>print this date in the report, any text (default: none)</source>
+        <translation>dieses Datum in den Bericht drucken, beliebiger Text (Vorgabe: keines)</translation>
     </message>
     <message>
         <source>where to write; - prints the HTML</source>
@@ -16018,8 +16018,8 @@ des Fensters eingesetzt werden.</translation>
         <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Impuls des Vorschubs</translation>
     </message>
     <message>
         <source>error of the energy balance of all blows, over the hammer work</source>
@@ -16072,8 +16072,8 @@ des Handbuchs, an denen es vorkommt, die besten zuerst.</translation>
         <translation>die Version des Programms ausgeben</translation>
     </message>
     <message>
-        <source>keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended</source>
-        <translation>fertige Zeilen in FILE.csv.partial behalten und hinter denen eines beendeten Laufs weitergehen</translation>
+        <source>keep completed rows in FILE.csv.partial, and resume an interrupted run after them</source>
+        <translation>fertige Zeilen in FILE.csv.partial behalten und einen unterbrochenen Lauf nach ihnen fortsetzen</translation>
     </message>
     <message>
         <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
@@ -16280,8 +16280,8 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>CSV mit Semikolons und Dezimalkommas</translation>
     </message>
     <message>
-        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2 (default: the gap of FILE)</source>
-        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2 (Vorgabe: der Spalt von FILE)</translation>
+        <source>mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: the gap of FILE)</source>
+        <translation>Mittel des zufälligen (normalverteilten) Spalts, z. B. 0.5mm, oder 0.2 in Einheiten von d0 (Vorgabe: der Spalt von FILE)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
@@ -16304,16 +16304,16 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>Zahl der Gittersegmente (Vorgabe: 10000, wie im Artikel)</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow (default: 1000000, at worst some seconds)</source>
-        <translation>höchste Zahl der Wellenstücke eines Schlags (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
+        <source>give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)</source>
+        <translation>einen Schlag abbrechen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
     </message>
     <message>
         <source>output columns, see below (default: cor)</source>
         <translation>Spalten der Ausgaben, siehe unten (Vorgabe: cor)</translation>
     </message>
     <message>
-        <source>most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)</source>
-        <translation>höchste Zahl der Wellenstücke einer Zeile; mit mehr sind ihre Zellen leer (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>die Ausgaben einer Zeile leer lassen, die mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
@@ -16328,8 +16328,8 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow; one with more has no answer (default: 1000000)</source>
-        <translation>höchste Zahl der Wellenstücke eines Schlags; einer mit mehr hat keine Antwort (Vorgabe: 1000000)</translation>
+        <source>skip a blow that needs more than N wave pieces (default: 1000000)</source>
+        <translation>einen Schlag auslassen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000)</translation>
     </message>
     <message>
         <source>output to map, see below (default: cor)</source>
@@ -16340,8 +16340,8 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>ein JSON-Objekt mit den Höhenlinien anstelle der Zusammenfassung ausgeben</translation>
     </message>
     <message>
-        <source>most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)</source>
-        <translation>höchste Zahl der Wellenstücke eines Punkts; einer mit mehr hat keine Ausgabe (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>einen Punkt auslassen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
     </message>
     <message>
         <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
@@ -16416,8 +16416,8 @@ von beiden bekannt ist.
 Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
     </message>
     <message>
-        <source>Also write tables, draws and the identified scenario into DIR</source>
-        <translation>Auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
+        <source>also write tables, draws and the identified scenario into DIR</source>
+        <translation>auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
     </message>
     <message>
         <source>upper limit for every design</source>
@@ -16428,56 +16428,44 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
         <translation>Untergrenze für jede Auslegung</translation>
     </message>
     <message>
-        <source>Read these records of strain gauges, in their order along the hole</source>
-        <translation>Diese Aufzeichnungen von Dehnungsmessstreifen lesen, in ihrer Folge im Bohrloch</translation>
+        <source>read these records of strain gauges, in their order along the hole</source>
+        <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen, in ihrer Folge im Bohrloch</translation>
     </message>
     <message>
-        <source>Use one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>Eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
+        <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
     </message>
     <message>
-        <source>Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
-        <translation>auto, bilinear oder corner anpassen; file prüft das Gestein der Datei (Vorgabe: auto)</translation>
+        <source>fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
+        <translation>auto, bilinear oder corner anpassen; file prüft das Gestein von FILE (Vorgabe: auto)</translation>
     </message>
     <message>
-        <source>Set the 95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>Die 95-%-Toleranz von gain, zero, gauge oder einem Maß setzen; siehe unten</translation>
+        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>95-%-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
     </message>
     <message>
-        <source>Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
-        <translation>Auflage wählen: rigid (starr), oder bar für eine Probe zwischen zwei gleichen Stäben (Standard: rigid)</translation>
+        <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
+        <translation>Auflage: rigid (starr), oder bar für eine Probe zwischen zwei gleichen Stäben (Vorgabe: rigid)</translation>
     </message>
     <message>
-        <source>Predict the gauge on the bar behind, by its distance from the specimen</source>
-        <translation>Die Messstelle am hinteren Stab vorhersagen, mit ihrem Abstand von der Probe</translation>
+        <source>predict the gauge on the bar behind, by its distance from the specimen</source>
+        <translation>die Messstelle am hinteren Stab vorhersagen, mit ihrem Abstand von der Probe</translation>
     </message>
     <message>
-        <source>Take dispersion as fit, bar or none (default: fit)</source>
+        <source>take dispersion as fit, bar or none (default: fit)</source>
         <translation>Dispersion als fit, bar oder none ansetzen (Vorgabe: fit)</translation>
     </message>
     <message>
-        <source>End the window this long after the returning wave arrives</source>
-        <translation>Das Fenster so lange nach Ankunft der rücklaufenden Welle beenden</translation>
+        <source>end the window this long after the returning wave arrives</source>
+        <translation>das Fenster so lange nach Ankunft der rücklaufenden Welle beenden</translation>
     </message>
     <message>
-        <source>Identify the first or all fronts of a record (default: first)</source>
-        <translation>Den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
+        <source>identify the first or all fronts of a record (default: first)</source>
+        <translation>den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
     </message>
     <message>
-        <source>Draw other noise (default: 1)</source>
-        <translation>Anderes Rauschen ziehen (Vorgabe: 1)</translation>
-    </message>
-    <message>
-        <source>Use N threads (default: all of them)</source>
-        <translation>N Threads verwenden (Vorgabe: alle)</translation>
-    </message>
-    <message>
-        <source>Print one JSON object instead of the table</source>
-        <translation>Ein JSON-Objekt statt der Tabelle ausgeben</translation>
-    </message>
-    <message>
-        <source>Overwrite existing files</source>
-        <translation>Vorhandene Dateien überschreiben</translation>
+        <source>seed of the noise (default: 1)</source>
+        <translation>Startwert des Rauschens (Vorgabe: 1)</translation>
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
@@ -16493,8 +16481,8 @@ der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, m
 Spannungen.</translation>
     </message>
     <message>
-        <source>also contain these studies, with the settings of FILE: drill, continuous drilling; design, the study of its block `design`</source>
-        <translation>enthält auch diese Studien, mit den Einstellungen von FILE: drill, fortlaufendes Bohren; design, die Studie seines Blocks `design`</translation>
+        <source>add studies: drill (continuous drilling), design (block `design` of FILE)</source>
+        <translation>Studien hinzufügen: drill (fortlaufendes Bohren), design (Block `design` von FILE)</translation>
     </message>
     <message>
         <source>number of threads of --with (default: all)</source>

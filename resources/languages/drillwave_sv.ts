@@ -2558,8 +2558,8 @@ Ta bort ändå?</translation>
         <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>fel i rörelsemängdens balans för alla slag, relativt matningens impuls</translation>
     </message>
     <message>
         <source>error of the energy of many blows</source>
@@ -15699,8 +15699,8 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
         <translation>resultat i SI-enheter</translation>
     </message>
     <message>
-        <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
-        <translation>skriv även punkter, FILE.csv.yaml och FILE_goal.csv (målet); - skriver bara ut punkter</translation>
+        <source>also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to FILE_goal.csv; - prints the points instead</source>
+        <translation>skriv även kurvpunkter till FILE.csv, inställningar till FILE.csv.yaml, målets ställen till FILE_goal.csv; - skriver bara ut punkterna</translation>
     </message>
     <message>
         <source>an output over two parameters, and its contours</source>
@@ -15757,8 +15757,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
 (avskuren vid noll).</translation>
     </message>
     <message>
-        <source>standard deviation of the scattered gap</source>
-        <translation>den spridda spaltens standardavvikelse</translation>
+        <source>standard deviation of the random (normal) gap</source>
+        <translation>den slumpmässiga (normalfördelade) spaltens standardavvikelse</translation>
     </message>
     <message>
         <source>also write the results along the gap; - prints them instead of the table</source>
@@ -15773,8 +15773,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, seed of the scattered intervals</source>
-        <translation>kortform för --set drill.seed=N, startvärdet för intervallens spridning</translation>
+        <source>short for --set drill.seed=N, seed of the random blow intervals</source>
+        <translation>kortform för --set drill.seed=N, startvärde för de slumpmässiga slagintervallen</translation>
     </message>
     <message>
         <source>scan these values; :log after the count, or KEY=A,B,C</source>
@@ -15817,8 +15817,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>rader med värden som hör ihop, med huvud som för table</translation>
     </message>
     <message>
-        <source>or min:…; one to three, the first decides</source>
-        <translation>eller min:…; ett till tre mål, det första avgör</translation>
+        <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
+        <translation>mål att maximera, eller min:… att minimera; upp till tre, det första rangordnar konstruktionerna</translation>
     </message>
     <message>
         <source>scale the blow of every design to the blow energy of FILE</source>
@@ -15845,8 +15845,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>vem den är avsedd för</translation>
     </message>
     <message>
-        <source>date as text (default: none)</source>
-        <translation>dess datum, så som det ska stå; inget om inte angivet</translation>
+        <source>print this date in the report, any text (default: none)</source>
+        <translation>skriv detta datum i rapporten, valfri text (standard: inget)</translation>
     </message>
     <message>
         <source>where to write; - prints the HTML</source>
@@ -16011,8 +16011,8 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>fel i rörelsemängdens balans för alla slag, relativt matningens impuls</translation>
     </message>
     <message>
         <source>error of the energy balance of all blows, over the hammer work</source>
@@ -16065,8 +16065,8 @@ handboken där ordet förekommer, de bästa först.</translation>
         <translation>skriva ut programmets version</translation>
     </message>
     <message>
-        <source>keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended</source>
-        <translation>behåll färdiga rader i FILE.csv.partial, och fortsätt efter dem från en avslutad körning</translation>
+        <source>keep completed rows in FILE.csv.partial, and resume an interrupted run after them</source>
+        <translation>behåll färdiga rader i FILE.csv.partial och återuppta en avbruten körning efter dem</translation>
     </message>
     <message>
         <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
@@ -16272,8 +16272,8 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>CSV med semikolon och decimalkomma</translation>
     </message>
     <message>
-        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2 (default: the gap of FILE)</source>
-        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2 (standard: spalten i FILE)</translation>
+        <source>mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: the gap of FILE)</source>
+        <translation>medelvärde för den slumpmässiga (normalfördelade) spalten, t.ex. 0.5mm, eller 0.2 i enheten d0 (standard: spalten i FILE)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
@@ -16296,16 +16296,16 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>antal gittersegment (standard: 10000, som i artikeln)</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow (default: 1000000, at worst some seconds)</source>
-        <translation>högsta antal vågbitar för ett slag (standard: 1000000, i värsta fall några sekunder)</translation>
+        <source>give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)</source>
+        <translation>avbryt ett slag som behöver fler än N vågbitar (standard: 1000000, i värsta fall några sekunder)</translation>
     </message>
     <message>
         <source>output columns, see below (default: cor)</source>
         <translation>kolumner med utdata, se nedan (standard: cor)</translation>
     </message>
     <message>
-        <source>most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)</source>
-        <translation>högsta antal vågbitar för en rad; med fler är dess celler tomma (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>lämna utdata för en rad tomma om den behöver fler än N vågbitar (standard: 1000000, i värsta fall 2 s)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
@@ -16320,8 +16320,8 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow; one with more has no answer (default: 1000000)</source>
-        <translation>högsta antal vågbitar för ett slag; ett med fler har inget svar (standard: 1000000)</translation>
+        <source>skip a blow that needs more than N wave pieces (default: 1000000)</source>
+        <translation>hoppa över ett slag som behöver fler än N vågbitar (standard: 1000000)</translation>
     </message>
     <message>
         <source>output to map, see below (default: cor)</source>
@@ -16332,8 +16332,8 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>skriv ut ett JSON-objekt med konturerna i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)</source>
-        <translation>högsta antal vågbitar för en punkt; en med fler har inget värde (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>hoppa över en punkt som behöver fler än N vågbitar (standard: 1000000, i värsta fall 2 s)</translation>
     </message>
     <message>
         <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
@@ -16406,8 +16406,8 @@ Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen
 Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
     </message>
     <message>
-        <source>Also write tables, draws and the identified scenario into DIR</source>
-        <translation>Skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
+        <source>also write tables, draws and the identified scenario into DIR</source>
+        <translation>skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
     </message>
     <message>
         <source>upper limit for every design</source>
@@ -16418,56 +16418,44 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
         <translation>undre gräns för varje konstruktion</translation>
     </message>
     <message>
-        <source>Read these records of strain gauges, in their order along the hole</source>
-        <translation>Läs dessa registreringar från töjningsgivare, i ordning längs hålet</translation>
+        <source>read these records of strain gauges, in their order along the hole</source>
+        <translation>läs dessa registreringar från töjningsgivare, i ordning längs hålet</translation>
     </message>
     <message>
-        <source>Use one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>Använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
+        <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
     </message>
     <message>
-        <source>Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
-        <translation>Anpassa auto, bilinear eller corner; file prövar berget i FILE (förval: auto)</translation>
+        <source>fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
+        <translation>anpassa auto, bilinear eller corner; file prövar berget i FILE (standard: auto)</translation>
     </message>
     <message>
-        <source>Set the 95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>Ange 95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
+        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
     </message>
     <message>
-        <source>Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
-        <translation>Välj stöd: rigid (stelt), eller bar för ett prov mellan två likadana stänger (standard: rigid)</translation>
+        <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
+        <translation>stöd: rigid (stelt), eller bar för ett prov mellan två likadana stänger (standard: rigid)</translation>
     </message>
     <message>
-        <source>Predict the gauge on the bar behind, by its distance from the specimen</source>
-        <translation>Förutsäg givaren på den bakre stången, med dess avstånd från provet</translation>
+        <source>predict the gauge on the bar behind, by its distance from the specimen</source>
+        <translation>förutsäg givaren på den bakre stången, med dess avstånd från provet</translation>
     </message>
     <message>
-        <source>Take dispersion as fit, bar or none (default: fit)</source>
-        <translation>Ta dispersionen som fit, bar eller none (förval: fit)</translation>
+        <source>take dispersion as fit, bar or none (default: fit)</source>
+        <translation>ta dispersionen som fit, bar eller none (standard: fit)</translation>
     </message>
     <message>
-        <source>End the window this long after the returning wave arrives</source>
-        <translation>Avsluta fönstret så länge efter att den återvändande vågen kommer</translation>
+        <source>end the window this long after the returning wave arrives</source>
+        <translation>avsluta fönstret så länge efter att den återvändande vågen kommer</translation>
     </message>
     <message>
-        <source>Identify the first or all fronts of a record (default: first)</source>
-        <translation>Utvärdera första eller alla slag i en registrering, first eller all (förval: first)</translation>
+        <source>identify the first or all fronts of a record (default: first)</source>
+        <translation>utvärdera första eller alla slag i en registrering, first eller all (standard: first)</translation>
     </message>
     <message>
-        <source>Draw other noise (default: 1)</source>
-        <translation>Dra annat brus (förval: 1)</translation>
-    </message>
-    <message>
-        <source>Use N threads (default: all of them)</source>
-        <translation>Använd N trådar (förval: alla)</translation>
-    </message>
-    <message>
-        <source>Print one JSON object instead of the table</source>
-        <translation>Skriv ut ett JSON-objekt i stället för tabellen</translation>
-    </message>
-    <message>
-        <source>Overwrite existing files</source>
-        <translation>Skriv över befintliga filer</translation>
+        <source>seed of the noise (default: 1)</source>
+        <translation>brusets startvärde (standard: 1)</translation>
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
@@ -16482,8 +16470,8 @@ båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har
 dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
     </message>
     <message>
-        <source>also contain these studies, with the settings of FILE: drill, continuous drilling; design, the study of its block `design`</source>
-        <translation>innehåller även dessa studier, med inställningarna i FILE: drill, kontinuerlig borrning; design, studien i dess block `design`</translation>
+        <source>add studies: drill (continuous drilling), design (block `design` of FILE)</source>
+        <translation>lägg till studier: drill (kontinuerlig borrning), design (blocket `design` i FILE)</translation>
     </message>
     <message>
         <source>number of threads of --with (default: all)</source>
