@@ -128,7 +128,7 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"dispersion", "KIND", "take dispersion as fit, bar or none (default: fit)"},
         {"end", "TIME", "end the window this long after the returning wave arrives"},
         {"blows", "WHICH", "identify the first or all fronts of a record (default: first)"},
-        {"seed", "S", "seed of the noise (default: 1)"},
+        {"seed", "S", "seed of noise and draws (default: 1)"},
         {"j", "N", "number of threads (default: all)"},
         {"json", "", "print one JSON object instead of the table"},
         {"o", "DIR", "also write tables, draws and the identified scenario into DIR"},

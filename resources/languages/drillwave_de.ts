@@ -3683,8 +3683,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Identifizieren braucht ein Szenario mit physikalischen Einheiten: Die Aufzeichnung eines Messstreifens ist in Sekunden und Newton. Bearbeiten ▸ Eine Anlage aus diesen Kennzahlen machen erzeugt eines.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
-        <translation>Identifizieren liest Steifigkeit, Rückfederung und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags.</translation>
+        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
+        <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags.</translation>
     </message>
     <message>
         <source>Choose the column of the gauge.</source>
@@ -5571,8 +5571,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>one slope</source>
-        <translation>eine Steigung</translation>
+        <source>one line</source>
+        <translation>eine Gerade</translation>
     </message>
     <message>
         <source>yields once</source>
@@ -5690,8 +5690,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>Rückfederung</translation>
+        <source>elasticity</source>
+        <translation>Elastizität</translation>
     </message>
     <message>
         <source>tolerance</source>
@@ -12002,8 +12002,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>Rückfederung</translation>
+        <source>elasticity</source>
+        <translation>Elastizität</translation>
     </message>
     <message>
         <source>bit not seated</source>
@@ -12182,12 +12182,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>abgelehnt</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock.</source>
-        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen.</translation>
+        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
+        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod.</source>
-        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen.</translation>
+        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
+        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
+    </message>
+    <message>
+        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
+        <translation>Ein Abschnitt zur Krone hin oder der Abstand der Messstellen voneinander weicht von der Datei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
     </message>
     <message>
         <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
@@ -12206,12 +12210,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen und den Rest ansehen.</translation>
     </message>
     <message>
+        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, and look at the residual.</source>
+        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin oder der Abstand der Messstellen voneinander weichen von der Datei ab: den Kronenkopf und diesen Abstand prüfen und das Residuum ansehen.</translation>
+    </message>
+    <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Das Modell stimmt nicht mit der Aufzeichnung überein, daher ist über das Gestein nichts bekannt. %1</translation>
     </message>
     <message>
         <source>The record agrees with the rock of the file.</source>
         <translation>Die Aufzeichnung stimmt mit dem Gestein der Datei überein.</translation>
+    </message>
+    <message>
+        <source>The record contradicts the rock of the file.</source>
+        <translation>Die Aufzeichnung widerspricht dem Gestein der Datei.</translation>
     </message>
     <message>
         <source>The record differs from the rock of the file.</source>
@@ -12226,32 +12238,36 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das einmal nachgibt.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock of one slope.</source>
-        <translation>Die Aufzeichnung stimmt mit einem Gestein mit einer einzigen Steigung überein.</translation>
+        <source>The record agrees with a rock that loads along one line.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das sich entlang einer Geraden belastet.</translation>
     </message>
     <message>
-        <source>Stiffness, springback and gap are known.</source>
-        <translation>Steifigkeit, Rückfederung und Spalt sind bekannt.</translation>
+        <source>Stiffness, elasticity and gap are known.</source>
+        <translation>Steifigkeit, Elastizität und Spalt sind bekannt.</translation>
     </message>
     <message>
-        <source>Stiffness and springback are known, the gap is not.</source>
-        <translation>Steifigkeit und Rückfederung sind bekannt, der Spalt nicht.</translation>
+        <source>Stiffness and elasticity are known, the gap is not.</source>
+        <translation>Steifigkeit und Elastizität sind bekannt, der Spalt nicht.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the springback is not.</source>
-        <translation>Die Steifigkeit ist bekannt, die Rückfederung nicht.</translation>
+        <source>The stiffness is known, the elasticity is not.</source>
+        <translation>Die Steifigkeit ist bekannt, die Elastizität nicht.</translation>
     </message>
     <message>
-        <source>The springback is known, the stiffness is not.</source>
-        <translation>Die Rückfederung ist bekannt, die Steifigkeit nicht.</translation>
+        <source>The elasticity is known, the stiffness is not.</source>
+        <translation>Die Elastizität ist bekannt, die Steifigkeit nicht.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor springback is known to 20 %.</source>
-        <translation>Weder Steifigkeit noch Rückfederung sind auf 20&#xa0;% genau bekannt.</translation>
+        <source>Neither stiffness nor elasticity is known to 20 %.</source>
+        <translation>Weder Steifigkeit noch Elastizität sind auf 20 % genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
         <translation>Wellen von %1 der Spitze erklärt das Modell nicht; sie verbreitern alle Intervalle</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are not explained by the model</source>
+        <translation>Wellen von %1 der Spitze erklärt das Modell nicht</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are there before the front; measure a single blow</source>
@@ -12262,12 +12278,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen</translation>
     </message>
     <message>
-        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock</source>
-        <translation>die Reflexion kommt nach %1 statt %2 an; Abstand, Wellengeschwindigkeit und Takt prüfen</translation>
+        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock, and look for a section missing in the file</source>
+        <translation>die Reflexion kommt nach %1 statt %2 an; Abstand, Wellengeschwindigkeit und Takt prüfen, und ob in der Datei ein Abschnitt fehlt</translation>
     </message>
     <message>
         <source>%1 changed by %2 would explain the record; measure it</source>
         <translation>%1, um %2 geändert, würde die Aufzeichnung erklären; nachmessen</translation>
+    </message>
+    <message>
+        <source>%1 changed by %2, or another distance between the gauges, would explain the record; measure both</source>
+        <translation>%1, um %2 geändert, oder ein anderer Abstand der Messstellen voneinander würde die Aufzeichnung erklären; beide nachmessen</translation>
     </message>
     <message>
         <source>the zero level jumps %1 after the front; check cable and amplifier</source>
@@ -12294,8 +12314,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die ruhige Zeit zwischen dem Schlag und seiner Reflexion ist kurz; die Messstelle weiter von der Krone entfernt anbringen</translation>
     </message>
     <message>
-        <source>the gauge is on one side; gauges on opposite sides would show bending</source>
-        <translation>der Messstreifen sitzt auf einer Seite; Messstreifen auf gegenüberliegenden Seiten würden Biegung zeigen</translation>
+        <source>there is no gauge on the opposite side of the rod; one would show bending</source>
+        <translation>auf der gegenüberliegenden Seite der Stange ist kein Messstreifen; er würde Biegung zeigen</translation>
     </message>
     <message>
         <source>dispersion between gauge and bit is taken into account</source>
@@ -16464,8 +16484,8 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
         <translation>den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
     </message>
     <message>
-        <source>seed of the noise (default: 1)</source>
-        <translation>Startwert des Rauschens (Vorgabe: 1)</translation>
+        <source>seed of noise and draws (default: 1)</source>
+        <translation>Startwert für Rauschen und Ziehungen (Vorgabe: 1)</translation>
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run

@@ -3683,8 +3683,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Identifiera behöver ett scenario med fysiska enheter: en givares inspelning är i sekunder och newton. Redigera ▸ Gör en rigg av dessa tal skapar ett.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
-        <translation>Identifiera läser bergets styvhet, återfjädring och spalt ur töjningsgivare på stången. Öppna en inspelning av ett slag.</translation>
+        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
+        <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna en inspelning av ett slag.</translation>
     </message>
     <message>
         <source>Choose the column of the gauge.</source>
@@ -5571,8 +5571,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>automatiskt</translation>
     </message>
     <message>
-        <source>one slope</source>
-        <translation>en lutning</translation>
+        <source>one line</source>
+        <translation>en rät linje</translation>
     </message>
     <message>
         <source>yields once</source>
@@ -5690,8 +5690,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>styvhet</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>återfjädring</translation>
+        <source>elasticity</source>
+        <translation>elasticitet</translation>
     </message>
     <message>
         <source>tolerance</source>
@@ -12002,8 +12002,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>styvhet</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>återfjädring</translation>
+        <source>elasticity</source>
+        <translation>elasticitet</translation>
     </message>
     <message>
         <source>bit not seated</source>
@@ -12182,12 +12182,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avvisad</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock.</source>
-        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan.</translation>
+        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
+        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan, och om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod.</source>
-        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången.</translation>
+        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
+        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
+    </message>
+    <message>
+        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
+        <translation>En sektion mot kronan, eller avståndet mellan givarna, avviker från filen: mät det avståndet, kronhuvudet och stången.</translation>
     </message>
     <message>
         <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
@@ -12206,12 +12210,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och se på resten.</translation>
     </message>
     <message>
+        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, and look at the residual.</source>
+        <translation>Berget följer en annan lag, eller sektionerna mot kronan eller avståndet mellan givarna avviker från filen: kontrollera kronhuvudet och det avståndet, och titta på residualen.</translation>
+    </message>
+    <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Modellen stämmer inte med mätningen, så inget är känt om berget. %1</translation>
     </message>
     <message>
         <source>The record agrees with the rock of the file.</source>
         <translation>Mätningen stämmer med filens berg.</translation>
+    </message>
+    <message>
+        <source>The record contradicts the rock of the file.</source>
+        <translation>Mätningen motsäger filens berg.</translation>
     </message>
     <message>
         <source>The record differs from the rock of the file.</source>
@@ -12226,32 +12238,36 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen stämmer med ett berg som ger efter en gång.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock of one slope.</source>
-        <translation>Mätningen stämmer med ett berg med en enda lutning.</translation>
+        <source>The record agrees with a rock that loads along one line.</source>
+        <translation>Mätningen stämmer med ett berg som belastas längs en rät linje.</translation>
     </message>
     <message>
-        <source>Stiffness, springback and gap are known.</source>
-        <translation>Styvhet, återfjädring och spalt är kända.</translation>
+        <source>Stiffness, elasticity and gap are known.</source>
+        <translation>Styvhet, elasticitet och spalt är kända.</translation>
     </message>
     <message>
-        <source>Stiffness and springback are known, the gap is not.</source>
-        <translation>Styvhet och återfjädring är kända, men inte spalten.</translation>
+        <source>Stiffness and elasticity are known, the gap is not.</source>
+        <translation>Styvhet och elasticitet är kända, men inte spalten.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the springback is not.</source>
-        <translation>Styvheten är känd, men inte återfjädringen.</translation>
+        <source>The stiffness is known, the elasticity is not.</source>
+        <translation>Styvheten är känd, men inte elasticiteten.</translation>
     </message>
     <message>
-        <source>The springback is known, the stiffness is not.</source>
-        <translation>Återfjädringen är känd, men inte styvheten.</translation>
+        <source>The elasticity is known, the stiffness is not.</source>
+        <translation>Elasticiteten är känd, men inte styvheten.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor springback is known to 20 %.</source>
-        <translation>Varken styvhet eller återfjädring är känd på 20&#xa0;% när.</translation>
+        <source>Neither stiffness nor elasticity is known to 20 %.</source>
+        <translation>Varken styvhet eller elasticitet är känd på 20 % när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
         <translation>vågor på %1 av toppen förklaras inte av modellen; de vidgar alla intervall</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are not explained by the model</source>
+        <translation>vågor på %1 av toppen förklaras inte av modellen</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are there before the front; measure a single blow</source>
@@ -12262,12 +12278,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa</translation>
     </message>
     <message>
-        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock</source>
-        <translation>reflexionen kommer efter %1 i stället för %2; kontrollera avstånd, våghastighet och klocka</translation>
+        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock, and look for a section missing in the file</source>
+        <translation>reflexionen kommer efter %1 i stället för %2; kontrollera avstånd, våghastighet och klocka, och om en sektion saknas i filen</translation>
     </message>
     <message>
         <source>%1 changed by %2 would explain the record; measure it</source>
         <translation>%1, ändrat med %2, skulle förklara mätningen; mät det</translation>
+    </message>
+    <message>
+        <source>%1 changed by %2, or another distance between the gauges, would explain the record; measure both</source>
+        <translation>%1, ändrat med %2, eller ett annat avstånd mellan givarna skulle förklara mätningen; mät båda</translation>
     </message>
     <message>
         <source>the zero level jumps %1 after the front; check cable and amplifier</source>
@@ -12294,8 +12314,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>den lugna tiden mellan slaget och dess reflexion är kort; sätt givaren längre från kronan</translation>
     </message>
     <message>
-        <source>the gauge is on one side; gauges on opposite sides would show bending</source>
-        <translation>givaren sitter på en sida; givare på motstående sidor skulle visa böjning</translation>
+        <source>there is no gauge on the opposite side of the rod; one would show bending</source>
+        <translation>det finns ingen givare på motstående sida av stången; den skulle visa böjning</translation>
     </message>
     <message>
         <source>dispersion between gauge and bit is taken into account</source>
@@ -16454,8 +16474,8 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
         <translation>utvärdera första eller alla slag i en registrering, first eller all (standard: first)</translation>
     </message>
     <message>
-        <source>seed of the noise (default: 1)</source>
-        <translation>brusets startvärde (standard: 1)</translation>
+        <source>seed of noise and draws (default: 1)</source>
+        <translation>startvärde för brus och dragningar (standard: 1)</translation>
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
