@@ -100,7 +100,7 @@ constexpr auto outputTable = std::to_array<Output>({
     {"efficiency", "share of the hammer work that remains in the rock", Measure::share, Detail::summary,
      [](const From& f) -> Number { return f.summary.energy.rockWork; }, "efficiency"},
     {"loading_work", "work on the rock up to the largest force, fraction of the hammer work", Measure::share,
-     Detail::summary, number<&ImpactSummary::loadingWork>, "work of loading"},
+     Detail::summary, number<&ImpactSummary::loadingWork>, "loading work"},
     {"momentum_residual", "error of the momentum balance, fraction of I0", Measure::error, Detail::ledger,
      number<&ImpactSummary::momentumResidual>, "error of the momentum balance"},
     {"energy_residual", "error of the energy balance, fraction of the hammer work", Measure::error,

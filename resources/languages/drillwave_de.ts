@@ -1738,10 +1738,6 @@ Trotzdem löschen?</translation>
         <translation>für diesen Schlag nötiger Andruck</translation>
     </message>
     <message>
-        <source>work of loading</source>
-        <translation>Belastungsarbeit</translation>
-    </message>
-    <message>
         <source>a law of one line</source>
         <translation>ein Gesetz aus einer Geraden</translation>
     </message>
@@ -4371,19 +4367,19 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Kleinster gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Kleinster gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Größter gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Größter gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
         <translation>Die Wahl ändert die Energie des Schlags: verglichen werden Maschinen verschiedener Leistung. „Energie halten“ hält sie.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of loading.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit γ; die Belastungsarbeit zeigt, was Welle und Maschine können.</translation>
+        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as the objective.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit γ. Zum Vergleich von Hämmern die Belastungsarbeit als Ziel wählen.</translation>
     </message>
     <message>
         <source>Answer of the study</source>
@@ -4402,8 +4398,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Laden</translation>
     </message>
     <message>
-        <source>%1 samples of each design; errors are of 95 %.</source>
-        <translation>%1 Stichproben je Auslegung; Fehler zu 95 %.</translation>
+        <source>%1 samples of each design; ± is the 95 % error.</source>
+        <translation>%1 Stichproben je Auslegung; ± ist der 95-%-Fehler.</translation>
     </message>
     <message>
         <source>%1 samples so far, %2 to come.</source>
@@ -4411,11 +4407,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% weniger.</translation>
+        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% weniger.</translation>
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% mehr.</translation>
+        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% mehr.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4554,8 +4550,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Mittel</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>wie es ist</translation>
+        <source>values entered</source>
+        <translation>eingegebene Werte</translation>
     </message>
     <message>
         <source>equally good</source>
@@ -6406,8 +6402,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist kleiner als die der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
     </message>
     <message>
-        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
-        <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen, berechnet für eine lange Stange.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. Reflections that return to the hammer are neglected here.</source>
+        <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen. Rückläufe zum Hammer sind dabei vernachlässigt.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
@@ -6438,12 +6434,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer time step.</source>
-        <translation>Längen mit einem größeren gemeinsamen Teiler haben einen längeren Zeitschritt gemeinsam.</translation>
+        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
+        <translation>Längen mit größerem gemeinsamem Teiler wählen (z. B. 50 mm): weniger Zeitschritte.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
-        <translation>Längen in ganzen Millimetern aus einem Stahl haben einen Zeitschritt gemeinsam und sind genau.</translation>
+        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
+        <translation>Alle Längen in ganzen Millimetern eingeben, ein Stahl: dann ist der Zeitschritt genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -8638,12 +8634,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zur Wahl: %1.</translation>
     </message>
     <message>
-        <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegung, %2 Stichproben; Fehler zu 95&#xa0;%.</translation>
+        <source>%1 design with %2 samples; +- is the 95 % error.</source>
+        <translation>%1 Auslegung mit %2 Stichproben; +- ist der 95-%-Fehler.</translation>
     </message>
     <message>
-        <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegungen, je %2 Stichproben, für alle dieselben; Fehler zu 95&#xa0;%.</translation>
+        <source>%1 designs with %2 samples each, the same for all; +- is the 95 % error.</source>
+        <translation>%1 Auslegungen mit je %2 Stichproben, für alle dieselben; +- ist der 95-%-Fehler.</translation>
     </message>
     <message>
         <source>design</source>
@@ -8699,11 +8695,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Kleinster in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Kleinster in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Größter in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Größter in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and is left out: %2.</source>
@@ -8714,12 +8710,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Stichproben konnten nicht gelöst werden und sind weggelassen: %2.</translation>
     </message>
     <message>
-        <source>%1 design with more than 0.1 % of them has no statistics.</source>
-        <translation>%1 Auslegung mit mehr als 0,1&#xa0;% davon hat keine Statistik.</translation>
+        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 Auslegung hat zu viele ungelöste Stichproben (über 0,1 %) und keine Statistik.</translation>
     </message>
     <message>
-        <source>%1 designs with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 Auslegungen mit mehr als 0,1&#xa0;% davon haben keine Statistik.</translation>
+        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 Auslegungen haben zu viele ungelöste Stichproben (über 0,1 %) und keine Statistik.</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
@@ -8747,19 +8743,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Die robusteste Auslegung liegt am oberen Ende von %1: die Wahl erweitern.</translation>
+        <translation>Die beste Auslegung für unsicheres Gestein liegt am oberen Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Die robusteste Auslegung liegt am unteren Ende von %1: die Wahl erweitern.</translation>
+        <translation>Die beste Auslegung für unsicheres Gestein liegt am unteren Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
         <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit gamma; loading_work zeigt, was Welle und Maschine können: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit gamma. Zum Vergleich von Hämmern die Belastungsarbeit als Ziel wählen: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10826,6 +10822,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Von %1 auf %2 wechseln: %3 wird %4 statt %5.</translation>
     </message>
     <message>
+        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
+        <translation>%1 von %2 auf %3 ändern: %4 wird %5 statt %6.</translation>
+    </message>
+    <message>
         <source>feed required</source>
         <translation>Andruck erforderlich</translation>
     </message>
@@ -11096,6 +11096,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
         <translation>Von %1 auf %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
+        <translation>%1 von %2 auf %3 ändern: %4 ist %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11738,20 +11742,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
-        <translation>Kein Abschnitt hat eine Festigkeit: `fatigue_strength` angeben, um zu sehen, welcher zuerst bricht.</translation>
+        <source>No section has a strength: give %1 to find the section that breaks first.</source>
+        <translation>Kein Abschnitt hat eine Festigkeit: %1 angeben, um zu sehen, welcher zuerst bricht.</translation>
     </message>
     <message>
         <source>the rod</source>
         <translation>die Stange</translation>
     </message>
     <message>
-        <source>%1 section of the string has no strength.</source>
-        <translation>%1 Abschnitt des Strangs hat keine Festigkeit.</translation>
+        <source>No strength is given for %1 section of the string.</source>
+        <translation>Für %1 Abschnitt des Strangs ist keine Festigkeit angegeben.</translation>
     </message>
     <message>
-        <source>%1 sections of the string have no strength.</source>
-        <translation>%1 Abschnitte des Strangs haben keine Festigkeit.</translation>
+        <source>No strength is given for %1 sections of the string.</source>
+        <translation>Für %1 Abschnitte des Strangs ist keine Festigkeit angegeben.</translation>
     </message>
     <message>
         <source>is empty; leave it out for a section without a preset</source>
@@ -14042,7 +14046,7 @@ in %4</translation>
     <name>drillwave::ScanRects</name>
     <message>
         <source>blows in contact</source>
-        <translation>Schläge aus dem Kontakt</translation>
+        <translation>Schläge im Kontakt</translation>
     </message>
     <message>
         <source>constant force</source>
@@ -14058,7 +14062,7 @@ in %4</translation>
     </message>
     <message>
         <source>started bouncing</source>
-        <translation>federnd begonnen</translation>
+        <translation>springend begonnen</translation>
     </message>
     <message>
         <source>%1 (of an earlier scenario: scan again)</source>
@@ -14070,7 +14074,7 @@ in %4</translation>
     </message>
     <message>
         <source>blows in contact [%]</source>
-        <translation>aus dem Kontakt [%]</translation>
+        <translation>Schläge im Kontakt [%]</translation>
     </message>
 </context>
 <context>

@@ -1738,10 +1738,6 @@ Ta bort ändå?</translation>
         <translation>matningskraft som slaget kräver</translation>
     </message>
     <message>
-        <source>work of loading</source>
-        <translation>belastningsarbete</translation>
-    </message>
-    <message>
         <source>a law of one line</source>
         <translation>en lag med en linje</translation>
     </message>
@@ -4371,19 +4367,19 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Minsta funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Minsta funna värde (%1) för den bästa konstruktionen för osäkert berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Största funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
         <translation>Valen ändrar slagets energi: maskiner med olika effekt jämförs. ”behåll energin” behåller den.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of loading.</source>
-        <translation>Verkningsgraden sprider nästan bara med γ; belastningsarbetet visar vad våg och maskin förmår.</translation>
+        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as the objective.</source>
+        <translation>Verkningsgraden sprider nästan bara med γ. Välj belastningsarbetet som mål för att jämföra hammare.</translation>
     </message>
     <message>
         <source>Answer of the study</source>
@@ -4402,8 +4398,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Ladda</translation>
     </message>
     <message>
-        <source>%1 samples of each design; errors are of 95 %.</source>
-        <translation>%1 stickprov per konstruktion; fel på 95 %.</translation>
+        <source>%1 samples of each design; ± is the 95 % error.</source>
+        <translation>%1 stickprov per konstruktion; ± är 95 %-felet.</translation>
     </message>
     <message>
         <source>%1 samples so far, %2 to come.</source>
@@ -4411,11 +4407,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Där allt är som i filen har den robustaste %1&#xa0;% mindre.</translation>
+        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Där allt är som i filen har den robustaste %1&#xa0;% mer.</translation>
+        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mer.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4554,8 +4550,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>medel</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>som det är</translation>
+        <source>values entered</source>
+        <translation>angivna värden</translation>
     </message>
     <message>
         <source>equally good</source>
@@ -6406,8 +6402,8 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är lägre än stångens: den studsar tillbaka efter ett steg, så att stången tar över mer än dess rörelsemängd.</translation>
     </message>
     <message>
-        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
-        <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg, beräknade för en lång stång.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. Reflections that return to the hammer are neglected here.</source>
+        <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg. Reflexer tillbaka till hammaren försummas här.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
@@ -6438,12 +6434,12 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer time step.</source>
-        <translation>Längder med en större gemensam delare har ett längre gemensamt tidssteg.</translation>
+        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
+        <translation>Välj längder med större gemensam delare (t.ex. 50 mm): färre tidssteg.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
-        <translation>Längder i hela millimeter av ett och samma stål har ett gemensamt tidssteg och är exakta.</translation>
+        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
+        <translation>Ange alla längder i hela millimeter, ett stål: då är tidssteget exakt.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -8638,12 +8634,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Val: %1.</translation>
     </message>
     <message>
-        <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 konstruktion, %2 stickprov, samma för alla; felen är 95&#xa0;%-fel.</translation>
+        <source>%1 design with %2 samples; +- is the 95 % error.</source>
+        <translation>%1 konstruktion med %2 stickprov; +- är 95 %-felet.</translation>
     </message>
     <message>
-        <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 konstruktioner, %2 stickprov per konstruktion, samma för alla; felen är 95&#xa0;%-fel.</translation>
+        <source>%1 designs with %2 samples each, the same for all; +- is the 95 % error.</source>
+        <translation>%1 konstruktioner med %2 stickprov var, samma för alla; +- är 95 %-felet.</translation>
     </message>
     <message>
         <source>design</source>
@@ -8699,11 +8695,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Minsta funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Minsta funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Största funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and is left out: %2.</source>
@@ -8714,12 +8710,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
     </message>
     <message>
-        <source>%1 design with more than 0.1 % of them has no statistics.</source>
-        <translation>%1 konstruktion med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
+        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 konstruktion har för många olösta stickprov (över 0,1 %) och saknar statistik.</translation>
     </message>
     <message>
-        <source>%1 designs with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 konstruktioner med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
+        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 konstruktioner har för många olösta stickprov (över 0,1 %) och saknar statistik.</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
@@ -8747,19 +8743,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Den robustaste konstruktionen ligger vid övre änden av %1: vidga valet.</translation>
+        <translation>Den bästa konstruktionen för osäkert berg ligger vid övre änden av %1: vidga valet.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Den robustaste konstruktionen ligger vid nedre änden av %1: vidga valet.</translation>
+        <translation>Den bästa konstruktionen för osäkert berg ligger vid nedre änden av %1: vidga valet.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
         <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
-        <translation>Spridningen i verkningsgraden kommer nästan helt från gamma; loading_work visar vad våg och maskin kan åstadkomma: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Verkningsgraden sprider nästan bara med gamma. Välj belastningsarbetet som mål för att jämföra hammare: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10826,6 +10822,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
     </message>
     <message>
+        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
+        <translation>Ändra %1 från %2 till %3: %4 blir %5 i stället för %6.</translation>
+    </message>
+    <message>
         <source>feed required</source>
         <translation>matningskraft som krävs</translation>
     </message>
@@ -11096,6 +11096,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
         <translation>Byt från %1 till %2: %3 är %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+    </message>
+    <message>
+        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
+        <translation>Ändra %1 från %2 till %3: %4 är %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11738,20 +11742,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
-        <translation>Ingen sektion har en hållfasthet: ange `fatigue_strength` för att se vilken som brister först.</translation>
+        <source>No section has a strength: give %1 to find the section that breaks first.</source>
+        <translation>Ingen sektion har en hållfasthet: ange %1 för att se vilken som brister först.</translation>
     </message>
     <message>
         <source>the rod</source>
         <translation>stången</translation>
     </message>
     <message>
-        <source>%1 section of the string has no strength.</source>
-        <translation>%1 sektion av strängen har ingen hållfasthet.</translation>
+        <source>No strength is given for %1 section of the string.</source>
+        <translation>Hållfasthet saknas för %1 sektion av strängen.</translation>
     </message>
     <message>
-        <source>%1 sections of the string have no strength.</source>
-        <translation>%1 sektioner av strängen har ingen hållfasthet.</translation>
+        <source>No strength is given for %1 sections of the string.</source>
+        <translation>Hållfasthet saknas för %1 sektioner av strängen.</translation>
     </message>
     <message>
         <source>is empty; leave it out for a section without a preset</source>
@@ -14042,7 +14046,7 @@ i %4</translation>
     <name>drillwave::ScanRects</name>
     <message>
         <source>blows in contact</source>
-        <translation>slag från kontakt</translation>
+        <translation>slag i kontakt</translation>
     </message>
     <message>
         <source>constant force</source>
@@ -14058,7 +14062,7 @@ i %4</translation>
     </message>
     <message>
         <source>started bouncing</source>
-        <translation>startad studsande</translation>
+        <translation>startade studsande</translation>
     </message>
     <message>
         <source>%1 (of an earlier scenario: scan again)</source>
@@ -14070,7 +14074,7 @@ i %4</translation>
     </message>
     <message>
         <source>blows in contact [%]</source>
-        <translation>från kontakt [%]</translation>
+        <translation>slag i kontakt [%]</translation>
     </message>
 </context>
 <context>
