@@ -3057,6 +3057,14 @@ Trotzdem löschen?</translation>
         <translation>kleinster Wert %1 bei %2</translation>
     </message>
     <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 liegt zwischen %2 und %3</translation>
+    </message>
+    <message>
         <source>1 is crossed %1 times</source>
         <translation>1 wird %1-mal gekreuzt</translation>
     </message>
@@ -6197,8 +6205,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Das Kennfeld folgt.</translation>
     </message>
     <message>
-        <source>%1 … %2</source>
-        <translation>%1 … %2</translation>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 liegt zwischen %2 und %3</translation>
     </message>
     <message>
         <source> · nowhere %1</source>

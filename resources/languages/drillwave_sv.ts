@@ -3057,6 +3057,14 @@ Ta bort ändå?</translation>
         <translation>minsta värde %1 vid %2</translation>
     </message>
     <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 ligger mellan %2 och %3</translation>
+    </message>
+    <message>
         <source>1 is crossed %1 times</source>
         <translation>1 korsas %1 gånger</translation>
     </message>
@@ -6197,8 +6205,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Kartan följer.</translation>
     </message>
     <message>
-        <source>%1 … %2</source>
-        <translation>%1 … %2</translation>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 ligger mellan %2 och %3</translation>
     </message>
     <message>
         <source> · nowhere %1</source>
