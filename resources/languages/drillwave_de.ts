@@ -4387,7 +4387,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as the objective.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit γ. Zum Vergleich von Hämmern die Belastungsarbeit als Ziel wählen.</translation>
+        <translation>Der Wirkungsgrad streut fast nur mit γ. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen.</translation>
     </message>
     <message>
         <source>Answer of the study</source>
@@ -8763,7 +8763,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit gamma. Zum Vergleich von Hämmern die Belastungsarbeit als Ziel wählen: --aim max:loading_work@q05.</translation>
+        <translation>Der Wirkungsgrad streut fast nur mit gamma. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -15855,7 +15855,7 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
     </message>
     <message>
         <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
-        <translation>zu maximierendes Ziel, oder min:… zum Minimieren; bis zu drei, das erste ordnet die Auslegungen</translation>
+        <translation>zu maximierende Zielgröße, oder min:… zum Minimieren; bis zu drei, die erste ordnet die Auslegungen</translation>
     </message>
     <message>
         <source>scale the blow of every design to the blow energy of FILE</source>

@@ -4387,7 +4387,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as the objective.</source>
-        <translation>Verkningsgraden sprider nästan bara med γ. Välj belastningsarbetet som mål för att jämföra hammare.</translation>
+        <translation>Verkningsgraden sprider nästan bara med γ. Välj belastningsarbetet som målstorhet för att jämföra hammare.</translation>
     </message>
     <message>
         <source>Answer of the study</source>
@@ -8763,7 +8763,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
-        <translation>Verkningsgraden sprider nästan bara med gamma. Välj belastningsarbetet som mål för att jämföra hammare: --aim max:loading_work@q05.</translation>
+        <translation>Verkningsgraden sprider nästan bara med gamma. Välj belastningsarbetet som målstorhet för att jämföra hammare: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -15850,7 +15850,7 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
     </message>
     <message>
         <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
-        <translation>mål att maximera, eller min:… att minimera; upp till tre, det första rangordnar konstruktionerna</translation>
+        <translation>målstorhet att maximera, eller min:… att minimera; upp till tre, den första rangordnar konstruktionerna</translation>
     </message>
     <message>
         <source>scale the blow of every design to the blow energy of FILE</source>
