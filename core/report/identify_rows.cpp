@@ -57,10 +57,17 @@ Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, co
     return translatable("not known");
 }
 
-Message causeWords(const std::string& source, const std::string& key, const Scenario& scenario,
-                   const ReadingStyle& style) {
-    if (!key.empty() && key != "gauge" && key != "gain" && key != "material")
-        return sizeWords(key, scenario, style);
+/// Whether a key of --known is of a size of a section.
+bool isOfSize(const std::string& key) {
+    return !key.empty() && key != "gauge" && key != "gain" && key != "material";
+}
+
+/// Without the key of a size, which would widen the column of a table.
+Message causeWords(const std::string& source, const std::string& key, const Scenario& scenario) {
+    if (isOfSize(key)) {
+        const KeptParameter parameter = findParameter(key);
+        return parameter ? labelMessage(*parameter, scenario) : Message(key);
+    }
     if (source == "noise") return translatable("noise");
     if (source == "tail") return translatable("tail of the blow");
     if (source == "timing") return translatable("arrival of the reflection");
@@ -86,8 +93,10 @@ Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {
                               : row.unit == "m^2" ? style.quantity(row.tolerance, Quantity::area, 2)
                               : row.unit == "N"   ? style.quantity(row.tolerance, Quantity::force, 2)
                                                   : percentOf(row.tolerance, style);
-    if (row.isAssumed) return {translatable("assumed +-%1"), {value}};
-    return "+-" + value;
+    const Message tolerance =
+        row.isAssumed ? Message(translatable("assumed +-%1"), {value}) : Message("+-" + value);
+    if (style.isPrinted() || !isOfSize(row.key)) return tolerance;
+    return {"%1 (%2)", {tolerance, row.key}};  // the key to state it by
 }
 
 }  // namespace
@@ -139,11 +148,11 @@ std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scen
     if (answer.refusal || answer.model == ModelVerdict::rejected || answer.parameters.size() < 2) return {};
     const IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
     std::vector<IdentifyLimit> limits{
-        {causeWords("noise", "", scenario, style), "", {}, stiffness.noise, gamma.noise}};
+        {causeWords("noise", "", scenario), "", {}, stiffness.noise, gamma.noise}};
     for (std::size_t i = 0; i < stiffness.budget.size(); ++i) {
         const BudgetRow& row = stiffness.budget[i];
-        limits.push_back({causeWords(row.source, row.key, scenario, style), row.key,
-                          toleranceWords(row, style), row.effect, gamma.budget[i].effect, row.isAssumed});
+        limits.push_back({causeWords(row.source, row.key, scenario), row.key, toleranceWords(row, style),
+                          row.effect, gamma.budget[i].effect, row.isAssumed});
     }
     std::stable_sort(limits.begin(), limits.end(), [](const IdentifyLimit& a, const IdentifyLimit& b) {
         return std::hypot(a.onStiffness, a.onGamma) > std::hypot(b.onStiffness, b.onGamma);
@@ -174,7 +183,9 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
     const std::string tolerance =
         next->unit == "m" ? shortLength(next->tolerance, 2, style) : percentOf(next->tolerance, style);
     return {translatable("To know more: measure %1 to %2: %3."),
-            {causeWords(next->source, next->key, scenario, style), tolerance, gain}};
+            {isOfSize(next->key) ? sizeWords(next->key, scenario, style)
+                                 : causeWords(next->source, next->key, scenario),
+             tolerance, gain}};
 }
 
 std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place) {
