@@ -185,11 +185,10 @@ std::vector<OptionSpec> curveOptions() {
          {"si", "", "outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
-             {"work-limit", "N",
-              "most wave pieces of a blow; one with more has no answer (default: 1000000)"},
+             {"work-limit", "N", "skip a blow that needs more than N wave pieces (default: 1000000)"},
              {"j", "N", "number of threads (default: all)"},
              {"o", "FILE.csv",
-              "also write points of the lines, with FILE.csv.yaml beside it, places of the goal into "
+              "also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to "
               "FILE_goal.csv; - prints the points instead"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},

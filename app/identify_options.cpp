@@ -116,25 +116,23 @@ Choice choiceOf(const Arguments& arguments, const char* option,
 std::vector<OptionSpec> identifyOptionSpecs() {
     using Times = OptionSpec::Times;
     std::vector<OptionSpec> specs{
-        {"signals", "REC.csv …", "Read these records of strain gauges, in their order along the hole",
+        {"signals", "REC.csv …", "read these records of strain gauges, in their order along the hole",
          Times::repeated},
         {"gauge", "COLUMN@DISTANCE",
-         "Use one gauge or two, by their distance from the bit face; A+B@… averages", Times::repeated},
-        {"law", "LAW", "Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)"},
-        {"known", "KEY=+-TOL", "Set the 95 % tolerance of gain, zero, gauge or a size; see below",
-         Times::list},
-        {"backing", "KIND",
-         "Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)"},
+         "use one gauge or two, by their distance from the bit face; A+B@… averages", Times::repeated},
+        {"law", "LAW", "fit auto, bilinear or corner; file checks the rock of FILE (default: auto)"},
+        {"known", "KEY=+-TOL", "95 % tolerance of gain, zero, gauge or a size; see below", Times::list},
+        {"backing", "KIND", "support: rigid, or bar for a specimen between two like bars (default: rigid)"},
         {"check", "COLUMN@DISTANCE",
-         "Predict the gauge on the bar behind, by its distance from the specimen"},
-        {"dispersion", "KIND", "Take dispersion as fit, bar or none (default: fit)"},
-        {"end", "TIME", "End the window this long after the returning wave arrives"},
-        {"blows", "WHICH", "Identify the first or all fronts of a record (default: first)"},
-        {"seed", "S", "Draw other noise (default: 1)"},
-        {"j", "N", "Use N threads (default: all of them)"},
-        {"json", "", "Print one JSON object instead of the table"},
-        {"o", "DIR", "Also write tables, draws and the identified scenario into DIR"},
-        {"force", "", "Overwrite existing files"}};
+         "predict the gauge on the bar behind, by its distance from the specimen"},
+        {"dispersion", "KIND", "take dispersion as fit, bar or none (default: fit)"},
+        {"end", "TIME", "end the window this long after the returning wave arrives"},
+        {"blows", "WHICH", "identify the first or all fronts of a record (default: first)"},
+        {"seed", "S", "seed of noise and draws (default: 1)"},
+        {"j", "N", "number of threads (default: all)"},
+        {"json", "", "print one JSON object instead of the table"},
+        {"o", "DIR", "also write tables, draws and the identified scenario into DIR"},
+        {"force", "", "overwrite existing files"}};
     std::vector<OptionSpec> all = scenarioOptions();
     std::erase_if(all, [](const OptionSpec& option) {
         return std::find(std::begin(optionsOfOneSignal), std::end(optionsOfOneSignal), option.name) !=

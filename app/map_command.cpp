@@ -223,7 +223,7 @@ std::vector<OptionSpec> mapOptions() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)"},
+              "skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),

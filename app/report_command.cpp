@@ -164,7 +164,7 @@ const Command& reportCommand() {
             {{"project", "TEXT", "project, shown below the title"},
              {"author", "TEXT", "author"},
              {"customer", "TEXT", "customer"},
-             {"date", "TEXT", "date as text (default: none)"},
+             {"date", "TEXT", "print this date in the report, any text (default: none)"},
              reportStudiesSpec(),
              {withoutPlots, "", "leave the plots out, and with them the PDF: works without the window"},
              {"j", "N", "number of threads of --with (default: all)"},

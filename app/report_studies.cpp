@@ -45,8 +45,7 @@ DesignStudy designOf(const Arguments& arguments, const ScenarioDocument& documen
 
 OptionSpec reportStudiesSpec() {
     return {"with", "drill,design",
-            "also contain these studies, with the settings of FILE: drill, continuous drilling; design, the "
-            "study of its block `design`"};
+            "add studies: drill (continuous drilling), design (block `design` of FILE)"};
 }
 
 ReportStudyPlan::ReportStudyPlan(const Arguments& arguments, const ScenarioDocument& document,

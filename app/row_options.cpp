@@ -125,7 +125,8 @@ Message couldNotBeSolved(const std::string& path, const Message& reason) {
 }
 
 OptionSpec workLimitSpec() {
-    return {"work-limit", "N", "most wave pieces of a blow (default: 1000000, at worst some seconds)"};
+    return {"work-limit", "N",
+            "give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {
@@ -135,7 +136,8 @@ std::vector<OptionSpec> rowOptionSpecs() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)"},
+              "leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at "
+              "worst 2 s)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
@@ -154,7 +156,7 @@ OptionSpec shardOptionSpec() {
 
 OptionSpec resumeOptionSpec() {
     return {"resume", "",
-            "keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended"};
+            "keep completed rows in FILE.csv.partial, and resume an interrupted run after them"};
 }
 
 std::string outputHelp(const ReadingStyle& style) {

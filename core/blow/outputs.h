@@ -97,7 +97,7 @@ struct Output {
     Quantity siQuantity() const;
     /// SI = value · scale; a share of the energy stays a share.
     double scale(const Scales& scales) const;
-    /// Returns the number in SI; a share of the energy in J, for which the work of the hammer is needed.
+    /// Converts a value to SI; energy shares become J and need the hammer work in `source`.
     double inSi(double value, const OutputSource& source, const Scales& scales) const;
 };
 

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Gap, force and memory of a contact under the law of bit and rock, advanced step by step.
+/// Contact of bit and rock in constant time steps: keeps its gap, its force and the largest force so far.
 ///
 /// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
 /// is the work of the law over that increment (T32),
@@ -57,7 +57,8 @@ class StepLaw {
     double contactFraction() const { return m_contactFraction; }
     double primaryFraction() const { return m_primaryFraction; }
     double separationFraction() const { return m_separationFraction; }
-    /// Returns the times when the corners were passed.
+    /// Returns the fractions of the last step (0 to 1) at which corners were passed; valid only if changes()
+    /// has `corner`.
     const std::vector<double>& cornerFractions() const { return m_cornerFractions; }
 
     /// Returns whether it is not in contact; contact by exactly zero force counts as contact.

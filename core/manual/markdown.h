@@ -36,8 +36,8 @@ struct ManualBlock {
 /// The blocks of a text, in order.
 std::vector<ManualBlock> readMarkdown(std::string_view text);
 
-/// The blocks of a section, its heading first, up to the next heading of its level or above; none where no
-/// heading is that one. A heading is meant by its number, "§3.1", or by all of its words.
+/// Returns the blocks of a section from its heading to the next heading of the same or a higher level; none
+/// if the heading is not found. `heading` is the number of the heading, "§3.1", or its whole text.
 std::vector<ManualBlock> sectionOf(std::span<const ManualBlock> blocks, std::string_view heading);
 
 /// "§3.1" of the heading "§3.1 Everything else"; empty where it has no number.

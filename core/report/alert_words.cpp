@@ -78,7 +78,7 @@ Message pistonImpedance(const Alert& alert) {
                      "one step, and the rod receives more than its momentum.")
                : translatable(
                      "The impedance of the hammer is above that of the rod: the force falls in ever smaller "
-                     "steps, computed for a long rod.");
+                     "steps. Reflections that return to the hammer are neglected here.");
 }
 
 /// The numbers of the estimate that the words take.
@@ -136,11 +136,13 @@ Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
                       {bound(alert, "cor_error", style)})
             : Message(translatable("the efficiency may have an error of %1"),
                       {bound(alert, "efficiency_error", style)});
-    return {translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
-            {cell, inUnit(alert, "time", style), off,
-             isShared ? translatable("Lengths with a larger common divisor share a longer time step.")
-                      : translatable(
-                            "Lengths in whole millimetres of one steel share a time step and are exact.")}};
+    return {
+        translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
+        {cell, inUnit(alert, "time", style), off,
+         isShared
+             ? translatable("Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.")
+             : translatable(
+                   "Enter all lengths in whole millimetres, with one steel: the time step is then exact.")}};
 }
 
 /// Why the closed form is not for the blow: the group to blame says it.

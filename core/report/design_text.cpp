@@ -55,8 +55,9 @@ Message chosenMessage(const DesignStudy& study, const ReadingStyle& style) {
 
 Message samplesMessage(const DesignStudy& study) {
     const std::uint64_t designs = study.designCount();
-    return {designs == 1 ? translatable("%1 design, %2 samples each, the same for all; errors are of 95 %.")
-                         : translatable("%1 designs, %2 samples each, the same for all; errors are of 95 %."),
+    return {designs == 1
+                ? translatable("%1 design with %2 samples; +- is the 95 % error.")
+                : translatable("%1 designs with %2 samples each, the same for all; +- is the 95 % error."),
             {std::to_string(designs), std::to_string(study.samples)}};
 }
 

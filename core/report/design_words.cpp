@@ -6,6 +6,7 @@
 
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
+#include "core/report/parameter_words.h"
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
 
@@ -27,10 +28,11 @@ void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks)
                                : translatable("%1 samples could not be solved and are left out: %2."),
                  {std::to_string(unsolved), reason}};
     if (without > 0) {
-        const Message more{without == 1
-                               ? translatable("%1 design with more than 0.1 % of them has no statistics.")
-                               : translatable("%1 designs with more than 0.1 % of them have no statistics."),
-                           {std::to_string(without)}};
+        const Message more{
+            without == 1
+                ? translatable("%1 design has too many unsolved samples (above 0.1 %) and no statistics.")
+                : translatable("%1 designs have too many unsolved samples (above 0.1 %) and no statistics."),
+            {std::to_string(without)}};
         text = {"%1 %2", {text, more}};
     }
     remarks.push_back({without > 0, "points_unsolved", text});
@@ -166,7 +168,7 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
             remarks.push_back(
                 {false, "gamma_dominates",
                  translatable("Nearly all scatter of the efficiency comes from gamma. To compare hammers, "
-                              "aim at the loading work: --aim max:loading_work@q05.")});
+                              "choose loading work as the objective: --aim max:loading_work@q05.")});
         }
     }
 }
@@ -225,6 +227,18 @@ Message withoutEffect(const DesignReport& report, Message answer, const DesignNa
     return answer;
 }
 
+/// Returns the parameter that is chosen, if it is the only choice: its values alone do not say what they are.
+const SweepAxis* onlyParameter(const DesignStudy& study) {
+    return study.choices.size() == 1 && study.choices.front().parameter ? &study.choices.front() : nullptr;
+}
+
+/// "pulse.duration = 200 us", "200 us, 3.05 m", "medium drifter"
+Message designWithName(const DesignReport& report, std::size_t design, const DesignNames& names) {
+    const SweepAxis* only = onlyParameter(report.study);
+    if (!only) return names.design(design);
+    return {"%1 = %2", {names.choice(*only), names.design(design)}};
+}
+
 /// The headline without what speaks against the design.
 Message answerMessage(const DesignReport& report, const DesignNames& names) {
     const std::optional<DesignHeadline> headline = headlineOf(report);
@@ -234,17 +248,28 @@ Message answerMessage(const DesignReport& report, const DesignNames& names) {
     const DesignAim& first = report.study.aims.front();
     if (*headline == DesignHeadline::keep)
         return {translatable("Keep %1: %2 has a better %3 (%4)."),
-                {names.design(*present), othersMessage(report, names), names.aim(first),
+                {designWithName(report, *present, names), othersMessage(report, names), names.aim(first),
                  names.aimed(report, first, *present)}};
     const std::size_t chosen = *report.findings.best.chosen;
     const std::string name = names.design(chosen);
     if (!present || std::isnan(aimedValue(report, first, *present).value))
-        return {translatable("Take %1: %2 is %3."),
-                {name, names.aim(first), names.aimed(report, first, chosen)}};
+        return {
+            translatable("Take %1: %2 is %3."),
+            {designWithName(report, chosen, names), names.aim(first), names.aimed(report, first, chosen)}};
+    const SweepAxis* only = onlyParameter(report.study);
+    if (!report.findings.feasibility[*present].feasible && only)
+        return {
+            translatable("Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits."),
+            {names.choice(*only), names.design(*present), name, names.aim(first),
+             names.aimed(report, first, chosen)}};
     if (!report.findings.feasibility[*present].feasible)
         return {translatable("Change from %1 to %2: %3 is %4. The present design does not meet all limits."),
                 {names.design(*present), name, names.aim(first), names.aimed(report, first, chosen)}};
     const DesignAim& deciding = decidingAim(report, *present);
+    if (only)
+        return {translatable("Change %1 from %2 to %3: %4 becomes %5 instead of %6."),
+                {names.choice(*only), names.design(*present), name, names.aim(deciding),
+                 names.aimed(report, deciding, chosen), names.aimed(report, deciding, *present)}};
     return {translatable("Change from %1 to %2: %3 becomes %4 instead of %5."),
             {names.design(*present), name, names.aim(deciding), names.aimed(report, deciding, chosen),
              names.aimed(report, deciding, *present)}};
@@ -278,6 +303,10 @@ Message DesignNames::aim(const DesignAim& aim) const {
 
 Message DesignNames::subject(const SweepAxis& choice) const {
     return std::string(choice.key());
+}
+
+Message DesignNames::choice(const SweepAxis& choice) const {
+    return choice.parameter ? fieldMessage(*choice.parameter, m_style) : Message(std::string(choice.key()));
 }
 
 std::string DesignNames::value(const Output& output, double value, int digits) const {

@@ -32,6 +32,8 @@ class DesignNames {
     virtual Message aim(const DesignAim& aim) const;
     /// A choice at the beginning of a sentence: "pulse.duration".
     virtual Message subject(const SweepAxis& choice) const;
+    /// A choice within a sentence: its key for commands, "duration" in print.
+    virtual Message choice(const SweepAxis& choice) const;
     /// A number of an output with its unit.
     virtual std::string value(const Output& output, double value, int digits) const;
     /// "0.712 +- 0.001": what an aim is about, of a design, with its error where it has one.

@@ -97,7 +97,8 @@ Json checkJson(const RecordAnswer& answer) {
     return Json(JsonObject{{"error", answer.check->error}, {"shift", answer.check->shift}});
 }
 
-JsonArray remarksJson(const RecordAnswer& answer, const std::vector<std::string>& further) {
+JsonArray remarksJson(const RecordAnswer& answer, const std::vector<std::string>& further,
+                      const Scenario& scenario) {
     JsonArray array;
     const auto add = [&](const std::string& code) {
         const bool isInformation =
@@ -105,14 +106,14 @@ JsonArray remarksJson(const RecordAnswer& answer, const std::vector<std::string>
         array.emplace_back(JsonObject{{"level", isInformation ? "information" : "warning"},
                                       {"code", code},
                                       {"parameter", ""},
-                                      {"text", identifyRemark(code, answer, plainStyle()).text()}});
+                                      {"text", identifyRemark(code, answer, scenario, plainStyle()).text()}});
     };
     for (const std::string& code : answer.remarks) add(code);
     for (const std::string& code : further) add(code);
     return array;
 }
 
-JsonObject recordJson(const RecordAnswer& answer) {
+JsonObject recordJson(const RecordAnswer& answer, const Scenario& scenario) {
     JsonObject object{{"file", answer.file}, {"blow", answer.blow + 1}};
     if (answer.refusal) {
         object["model"] = "refused";
@@ -123,7 +124,7 @@ JsonObject recordJson(const RecordAnswer& answer) {
     object["law"] = answer.law;
     object["parameters"] = parametersJson(answer, nullptr);
     object["match"] = matchJson(answer);
-    object["remarks"] = remarksJson(answer, {});
+    object["remarks"] = remarksJson(answer, {}, scenario);
     return object;
 }
 
@@ -143,7 +144,7 @@ std::string identifyJson(const IdentifyReport& report) {
                       {"check", checkJson(answer)},
                       {"sign", answer.sign},
                       {"scenario", report.identifiedText},
-                      {"remarks", remarksJson(answer, findings.remarks)}};
+                      {"remarks", remarksJson(answer, findings.remarks, report.question.scenario)}};
     if (const auto next = nextMeasurement(answer))
         object["next"] = JsonObject{{"source", next->source},       {"key", next->key},
                                     {"tolerance", next->tolerance}, {"unit", next->unit},
@@ -152,7 +153,8 @@ std::string identifyJson(const IdentifyReport& report) {
         object["next"] = Json();
     if (isSeveral) {
         JsonArray records;
-        for (const RecordAnswer& record : findings.records) records.emplace_back(recordJson(record));
+        for (const RecordAnswer& record : findings.records)
+            records.emplace_back(recordJson(record, report.question.scenario));
         object["records"] = std::move(records);
     }
     return Json(std::move(object)).text();

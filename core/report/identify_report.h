@@ -42,14 +42,21 @@ std::string recordsCsv(const IdentifyReport& report);
 /// `time [us]`, `force [kN]` from the front to the end of the incident wave.
 std::string incidentCsv(const IdentifyReport& report);
 
-/// Sentence of a remark by its code.
-Message identifyRemark(std::string_view code, const RecordAnswer& answer, const ReadingStyle& style);
+/// Returns the sentence of a remark by its code; `scenario` gives the names of its sections.
+Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
+                       const ReadingStyle& style);
 /// Whether a remark stands among those that a reader sees; the others are said elsewhere.
 bool isRemarkShown(std::string_view code);
 /// First sentence about one record: whether the model holds and what is known.
 Message identifySentence(const RecordAnswer& answer);
 /// Reason why a rejected record may be so, most likely first.
 Message rejectionReason(const RecordAnswer& answer);
+
+/// Returns a size in words, with its key if the reader writes commands: "diameter of bit head
+/// (string.bit_head.diameter)"; other keys as they are.
+Message sizeWords(const std::string& key, const Scenario& scenario, const ReadingStyle& style);
+/// Returns a gap or a tolerance of a size in mm, or in the unit that the reader has for millimetres.
+std::string shortLength(double si, int digits, const ReadingStyle& style);
 
 /// A value of the answer in words: "rock when it is first loaded", "stiffness", "131.2 MN/m",
 /// "127.1 MN/m … 135.4 MN/m", "known".
@@ -74,9 +81,10 @@ struct IdentifyLimit {
     bool isAssumed = false;
 };
 /// Returns the largest causes, the largest first; none of a record that is refused or rejected.
-std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const ReadingStyle& style);
+std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
+                                          const ReadingStyle& style);
 /// Returns the one measurement that would help most, in a sentence; empty where there is none.
-Message identifyNext(const RecordAnswer& answer, const ReadingStyle& style);
+Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 
 /// A 95 % tolerance that is assumed where --known gives none.
 struct AssumedTolerance {

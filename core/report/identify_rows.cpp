@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/parameter.h"
+#include "core/report/parameter_words.h"
 #include "core/study/identify/known_sizes.h"
 
 namespace drillwave {
@@ -21,15 +23,21 @@ struct ParameterNames {
 ParameterNames namesOf(const std::string& key) {
     if (key == "bit_rock.stiffness")
         return {translatable("rock when it is first loaded"), translatable("stiffness"), Quantity::stiffness};
-    if (key == "bit_rock.gamma") return {translatable("springback"), "gamma", Quantity::ratio};
+    if (key == "bit_rock.gamma") return {translatable("elasticity"), "gamma", Quantity::ratio};
     if (key == "bit_rock.gap") return {translatable("bit not seated"), translatable("gap"), Quantity::length};
     if (key == "bit_rock.corner.1.force")
         return {translatable("force at which the rock yields"), translatable("corner"), Quantity::force};
     return {translatable("slope after yielding"), translatable("slope"), Quantity::ratio};
 }
 
+/// A gap is a short length.
+std::string valueText(double value, Quantity quantity, int digits, const ReadingStyle& style) {
+    return quantity == Quantity::length ? shortLength(value, digits, style)
+                                        : style.quantity(value, quantity, digits);
+}
+
 Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, const ReadingStyle& style) {
-    const auto shown = [&](double value) { return style.quantity(value, quantity, 3); };
+    const auto shown = [&](double value) { return valueText(value, quantity, 3, style); };
     switch (parameter.verdict) {
         case ParameterVerdict::identified:
             return translatable("known");
@@ -52,8 +60,17 @@ Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, co
     return translatable("not known");
 }
 
-Message causeWords(const std::string& source, const std::string& key) {
-    if (!key.empty() && key != "gauge" && key != "gain" && key != "material") return key;
+/// Whether a key of --known is of a size of a section.
+bool isOfSize(const std::string& key) {
+    return !key.empty() && key != "gauge" && key != "gain" && key != "material";
+}
+
+/// Without the key of a size, which would widen the column of a table.
+Message causeWords(const std::string& source, const std::string& key, const Scenario& scenario) {
+    if (isOfSize(key)) {
+        const KeptParameter parameter = findParameter(key);
+        return parameter ? labelMessage(*parameter, scenario) : Message(key);
+    }
     if (source == "noise") return translatable("noise");
     if (source == "tail") return translatable("tail of the blow");
     if (source == "timing") return translatable("arrival of the reflection");
@@ -75,28 +92,44 @@ Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {
     if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" ||
         row.source == "timing" || row.source == "resolution")
         return {};
-    const std::string value = row.unit == "m"   ? style.quantity(row.tolerance, Quantity::length, 2)
-                              : row.unit == "N" ? style.quantity(row.tolerance, Quantity::force, 2)
-                                                : percentOf(row.tolerance, style);
-    if (row.isAssumed) return {translatable("assumed +-%1"), {value}};
-    return "+-" + value;
+    const std::string value = row.unit == "m"     ? shortLength(row.tolerance, 2, style)
+                              : row.unit == "m^2" ? style.quantity(row.tolerance, Quantity::area, 2)
+                              : row.unit == "N"   ? style.quantity(row.tolerance, Quantity::force, 2)
+                                                  : percentOf(row.tolerance, style);
+    const Message tolerance =
+        row.isAssumed ? Message(translatable("assumed +-%1"), {value}) : Message("+-" + value);
+    if (style.isPrinted() || !isOfSize(row.key)) return tolerance;
+    return {"%1 (%2)", {tolerance, row.key}};  // the key to state it by
 }
 
 }  // namespace
+
+Message sizeWords(const std::string& key, const Scenario& scenario, const ReadingStyle& style) {
+    const KeptParameter parameter = findParameter(key);
+    if (!parameter) return key;
+    const Message words = labelMessage(*parameter, scenario);
+    return style.isPrinted() ? words : Message("%1 (%2)", {words, key});
+}
+
+std::string shortLength(double si, int digits, const ReadingStyle& style) {
+    const ReadUnit read = style.unitFor(2e-3, Quantity::length);  // that of some millimetres
+    // + 0.0 turns -0 into 0.
+    return style.number(std::round(read.unit->fromSi(si) * 1e4) / 1e4 + 0.0, digits) + " " + read.name;
+}
 
 std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
                                       const std::vector<NextBlowParameter>& nextBlow,
                                       const ReadingStyle& style) {
     std::vector<IdentifyRow> rows;
     const auto interval = [&](double low, double high, Quantity quantity) {
-        return style.quantity(low, quantity, 4) + " … " + style.quantity(high, quantity, 4);
+        return valueText(low, quantity, 4, style) + " … " + valueText(high, quantity, 4, style);
     };
     for (const IdentifiedParameter& parameter : answer.parameters) {
         const auto [what, term, quantity] = namesOf(parameter.key);
         IdentifyRow row{parameter.key,
                         what,
                         term,
-                        style.quantity(parameter.value, quantity, 4),
+                        valueText(parameter.value, quantity, 4, style),
                         "",
                         verdictWords(parameter, quantity, style)};
         if (answer.model != ModelVerdict::rejected && parameter.low && parameter.high)
@@ -106,21 +139,23 @@ std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
     for (const NextBlowParameter& next : nextBlow) {
         const auto [what, term, quantity] = namesOf(next.key);
         rows.push_back(
-            {next.key, translatable("next blow"), term, style.quantity(next.value, quantity, 4),
+            {next.key, translatable("next blow"), term, valueText(next.value, quantity, 4, style),
              interval(next.low, next.high, quantity),
              next.hasChange ? translatable("changes from blow to blow") : translatable("no change is seen")});
     }
     return rows;
 }
 
-std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const ReadingStyle& style) {
+std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
+                                          const ReadingStyle& style) {
     if (answer.refusal || answer.model == ModelVerdict::rejected || answer.parameters.size() < 2) return {};
     const IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
-    std::vector<IdentifyLimit> limits{{causeWords("noise", ""), "", {}, stiffness.noise, gamma.noise}};
+    std::vector<IdentifyLimit> limits{
+        {causeWords("noise", "", scenario), "", {}, stiffness.noise, gamma.noise}};
     for (std::size_t i = 0; i < stiffness.budget.size(); ++i) {
         const BudgetRow& row = stiffness.budget[i];
-        limits.push_back({causeWords(row.source, row.key), row.key, toleranceWords(row, style), row.effect,
-                          gamma.budget[i].effect, row.isAssumed});
+        limits.push_back({causeWords(row.source, row.key, scenario), row.key, toleranceWords(row, style),
+                          row.effect, gamma.budget[i].effect, row.isAssumed});
     }
     std::stable_sort(limits.begin(), limits.end(), [](const IdentifyLimit& a, const IdentifyLimit& b) {
         return std::hypot(a.onStiffness, a.onGamma) > std::hypot(b.onStiffness, b.onGamma);
@@ -132,7 +167,7 @@ std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Read
     return limits;
 }
 
-Message identifyNext(const RecordAnswer& answer, const ReadingStyle& style) {
+Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style) {
     const std::optional<NextMeasurement> next = nextMeasurement(answer);
     if (!next) return {};
     const Message gain = {translatable("%1 +-%2"),
@@ -148,10 +183,12 @@ Message identifyNext(const RecordAnswer& answer, const ReadingStyle& style) {
         return {translatable("To know more: use a smaller range or more bits: %1."), {gain}};
     if (next->source == "timing")
         return {translatable("To know more: measure the distance of the gauge from the bit: %1."), {gain}};
-    const std::string tolerance = next->unit == "m" ? style.quantity(next->tolerance, Quantity::length, 2)
-                                                    : percentOf(next->tolerance, style);
+    const std::string tolerance =
+        next->unit == "m" ? shortLength(next->tolerance, 2, style) : percentOf(next->tolerance, style);
     return {translatable("To know more: measure %1 to %2: %3."),
-            {causeWords(next->source, next->key), tolerance, gain}};
+            {isOfSize(next->key) ? sizeWords(next->key, scenario, style)
+                                 : causeWords(next->source, next->key, scenario),
+             tolerance, gain}};
 }
 
 std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place) {

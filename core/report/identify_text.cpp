@@ -32,9 +32,11 @@ class IdentifyWriter {
         addMatch(answer);
         for (const std::string& code : answer.remarks)
             if (isRemarkShown(code))
-                line(said(translatable("remark")), said(identifyRemark(code, answer, m_style)));
+                line(said(translatable("remark")),
+                     said(identifyRemark(code, answer, m_report.question.scenario, m_style)));
         for (const std::string& code : findings.remarks)
-            line(said(translatable("remark")), said(identifyRemark(code, answer, m_style)));
+            line(said(translatable("remark")),
+                 said(identifyRemark(code, answer, m_report.question.scenario, m_style)));
         return m_text;
     }
 
@@ -58,12 +60,12 @@ class IdentifyWriter {
     void addLimits(const RecordAnswer& answer) {
         TextGrid grid(CellAlignment::left);
         grid.add({said(translatable("Limits of the result")), said(translatable("stiffness")),
-                  said(translatable("springback")), ""});
-        for (const IdentifyLimit& limit : identifyLimits(answer, m_style))
+                  said(translatable("elasticity")), ""});
+        for (const IdentifyLimit& limit : identifyLimits(answer, m_report.question.scenario, m_style))
             grid.add({"  " + said(limit.cause), percent(std::min(limit.onStiffness, 99.0)),
                       percent(std::min(limit.onGamma, 99.0)), said(limit.tolerance)});
         m_text += "\n" + grid.text();
-        if (const Message next = identifyNext(answer, m_style); !next.isEmpty())
+        if (const Message next = identifyNext(answer, m_report.question.scenario, m_style); !next.isEmpty())
             m_text += "  " + said(next) + "\n";
         m_text += "\n";
     }

@@ -19,11 +19,16 @@ Message rejectionReason(const RecordAnswer& answer) {
     const MatchFigures& match = answer.match;
     if (answer.has("arrival_off") || answer.has("distance_off"))
         return translatable(
-            "The reflection does not arrive when the file says: check the distance of the gauge, "
-            "the wave speed and the clock.");
+            "The reflection does not arrive when the file says: check the distance of the gauge, the wave "
+            "speed and the clock, and look for a section missing in the file.");
+    const bool hasTwoGauges = match.zero.size() > 1;
     if (answer.has("sizes_off"))
-        return translatable(
-            "A section towards the bit differs from the file: measure the bit head and the rod.");
+        return hasTwoGauges ? translatable(
+                                  "A section towards the bit, or the distance between the gauges, differs "
+                                  "from the file: measure that distance, the bit head and the rod.")
+                            : translatable(
+                                  "A section towards the bit differs from the file: measure the bit head "
+                                  "and the rod, and look for a section missing in the file.");
     if (match.quiet > 0.02)
         return translatable(
             "There are waves where none should be: bending (use gauges on opposite sides), the "
@@ -34,13 +39,19 @@ Message rejectionReason(const RecordAnswer& answer) {
             "coupling of the amplifier.");
     if (answer.has("not_quiet_before"))
         return translatable("The rod still rings before the blow: measure a single blow.");
-    return translatable(
-        "The rock follows another law, or the sections towards the bit differ from the file: "
-        "check the bit head, and look at the residual.");
+    return hasTwoGauges ? translatable(
+                              "The rock follows another law, or the sections towards the bit or the distance "
+                              "between the gauges differ from the file: check the bit head and that "
+                              "distance, and look at the residual.")
+                        : translatable(
+                              "The rock follows another law, or the sections towards the bit differ from the "
+                              "file: check the bit head, and look at the residual.");
 }
 
 Message identifySentence(const RecordAnswer& answer) {
     if (answer.refusal) return answer.refusal->text;
+    if (answer.model == ModelVerdict::rejected && answer.law == "file")
+        return translatable("The record contradicts the rock of the file.");
     if (answer.model == ModelVerdict::rejected)
         return {
             translatable("The model does not agree with the record, so nothing is known about the rock. %1"),
@@ -52,27 +63,30 @@ Message identifySentence(const RecordAnswer& answer) {
     const Message agrees =
         answer.model == ModelVerdict::strained ? translatable("The record agrees roughly with the model.")
         : answer.law == "corner" ? translatable("The record agrees with a rock that yields once.")
-                                 : translatable("The record agrees with a rock of one slope.");
+                                 : translatable("The record agrees with a rock that loads along one line.");
     const bool hasStiffness = isKnownOnBothSides(answer.find("bit_rock.stiffness"));
     const bool hasGamma = isKnownOnBothSides(answer.find("bit_rock.gamma"));
     const bool hasGap = isKnownOnBothSides(answer.find("bit_rock.gap"));
     const char* known =
-        hasStiffness && hasGamma && hasGap ? translatable("Stiffness, springback and gap are known.")
-        : hasStiffness && hasGamma ? translatable("Stiffness and springback are known, the gap is not.")
-        : hasStiffness             ? translatable("The stiffness is known, the springback is not.")
-        : hasGamma                 ? translatable("The springback is known, the stiffness is not.")
-                                   : translatable("Neither stiffness nor springback is known to 20 %.");
+        hasStiffness && hasGamma && hasGap ? translatable("Stiffness, elasticity and gap are known.")
+        : hasStiffness && hasGamma ? translatable("Stiffness and elasticity are known, the gap is not.")
+        : hasStiffness             ? translatable("The stiffness is known, the elasticity is not.")
+        : hasGamma                 ? translatable("The elasticity is known, the stiffness is not.")
+                                   : translatable("Neither stiffness nor elasticity is known to 20 %.");
     return {translatable("%1 %2"), {agrees, Message(known)}};
 }
 
-Message identifyRemark(std::string_view code, const RecordAnswer& answer, const ReadingStyle& style) {
+Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
+                       const ReadingStyle& style) {
     const MatchFigures& match = answer.match;
     const auto percent = [&](double share) { return style.number(100 * share, 2) + " %"; };
     const auto time = [&](double seconds) { return style.quantity(seconds, Quantity::time, 4); };
     if (code == "unexplained_wave")
-        return {
-            translatable("waves of %1 of the peak are not explained by the model; they widen all intervals"),
-            {percent(match.unexplained)}};
+        return {answer.model == ModelVerdict::rejected
+                    ? translatable("waves of %1 of the peak are not explained by the model")
+                    : translatable(
+                          "waves of %1 of the peak are not explained by the model; they widen all intervals"),
+                {percent(match.unexplained)}};
     if (code == "not_quiet_before")
         return {translatable("waves of %1 of the peak are there before the front; measure a single blow"),
                 {percent(match.before)}};
@@ -82,12 +96,18 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
                 {time(match.roundTrip), time(match.roundTripOfFile),
                  style.quantity(answer.distanceThatFits, Quantity::length, 4)}};
     if (code == "arrival_off")
-        return {translatable(
-                    "the reflection arrives after %1 instead of %2; check distance, wave speed and clock"),
+        return {translatable("the reflection arrives after %1 instead of %2; check distance, wave speed and "
+                             "clock, and look for a section missing in the file"),
                 {time(match.roundTrip), time(match.roundTripOfFile)}};
     if (code == "sizes_off" && answer.sizeOff)
-        return {translatable("%1 changed by %2 would explain the record; measure it"),
-                {answer.sizeOff->key, style.quantity(answer.sizeOff->change, Quantity::length, 2)}};
+        return {match.zero.size() > 1
+                    ? translatable("%1 changed by %2, or another distance between the gauges, would explain "
+                                   "the record; measure both")
+                    : translatable("%1 changed by %2 would explain the record; measure it"),
+                {sizeWords(answer.sizeOff->key, scenario, style),
+                 answer.sizeOff->key.ends_with(".area")
+                     ? style.quantity(answer.sizeOff->change, Quantity::area, 2)
+                     : shortLength(answer.sizeOff->change, 2, style)}};
     if (code == "zero_jumps" && match.jumpTime)
         return {translatable("the zero level jumps %1 after the front; check cable and amplifier"),
                 {time(*match.jumpTime)}};
@@ -102,7 +122,8 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
         {"quiet_short",
          translatable("the quiet time between the blow and its reflection is short; put the gauge "
                       "further from the bit")},
-        {"one_sided", translatable("the gauge is on one side; gauges on opposite sides would show bending")},
+        {"one_sided",
+         translatable("there is no gauge on the opposite side of the rod; one would show bending")},
         {"dispersion_corrected", translatable("dispersion between gauge and bit is taken into account")},
         {"law_tried", translatable("other laws were tried because the bilinear law leaves more than noise")},
         {"law_open", translatable("another law explains the record as well; the intervals include it")},

@@ -14,8 +14,8 @@ struct PaperLines {
     bool isWhole = true;  ///< nothing is left out
 };
 
-/// As many lines of a text as paper has, each of so many columns at most: a tab and the characters of wide
-/// scripts count as they are broad.
+/// Returns the first `lines` lines of a text, broken at `columns` columns; a tab and the characters of wide
+/// scripts take several columns.
 PaperLines linesOnPaper(std::string_view text, std::size_t lines, std::size_t columns);
 
 /// A text of one line for a cell of a table: what is wider than so many columns ends with "…", and words that

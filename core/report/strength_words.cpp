@@ -2,10 +2,13 @@
 #include "core/report/strength_words.h"
 
 #include <algorithm>
+#include <string>
 
 #include "core/blow/string_blow.h"
 #include "core/model/blow_traits.h"
+#include "core/model/parameter.h"
 #include "core/model/section_words.h"
+#include "core/report/parameter_words.h"
 #include "core/text/message.h"
 
 namespace drillwave {
@@ -19,6 +22,18 @@ const char* firstPattern(const StrengthUse& use) {
                : translatable("First to yield: %1, by a compression of %2, %3 of its yield strength of %4.");
 }
 
+/// Returns the fatigue strength of the rods, or of the first section if no section is a rod.
+Message wantedStrength(const Scenario& scenario, const ReadingStyle& style) {
+    std::string key = "rod.fatigue_strength";
+    if (hasSections(scenario)) {
+        const std::vector<const Section*> sections = expandedSections(scenario.drillString);
+        const bool hasRods =
+            std::ranges::any_of(sections, [](const Section* section) { return section->name == "rod"; });
+        key = hasRods ? "string.rod.fatigue_strength" : "string.1.fatigue_strength";
+    }
+    return fieldMessage(*findParameter(key), style);
+}
+
 }  // namespace
 
 Message strengthSentence(const Scenario& scenario, const std::vector<SectionStress>& stresses,
@@ -27,8 +42,8 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
     const std::vector<std::optional<StrengthUse>> uses = strengthUses(scenario, stresses);
     const std::optional<std::size_t> most = mostUsedSection(uses);
     if (!most)
-        return translatable(
-            "No section has a strength: give `fatigue_strength` to find the one that breaks first.");
+        return {translatable("No section has a strength: give %1 to find the section that breaks first."),
+                {wantedStrength(scenario, style)}};
     const StrengthUse& use = *uses[*most];
     const auto stress = [&](double si) { return style.quantity(si, Quantity::stress, 4); };
     const Message first{
@@ -41,8 +56,8 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
                    std::nullopt));
     if (without == 0) return first;
     return {"%1 %2",
-            {first, counted(without, translatable("%1 section of the string has no strength."),
-                            translatable("%1 sections of the string have no strength."))}};
+            {first, counted(without, translatable("No strength is given for %1 section of the string."),
+                            translatable("No strength is given for %1 sections of the string."))}};
 }
 
 }  // namespace drillwave

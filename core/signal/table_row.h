@@ -38,9 +38,9 @@ class TableRow {
     std::deque<std::string> m_unquoted;
 };
 
-/// The number that a cell holds, or nothing. A sign of the other kind is no part of a number, except between
-/// groups of three digits where the format says so, or before the decimal sign: "3,676.8". Reads U+2212 as
-/// minus, no-break spaces as blanks, and exponents with D as Fortran writes them.
+/// Returns the number in a cell, or nothing. The sign that is not the decimal sign, point or comma, is only
+/// allowed between groups of three digits, if the format says so or if a decimal sign follows: "3,676.8".
+/// Reads U+2212 as minus, no-break spaces as blanks, and exponents with D as Fortran writes them.
 std::optional<double> cellNumber(std::string_view cell, const RowFormat& format);
 
 /// A cell that begins with a number, with that number in C notation, "3,66 m" as "3.66 m"; every other cell

@@ -1738,10 +1738,6 @@ Trotzdem löschen?</translation>
         <translation>für diesen Schlag nötiger Andruck</translation>
     </message>
     <message>
-        <source>work of loading</source>
-        <translation>Belastungsarbeit</translation>
-    </message>
-    <message>
         <source>a law of one line</source>
         <translation>ein Gesetz aus einer Geraden</translation>
     </message>
@@ -2558,8 +2554,8 @@ Trotzdem löschen?</translation>
         <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Impuls des Vorschubs</translation>
     </message>
     <message>
         <source>error of the energy of many blows</source>
@@ -3059,6 +3055,14 @@ Trotzdem löschen?</translation>
     <message>
         <source>least %1 at %2</source>
         <translation>kleinster Wert %1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 liegt zwischen %2 und %3</translation>
     </message>
     <message>
         <source>1 is crossed %1 times</source>
@@ -3683,8 +3687,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Identifizieren braucht ein Szenario mit physikalischen Einheiten: Die Aufzeichnung eines Messstreifens ist in Sekunden und Newton. Bearbeiten ▸ Eine Anlage aus diesen Kennzahlen machen erzeugt eines.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
-        <translation>Identifizieren liest Steifigkeit, Rückfederung und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags.</translation>
+        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
+        <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags.</translation>
     </message>
     <message>
         <source>Choose the column of the gauge.</source>
@@ -4371,19 +4375,19 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Kleinster gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Kleinster gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Größter gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Größter gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
         <translation>Die Wahl ändert die Energie des Schlags: verglichen werden Maschinen verschiedener Leistung. „Energie halten“ hält sie.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of loading.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit γ; die Belastungsarbeit zeigt, was Welle und Maschine können.</translation>
+        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as the objective.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit γ. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen.</translation>
     </message>
     <message>
         <source>Answer of the study</source>
@@ -4402,8 +4406,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Laden</translation>
     </message>
     <message>
-        <source>%1 samples of each design; errors are of 95 %.</source>
-        <translation>%1 Stichproben je Auslegung; Fehler zu 95 %.</translation>
+        <source>%1 samples of each design; ± is the 95 % error.</source>
+        <translation>%1 Stichproben je Auslegung; ± ist der 95-%-Fehler.</translation>
     </message>
     <message>
         <source>%1 samples so far, %2 to come.</source>
@@ -4411,11 +4415,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% weniger.</translation>
+        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% weniger.</translation>
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% mehr.</translation>
+        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% mehr.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4554,8 +4558,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Mittel</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>wie es ist</translation>
+        <source>values entered</source>
+        <translation>eingegebene Werte</translation>
     </message>
     <message>
         <source>equally good</source>
@@ -5571,8 +5575,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>one slope</source>
-        <translation>eine Steigung</translation>
+        <source>one line</source>
+        <translation>eine Gerade</translation>
     </message>
     <message>
         <source>yields once</source>
@@ -5690,8 +5694,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>Rückfederung</translation>
+        <source>elasticity</source>
+        <translation>Elastizität</translation>
     </message>
     <message>
         <source>tolerance</source>
@@ -6201,8 +6205,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Das Kennfeld folgt.</translation>
     </message>
     <message>
-        <source>%1 … %2</source>
-        <translation>%1 … %2</translation>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 liegt zwischen %2 und %3</translation>
     </message>
     <message>
         <source> · nowhere %1</source>
@@ -6406,8 +6410,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist kleiner als die der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
     </message>
     <message>
-        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
-        <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen, berechnet für eine lange Stange.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. Reflections that return to the hammer are neglected here.</source>
+        <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen. Rückläufe zum Hammer sind dabei vernachlässigt.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
@@ -6438,12 +6442,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer time step.</source>
-        <translation>Längen mit einem größeren gemeinsamen Teiler haben einen längeren Zeitschritt gemeinsam.</translation>
+        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
+        <translation>Längen mit größerem gemeinsamem Teiler wählen (z. B. 50 mm): weniger Zeitschritte.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
-        <translation>Längen in ganzen Millimetern aus einem Stahl haben einen Zeitschritt gemeinsam und sind genau.</translation>
+        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
+        <translation>Alle Längen in ganzen Millimetern eingeben, ein Stahl: dann ist der Zeitschritt genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -8638,12 +8642,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zur Wahl: %1.</translation>
     </message>
     <message>
-        <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegung, %2 Stichproben; Fehler zu 95&#xa0;%.</translation>
+        <source>%1 design with %2 samples; +- is the 95 % error.</source>
+        <translation>%1 Auslegung mit %2 Stichproben; +- ist der 95-%-Fehler.</translation>
     </message>
     <message>
-        <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegungen, je %2 Stichproben, für alle dieselben; Fehler zu 95&#xa0;%.</translation>
+        <source>%1 designs with %2 samples each, the same for all; +- is the 95 % error.</source>
+        <translation>%1 Auslegungen mit je %2 Stichproben, für alle dieselben; +- ist der 95-%-Fehler.</translation>
     </message>
     <message>
         <source>design</source>
@@ -8699,11 +8703,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Kleinster in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Kleinster in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Größter in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Größter in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and is left out: %2.</source>
@@ -8714,12 +8718,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Stichproben konnten nicht gelöst werden und sind weggelassen: %2.</translation>
     </message>
     <message>
-        <source>%1 design with more than 0.1 % of them has no statistics.</source>
-        <translation>%1 Auslegung mit mehr als 0,1&#xa0;% davon hat keine Statistik.</translation>
+        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 Auslegung hat zu viele ungelöste Stichproben (über 0,1 %) und keine Statistik.</translation>
     </message>
     <message>
-        <source>%1 designs with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 Auslegungen mit mehr als 0,1&#xa0;% davon haben keine Statistik.</translation>
+        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 Auslegungen haben zu viele ungelöste Stichproben (über 0,1 %) und keine Statistik.</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
@@ -8747,19 +8751,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Die robusteste Auslegung liegt am oberen Ende von %1: die Wahl erweitern.</translation>
+        <translation>Die beste Auslegung für unsicheres Gestein liegt am oberen Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Die robusteste Auslegung liegt am unteren Ende von %1: die Wahl erweitern.</translation>
+        <translation>Die beste Auslegung für unsicheres Gestein liegt am unteren Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
         <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit gamma; loading_work zeigt, was Welle und Maschine können: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit gamma. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10826,6 +10830,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Von %1 auf %2 wechseln: %3 wird %4 statt %5.</translation>
     </message>
     <message>
+        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
+        <translation>%1 von %2 auf %3 ändern: %4 wird %5 statt %6.</translation>
+    </message>
+    <message>
         <source>feed required</source>
         <translation>Andruck erforderlich</translation>
     </message>
@@ -11096,6 +11104,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
         <translation>Von %1 auf %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
+        <translation>%1 von %2 auf %3 ändern: %4 ist %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11738,20 +11750,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
-        <translation>Kein Abschnitt hat eine Festigkeit: `fatigue_strength` angeben, um zu sehen, welcher zuerst bricht.</translation>
+        <source>No section has a strength: give %1 to find the section that breaks first.</source>
+        <translation>Kein Abschnitt hat eine Festigkeit: %1 angeben, um zu sehen, welcher zuerst bricht.</translation>
     </message>
     <message>
         <source>the rod</source>
         <translation>die Stange</translation>
     </message>
     <message>
-        <source>%1 section of the string has no strength.</source>
-        <translation>%1 Abschnitt des Strangs hat keine Festigkeit.</translation>
+        <source>No strength is given for %1 section of the string.</source>
+        <translation>Für %1 Abschnitt des Strangs ist keine Festigkeit angegeben.</translation>
     </message>
     <message>
-        <source>%1 sections of the string have no strength.</source>
-        <translation>%1 Abschnitte des Strangs haben keine Festigkeit.</translation>
+        <source>No strength is given for %1 sections of the string.</source>
+        <translation>Für %1 Abschnitte des Strangs ist keine Festigkeit angegeben.</translation>
     </message>
     <message>
         <source>is empty; leave it out for a section without a preset</source>
@@ -12002,8 +12014,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>Rückfederung</translation>
+        <source>elasticity</source>
+        <translation>Elastizität</translation>
     </message>
     <message>
         <source>bit not seated</source>
@@ -12182,12 +12194,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>abgelehnt</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock.</source>
-        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen.</translation>
+        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
+        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod.</source>
-        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen.</translation>
+        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
+        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
+    </message>
+    <message>
+        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
+        <translation>Ein Abschnitt zur Krone hin oder der Abstand der Messstellen voneinander weicht von der Datei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
     </message>
     <message>
         <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
@@ -12206,12 +12222,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen und den Rest ansehen.</translation>
     </message>
     <message>
+        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, and look at the residual.</source>
+        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin oder der Abstand der Messstellen voneinander weichen von der Datei ab: den Kronenkopf und diesen Abstand prüfen und das Residuum ansehen.</translation>
+    </message>
+    <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Das Modell stimmt nicht mit der Aufzeichnung überein, daher ist über das Gestein nichts bekannt. %1</translation>
     </message>
     <message>
         <source>The record agrees with the rock of the file.</source>
         <translation>Die Aufzeichnung stimmt mit dem Gestein der Datei überein.</translation>
+    </message>
+    <message>
+        <source>The record contradicts the rock of the file.</source>
+        <translation>Die Aufzeichnung widerspricht dem Gestein der Datei.</translation>
     </message>
     <message>
         <source>The record differs from the rock of the file.</source>
@@ -12226,32 +12250,36 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das einmal nachgibt.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock of one slope.</source>
-        <translation>Die Aufzeichnung stimmt mit einem Gestein mit einer einzigen Steigung überein.</translation>
+        <source>The record agrees with a rock that loads along one line.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das sich entlang einer Geraden belastet.</translation>
     </message>
     <message>
-        <source>Stiffness, springback and gap are known.</source>
-        <translation>Steifigkeit, Rückfederung und Spalt sind bekannt.</translation>
+        <source>Stiffness, elasticity and gap are known.</source>
+        <translation>Steifigkeit, Elastizität und Spalt sind bekannt.</translation>
     </message>
     <message>
-        <source>Stiffness and springback are known, the gap is not.</source>
-        <translation>Steifigkeit und Rückfederung sind bekannt, der Spalt nicht.</translation>
+        <source>Stiffness and elasticity are known, the gap is not.</source>
+        <translation>Steifigkeit und Elastizität sind bekannt, der Spalt nicht.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the springback is not.</source>
-        <translation>Die Steifigkeit ist bekannt, die Rückfederung nicht.</translation>
+        <source>The stiffness is known, the elasticity is not.</source>
+        <translation>Die Steifigkeit ist bekannt, die Elastizität nicht.</translation>
     </message>
     <message>
-        <source>The springback is known, the stiffness is not.</source>
-        <translation>Die Rückfederung ist bekannt, die Steifigkeit nicht.</translation>
+        <source>The elasticity is known, the stiffness is not.</source>
+        <translation>Die Elastizität ist bekannt, die Steifigkeit nicht.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor springback is known to 20 %.</source>
-        <translation>Weder Steifigkeit noch Rückfederung sind auf 20&#xa0;% genau bekannt.</translation>
+        <source>Neither stiffness nor elasticity is known to 20 %.</source>
+        <translation>Weder Steifigkeit noch Elastizität sind auf 20 % genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
         <translation>Wellen von %1 der Spitze erklärt das Modell nicht; sie verbreitern alle Intervalle</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are not explained by the model</source>
+        <translation>Wellen von %1 der Spitze erklärt das Modell nicht</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are there before the front; measure a single blow</source>
@@ -12262,12 +12290,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen</translation>
     </message>
     <message>
-        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock</source>
-        <translation>die Reflexion kommt nach %1 statt %2 an; Abstand, Wellengeschwindigkeit und Takt prüfen</translation>
+        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock, and look for a section missing in the file</source>
+        <translation>die Reflexion kommt nach %1 statt %2 an; Abstand, Wellengeschwindigkeit und Takt prüfen, und ob in der Datei ein Abschnitt fehlt</translation>
     </message>
     <message>
         <source>%1 changed by %2 would explain the record; measure it</source>
         <translation>%1, um %2 geändert, würde die Aufzeichnung erklären; nachmessen</translation>
+    </message>
+    <message>
+        <source>%1 changed by %2, or another distance between the gauges, would explain the record; measure both</source>
+        <translation>%1, um %2 geändert, oder ein anderer Abstand der Messstellen voneinander würde die Aufzeichnung erklären; beide nachmessen</translation>
     </message>
     <message>
         <source>the zero level jumps %1 after the front; check cable and amplifier</source>
@@ -12294,8 +12326,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die ruhige Zeit zwischen dem Schlag und seiner Reflexion ist kurz; die Messstelle weiter von der Krone entfernt anbringen</translation>
     </message>
     <message>
-        <source>the gauge is on one side; gauges on opposite sides would show bending</source>
-        <translation>der Messstreifen sitzt auf einer Seite; Messstreifen auf gegenüberliegenden Seiten würden Biegung zeigen</translation>
+        <source>there is no gauge on the opposite side of the rod; one would show bending</source>
+        <translation>auf der gegenüberliegenden Seite der Stange ist kein Messstreifen; er würde Biegung zeigen</translation>
     </message>
     <message>
         <source>dispersion between gauge and bit is taken into account</source>
@@ -14022,7 +14054,7 @@ in %4</translation>
     <name>drillwave::ScanRects</name>
     <message>
         <source>blows in contact</source>
-        <translation>Schläge aus dem Kontakt</translation>
+        <translation>Schläge im Kontakt</translation>
     </message>
     <message>
         <source>constant force</source>
@@ -14038,7 +14070,7 @@ in %4</translation>
     </message>
     <message>
         <source>started bouncing</source>
-        <translation>federnd begonnen</translation>
+        <translation>springend begonnen</translation>
     </message>
     <message>
         <source>%1 (of an earlier scenario: scan again)</source>
@@ -14050,7 +14082,7 @@ in %4</translation>
     </message>
     <message>
         <source>blows in contact [%]</source>
-        <translation>aus dem Kontakt [%]</translation>
+        <translation>Schläge im Kontakt [%]</translation>
     </message>
 </context>
 <context>
@@ -15704,8 +15736,8 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
         <translation>Ergebnisse in SI-Einheiten</translation>
     </message>
     <message>
-        <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
-        <translation>Punkte auch schreiben, dazu FILE.csv.yaml, Ziele in FILE_goal.csv; - gibt Punkte aus</translation>
+        <source>also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to FILE_goal.csv; - prints the points instead</source>
+        <translation>auch Kurvenpunkte nach FILE.csv schreiben, Einstellungen nach FILE.csv.yaml, Orte des Ziels nach FILE_goal.csv; - gibt die Punkte aus</translation>
     </message>
     <message>
         <source>an output over two parameters, and its contours</source>
@@ -15762,8 +15794,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
 --gap-deviation, auch für einen normalverteilten Spalt (bei null abgeschnitten).</translation>
     </message>
     <message>
-        <source>standard deviation of the scattered gap</source>
-        <translation>Standardabweichung des gestreuten Spalts</translation>
+        <source>standard deviation of the random (normal) gap</source>
+        <translation>Standardabweichung des zufälligen (normalverteilten) Spalts</translation>
     </message>
     <message>
         <source>also write the results along the gap; - prints them instead of the table</source>
@@ -15778,8 +15810,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, seed of the scattered intervals</source>
-        <translation>kurz für --set drill.seed=N: Startwert der Streuung der Schlagabstände</translation>
+        <source>short for --set drill.seed=N, seed of the random blow intervals</source>
+        <translation>kurz für --set drill.seed=N: Startwert der zufälligen Schlagabstände</translation>
     </message>
     <message>
         <source>scan these values; :log after the count, or KEY=A,B,C</source>
@@ -15822,8 +15854,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
     </message>
     <message>
-        <source>or min:…; one to three, the first decides</source>
-        <translation>oder min:…; eines bis drei, das erste entscheidet</translation>
+        <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
+        <translation>zu maximierende Zielgröße, oder min:… zum Minimieren; bis zu drei, die erste ordnet die Auslegungen</translation>
     </message>
     <message>
         <source>scale the blow of every design to the blow energy of FILE</source>
@@ -15850,8 +15882,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>für wen er ist</translation>
     </message>
     <message>
-        <source>date as text (default: none)</source>
-        <translation>von wann er ist, so wie es dort stehen soll; ohne Angabe kein Datum</translation>
+        <source>print this date in the report, any text (default: none)</source>
+        <translation>dieses Datum in den Bericht drucken, beliebiger Text (Vorgabe: keines)</translation>
     </message>
     <message>
         <source>where to write; - prints the HTML</source>
@@ -16018,8 +16050,8 @@ des Fensters eingesetzt werden.</translation>
         <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Impuls des Vorschubs</translation>
     </message>
     <message>
         <source>error of the energy balance of all blows, over the hammer work</source>
@@ -16072,8 +16104,8 @@ des Handbuchs, an denen es vorkommt, die besten zuerst.</translation>
         <translation>die Version des Programms ausgeben</translation>
     </message>
     <message>
-        <source>keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended</source>
-        <translation>fertige Zeilen in FILE.csv.partial behalten und hinter denen eines beendeten Laufs weitergehen</translation>
+        <source>keep completed rows in FILE.csv.partial, and resume an interrupted run after them</source>
+        <translation>fertige Zeilen in FILE.csv.partial behalten und einen unterbrochenen Lauf nach ihnen fortsetzen</translation>
     </message>
     <message>
         <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
@@ -16280,8 +16312,8 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>CSV mit Semikolons und Dezimalkommas</translation>
     </message>
     <message>
-        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2 (default: the gap of FILE)</source>
-        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2 (Vorgabe: der Spalt von FILE)</translation>
+        <source>mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: the gap of FILE)</source>
+        <translation>Mittel des zufälligen (normalverteilten) Spalts, z. B. 0.5mm, oder 0.2 in Einheiten von d0 (Vorgabe: der Spalt von FILE)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
@@ -16304,16 +16336,16 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>Zahl der Gittersegmente (Vorgabe: 10000, wie im Artikel)</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow (default: 1000000, at worst some seconds)</source>
-        <translation>höchste Zahl der Wellenstücke eines Schlags (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
+        <source>give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)</source>
+        <translation>einen Schlag abbrechen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
     </message>
     <message>
         <source>output columns, see below (default: cor)</source>
         <translation>Spalten der Ausgaben, siehe unten (Vorgabe: cor)</translation>
     </message>
     <message>
-        <source>most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)</source>
-        <translation>höchste Zahl der Wellenstücke einer Zeile; mit mehr sind ihre Zellen leer (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>die Ausgaben einer Zeile leer lassen, die mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
@@ -16328,8 +16360,8 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow; one with more has no answer (default: 1000000)</source>
-        <translation>höchste Zahl der Wellenstücke eines Schlags; einer mit mehr hat keine Antwort (Vorgabe: 1000000)</translation>
+        <source>skip a blow that needs more than N wave pieces (default: 1000000)</source>
+        <translation>einen Schlag auslassen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000)</translation>
     </message>
     <message>
         <source>output to map, see below (default: cor)</source>
@@ -16340,8 +16372,8 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>ein JSON-Objekt mit den Höhenlinien anstelle der Zusammenfassung ausgeben</translation>
     </message>
     <message>
-        <source>most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)</source>
-        <translation>höchste Zahl der Wellenstücke eines Punkts; einer mit mehr hat keine Ausgabe (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>einen Punkt auslassen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
     </message>
     <message>
         <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
@@ -16416,8 +16448,8 @@ von beiden bekannt ist.
 Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
     </message>
     <message>
-        <source>Also write tables, draws and the identified scenario into DIR</source>
-        <translation>Auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
+        <source>also write tables, draws and the identified scenario into DIR</source>
+        <translation>auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
     </message>
     <message>
         <source>upper limit for every design</source>
@@ -16428,56 +16460,44 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
         <translation>Untergrenze für jede Auslegung</translation>
     </message>
     <message>
-        <source>Read these records of strain gauges, in their order along the hole</source>
-        <translation>Diese Aufzeichnungen von Dehnungsmessstreifen lesen, in ihrer Folge im Bohrloch</translation>
+        <source>read these records of strain gauges, in their order along the hole</source>
+        <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen, in ihrer Folge im Bohrloch</translation>
     </message>
     <message>
-        <source>Use one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>Eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
+        <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
     </message>
     <message>
-        <source>Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
-        <translation>auto, bilinear oder corner anpassen; file prüft das Gestein der Datei (Vorgabe: auto)</translation>
+        <source>fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
+        <translation>auto, bilinear oder corner anpassen; file prüft das Gestein von FILE (Vorgabe: auto)</translation>
     </message>
     <message>
-        <source>Set the 95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>Die 95-%-Toleranz von gain, zero, gauge oder einem Maß setzen; siehe unten</translation>
+        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>95-%-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
     </message>
     <message>
-        <source>Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
-        <translation>Auflage wählen: rigid (starr), oder bar für eine Probe zwischen zwei gleichen Stäben (Standard: rigid)</translation>
+        <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
+        <translation>Auflage: rigid (starr), oder bar für eine Probe zwischen zwei gleichen Stäben (Vorgabe: rigid)</translation>
     </message>
     <message>
-        <source>Predict the gauge on the bar behind, by its distance from the specimen</source>
-        <translation>Die Messstelle am hinteren Stab vorhersagen, mit ihrem Abstand von der Probe</translation>
+        <source>predict the gauge on the bar behind, by its distance from the specimen</source>
+        <translation>die Messstelle am hinteren Stab vorhersagen, mit ihrem Abstand von der Probe</translation>
     </message>
     <message>
-        <source>Take dispersion as fit, bar or none (default: fit)</source>
+        <source>take dispersion as fit, bar or none (default: fit)</source>
         <translation>Dispersion als fit, bar oder none ansetzen (Vorgabe: fit)</translation>
     </message>
     <message>
-        <source>End the window this long after the returning wave arrives</source>
-        <translation>Das Fenster so lange nach Ankunft der rücklaufenden Welle beenden</translation>
+        <source>end the window this long after the returning wave arrives</source>
+        <translation>das Fenster so lange nach Ankunft der rücklaufenden Welle beenden</translation>
     </message>
     <message>
-        <source>Identify the first or all fronts of a record (default: first)</source>
-        <translation>Den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
+        <source>identify the first or all fronts of a record (default: first)</source>
+        <translation>den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
     </message>
     <message>
-        <source>Draw other noise (default: 1)</source>
-        <translation>Anderes Rauschen ziehen (Vorgabe: 1)</translation>
-    </message>
-    <message>
-        <source>Use N threads (default: all of them)</source>
-        <translation>N Threads verwenden (Vorgabe: alle)</translation>
-    </message>
-    <message>
-        <source>Print one JSON object instead of the table</source>
-        <translation>Ein JSON-Objekt statt der Tabelle ausgeben</translation>
-    </message>
-    <message>
-        <source>Overwrite existing files</source>
-        <translation>Vorhandene Dateien überschreiben</translation>
+        <source>seed of noise and draws (default: 1)</source>
+        <translation>Startwert für Rauschen und Ziehungen (Vorgabe: 1)</translation>
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
@@ -16493,8 +16513,8 @@ der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, m
 Spannungen.</translation>
     </message>
     <message>
-        <source>also contain these studies, with the settings of FILE: drill, continuous drilling; design, the study of its block `design`</source>
-        <translation>enthält auch diese Studien, mit den Einstellungen von FILE: drill, fortlaufendes Bohren; design, die Studie seines Blocks `design`</translation>
+        <source>add studies: drill (continuous drilling), design (block `design` of FILE)</source>
+        <translation>Studien hinzufügen: drill (fortlaufendes Bohren), design (Block `design` von FILE)</translation>
     </message>
     <message>
         <source>number of threads of --with (default: all)</source>

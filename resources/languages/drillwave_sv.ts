@@ -1738,10 +1738,6 @@ Ta bort ändå?</translation>
         <translation>matningskraft som slaget kräver</translation>
     </message>
     <message>
-        <source>work of loading</source>
-        <translation>belastningsarbete</translation>
-    </message>
-    <message>
         <source>a law of one line</source>
         <translation>en lag med en linje</translation>
     </message>
@@ -2558,8 +2554,8 @@ Ta bort ändå?</translation>
         <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>fel i rörelsemängdens balans för alla slag, relativt matningens impuls</translation>
     </message>
     <message>
         <source>error of the energy of many blows</source>
@@ -3059,6 +3055,14 @@ Ta bort ändå?</translation>
     <message>
         <source>least %1 at %2</source>
         <translation>minsta värde %1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 ligger mellan %2 och %3</translation>
     </message>
     <message>
         <source>1 is crossed %1 times</source>
@@ -3683,8 +3687,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Identifiera behöver ett scenario med fysiska enheter: en givares inspelning är i sekunder och newton. Redigera ▸ Gör en rigg av dessa tal skapar ett.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
-        <translation>Identifiera läser bergets styvhet, återfjädring och spalt ur töjningsgivare på stången. Öppna en inspelning av ett slag.</translation>
+        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
+        <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna en inspelning av ett slag.</translation>
     </message>
     <message>
         <source>Choose the column of the gauge.</source>
@@ -4371,19 +4375,19 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Minsta funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Minsta funna värde (%1) för den bästa konstruktionen för osäkert berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Största funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
         <translation>Valen ändrar slagets energi: maskiner med olika effekt jämförs. ”behåll energin” behåller den.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of loading.</source>
-        <translation>Verkningsgraden sprider nästan bara med γ; belastningsarbetet visar vad våg och maskin förmår.</translation>
+        <source>Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as the objective.</source>
+        <translation>Verkningsgraden sprider nästan bara med γ. Välj belastningsarbetet som målstorhet för att jämföra hammare.</translation>
     </message>
     <message>
         <source>Answer of the study</source>
@@ -4402,8 +4406,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Ladda</translation>
     </message>
     <message>
-        <source>%1 samples of each design; errors are of 95 %.</source>
-        <translation>%1 stickprov per konstruktion; fel på 95 %.</translation>
+        <source>%1 samples of each design; ± is the 95 % error.</source>
+        <translation>%1 stickprov per konstruktion; ± är 95 %-felet.</translation>
     </message>
     <message>
         <source>%1 samples so far, %2 to come.</source>
@@ -4411,11 +4415,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Där allt är som i filen har den robustaste %1&#xa0;% mindre.</translation>
+        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
     </message>
     <message>
         <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Där allt är som i filen har den robustaste %1&#xa0;% mer.</translation>
+        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mer.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4554,8 +4558,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>medel</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>som det är</translation>
+        <source>values entered</source>
+        <translation>angivna värden</translation>
     </message>
     <message>
         <source>equally good</source>
@@ -5571,8 +5575,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>automatiskt</translation>
     </message>
     <message>
-        <source>one slope</source>
-        <translation>en lutning</translation>
+        <source>one line</source>
+        <translation>en rät linje</translation>
     </message>
     <message>
         <source>yields once</source>
@@ -5690,8 +5694,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>styvhet</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>återfjädring</translation>
+        <source>elasticity</source>
+        <translation>elasticitet</translation>
     </message>
     <message>
         <source>tolerance</source>
@@ -6201,8 +6205,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Kartan följer.</translation>
     </message>
     <message>
-        <source>%1 … %2</source>
-        <translation>%1 … %2</translation>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 ligger mellan %2 och %3</translation>
     </message>
     <message>
         <source> · nowhere %1</source>
@@ -6406,8 +6410,8 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är lägre än stångens: den studsar tillbaka efter ett steg, så att stången tar över mer än dess rörelsemängd.</translation>
     </message>
     <message>
-        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
-        <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg, beräknade för en lång stång.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. Reflections that return to the hammer are neglected here.</source>
+        <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg. Reflexer tillbaka till hammaren försummas här.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
@@ -6438,12 +6442,12 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer time step.</source>
-        <translation>Längder med en större gemensam delare har ett längre gemensamt tidssteg.</translation>
+        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
+        <translation>Välj längder med större gemensam delare (t.ex. 50 mm): färre tidssteg.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
-        <translation>Längder i hela millimeter av ett och samma stål har ett gemensamt tidssteg och är exakta.</translation>
+        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
+        <translation>Ange alla längder i hela millimeter, ett stål: då är tidssteget exakt.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -8638,12 +8642,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Val: %1.</translation>
     </message>
     <message>
-        <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 konstruktion, %2 stickprov, samma för alla; felen är 95&#xa0;%-fel.</translation>
+        <source>%1 design with %2 samples; +- is the 95 % error.</source>
+        <translation>%1 konstruktion med %2 stickprov; +- är 95 %-felet.</translation>
     </message>
     <message>
-        <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 konstruktioner, %2 stickprov per konstruktion, samma för alla; felen är 95&#xa0;%-fel.</translation>
+        <source>%1 designs with %2 samples each, the same for all; +- is the 95 % error.</source>
+        <translation>%1 konstruktioner med %2 stickprov var, samma för alla; +- är 95 %-felet.</translation>
     </message>
     <message>
         <source>design</source>
@@ -8699,11 +8703,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Minsta funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Minsta funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Största funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and is left out: %2.</source>
@@ -8714,12 +8718,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
     </message>
     <message>
-        <source>%1 design with more than 0.1 % of them has no statistics.</source>
-        <translation>%1 konstruktion med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
+        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 konstruktion har för många olösta stickprov (över 0,1 %) och saknar statistik.</translation>
     </message>
     <message>
-        <source>%1 designs with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 konstruktioner med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
+        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
+        <translation>%1 konstruktioner har för många olösta stickprov (över 0,1 %) och saknar statistik.</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
@@ -8747,19 +8751,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Den robustaste konstruktionen ligger vid övre änden av %1: vidga valet.</translation>
+        <translation>Den bästa konstruktionen för osäkert berg ligger vid övre änden av %1: vidga valet.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Den robustaste konstruktionen ligger vid nedre änden av %1: vidga valet.</translation>
+        <translation>Den bästa konstruktionen för osäkert berg ligger vid nedre änden av %1: vidga valet.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
         <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
-        <translation>Spridningen i verkningsgraden kommer nästan helt från gamma; loading_work visar vad våg och maskin kan åstadkomma: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Verkningsgraden sprider nästan bara med gamma. Välj belastningsarbetet som målstorhet för att jämföra hammare: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10826,6 +10830,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
     </message>
     <message>
+        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
+        <translation>Ändra %1 från %2 till %3: %4 blir %5 i stället för %6.</translation>
+    </message>
+    <message>
         <source>feed required</source>
         <translation>matningskraft som krävs</translation>
     </message>
@@ -11096,6 +11104,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
         <translation>Byt från %1 till %2: %3 är %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+    </message>
+    <message>
+        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
+        <translation>Ändra %1 från %2 till %3: %4 är %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11738,20 +11750,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
-        <translation>Ingen sektion har en hållfasthet: ange `fatigue_strength` för att se vilken som brister först.</translation>
+        <source>No section has a strength: give %1 to find the section that breaks first.</source>
+        <translation>Ingen sektion har en hållfasthet: ange %1 för att se vilken som brister först.</translation>
     </message>
     <message>
         <source>the rod</source>
         <translation>stången</translation>
     </message>
     <message>
-        <source>%1 section of the string has no strength.</source>
-        <translation>%1 sektion av strängen har ingen hållfasthet.</translation>
+        <source>No strength is given for %1 section of the string.</source>
+        <translation>Hållfasthet saknas för %1 sektion av strängen.</translation>
     </message>
     <message>
-        <source>%1 sections of the string have no strength.</source>
-        <translation>%1 sektioner av strängen har ingen hållfasthet.</translation>
+        <source>No strength is given for %1 sections of the string.</source>
+        <translation>Hållfasthet saknas för %1 sektioner av strängen.</translation>
     </message>
     <message>
         <source>is empty; leave it out for a section without a preset</source>
@@ -12002,8 +12014,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>styvhet</translation>
     </message>
     <message>
-        <source>springback</source>
-        <translation>återfjädring</translation>
+        <source>elasticity</source>
+        <translation>elasticitet</translation>
     </message>
     <message>
         <source>bit not seated</source>
@@ -12182,12 +12194,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avvisad</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock.</source>
-        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan.</translation>
+        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
+        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan, och om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod.</source>
-        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången.</translation>
+        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
+        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
+    </message>
+    <message>
+        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
+        <translation>En sektion mot kronan, eller avståndet mellan givarna, avviker från filen: mät det avståndet, kronhuvudet och stången.</translation>
     </message>
     <message>
         <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
@@ -12206,12 +12222,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och se på resten.</translation>
     </message>
     <message>
+        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, and look at the residual.</source>
+        <translation>Berget följer en annan lag, eller sektionerna mot kronan eller avståndet mellan givarna avviker från filen: kontrollera kronhuvudet och det avståndet, och titta på residualen.</translation>
+    </message>
+    <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Modellen stämmer inte med mätningen, så inget är känt om berget. %1</translation>
     </message>
     <message>
         <source>The record agrees with the rock of the file.</source>
         <translation>Mätningen stämmer med filens berg.</translation>
+    </message>
+    <message>
+        <source>The record contradicts the rock of the file.</source>
+        <translation>Mätningen motsäger filens berg.</translation>
     </message>
     <message>
         <source>The record differs from the rock of the file.</source>
@@ -12226,32 +12250,36 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen stämmer med ett berg som ger efter en gång.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock of one slope.</source>
-        <translation>Mätningen stämmer med ett berg med en enda lutning.</translation>
+        <source>The record agrees with a rock that loads along one line.</source>
+        <translation>Mätningen stämmer med ett berg som belastas längs en rät linje.</translation>
     </message>
     <message>
-        <source>Stiffness, springback and gap are known.</source>
-        <translation>Styvhet, återfjädring och spalt är kända.</translation>
+        <source>Stiffness, elasticity and gap are known.</source>
+        <translation>Styvhet, elasticitet och spalt är kända.</translation>
     </message>
     <message>
-        <source>Stiffness and springback are known, the gap is not.</source>
-        <translation>Styvhet och återfjädring är kända, men inte spalten.</translation>
+        <source>Stiffness and elasticity are known, the gap is not.</source>
+        <translation>Styvhet och elasticitet är kända, men inte spalten.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the springback is not.</source>
-        <translation>Styvheten är känd, men inte återfjädringen.</translation>
+        <source>The stiffness is known, the elasticity is not.</source>
+        <translation>Styvheten är känd, men inte elasticiteten.</translation>
     </message>
     <message>
-        <source>The springback is known, the stiffness is not.</source>
-        <translation>Återfjädringen är känd, men inte styvheten.</translation>
+        <source>The elasticity is known, the stiffness is not.</source>
+        <translation>Elasticiteten är känd, men inte styvheten.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor springback is known to 20 %.</source>
-        <translation>Varken styvhet eller återfjädring är känd på 20&#xa0;% när.</translation>
+        <source>Neither stiffness nor elasticity is known to 20 %.</source>
+        <translation>Varken styvhet eller elasticitet är känd på 20 % när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
         <translation>vågor på %1 av toppen förklaras inte av modellen; de vidgar alla intervall</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are not explained by the model</source>
+        <translation>vågor på %1 av toppen förklaras inte av modellen</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are there before the front; measure a single blow</source>
@@ -12262,12 +12290,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa</translation>
     </message>
     <message>
-        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock</source>
-        <translation>reflexionen kommer efter %1 i stället för %2; kontrollera avstånd, våghastighet och klocka</translation>
+        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock, and look for a section missing in the file</source>
+        <translation>reflexionen kommer efter %1 i stället för %2; kontrollera avstånd, våghastighet och klocka, och om en sektion saknas i filen</translation>
     </message>
     <message>
         <source>%1 changed by %2 would explain the record; measure it</source>
         <translation>%1, ändrat med %2, skulle förklara mätningen; mät det</translation>
+    </message>
+    <message>
+        <source>%1 changed by %2, or another distance between the gauges, would explain the record; measure both</source>
+        <translation>%1, ändrat med %2, eller ett annat avstånd mellan givarna skulle förklara mätningen; mät båda</translation>
     </message>
     <message>
         <source>the zero level jumps %1 after the front; check cable and amplifier</source>
@@ -12294,8 +12326,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>den lugna tiden mellan slaget och dess reflexion är kort; sätt givaren längre från kronan</translation>
     </message>
     <message>
-        <source>the gauge is on one side; gauges on opposite sides would show bending</source>
-        <translation>givaren sitter på en sida; givare på motstående sidor skulle visa böjning</translation>
+        <source>there is no gauge on the opposite side of the rod; one would show bending</source>
+        <translation>det finns ingen givare på motstående sida av stången; den skulle visa böjning</translation>
     </message>
     <message>
         <source>dispersion between gauge and bit is taken into account</source>
@@ -14022,7 +14054,7 @@ i %4</translation>
     <name>drillwave::ScanRects</name>
     <message>
         <source>blows in contact</source>
-        <translation>slag från kontakt</translation>
+        <translation>slag i kontakt</translation>
     </message>
     <message>
         <source>constant force</source>
@@ -14038,7 +14070,7 @@ i %4</translation>
     </message>
     <message>
         <source>started bouncing</source>
-        <translation>startad studsande</translation>
+        <translation>startade studsande</translation>
     </message>
     <message>
         <source>%1 (of an earlier scenario: scan again)</source>
@@ -14050,7 +14082,7 @@ i %4</translation>
     </message>
     <message>
         <source>blows in contact [%]</source>
-        <translation>från kontakt [%]</translation>
+        <translation>slag i kontakt [%]</translation>
     </message>
 </context>
 <context>
@@ -15699,8 +15731,8 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
         <translation>resultat i SI-enheter</translation>
     </message>
     <message>
-        <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
-        <translation>skriv även punkter, FILE.csv.yaml och FILE_goal.csv (målet); - skriver bara ut punkter</translation>
+        <source>also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to FILE_goal.csv; - prints the points instead</source>
+        <translation>skriv även kurvpunkter till FILE.csv, inställningar till FILE.csv.yaml, målets ställen till FILE_goal.csv; - skriver bara ut punkterna</translation>
     </message>
     <message>
         <source>an output over two parameters, and its contours</source>
@@ -15757,8 +15789,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
 (avskuren vid noll).</translation>
     </message>
     <message>
-        <source>standard deviation of the scattered gap</source>
-        <translation>den spridda spaltens standardavvikelse</translation>
+        <source>standard deviation of the random (normal) gap</source>
+        <translation>den slumpmässiga (normalfördelade) spaltens standardavvikelse</translation>
     </message>
     <message>
         <source>also write the results along the gap; - prints them instead of the table</source>
@@ -15773,8 +15805,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, seed of the scattered intervals</source>
-        <translation>kortform för --set drill.seed=N, startvärdet för intervallens spridning</translation>
+        <source>short for --set drill.seed=N, seed of the random blow intervals</source>
+        <translation>kortform för --set drill.seed=N, startvärde för de slumpmässiga slagintervallen</translation>
     </message>
     <message>
         <source>scan these values; :log after the count, or KEY=A,B,C</source>
@@ -15817,8 +15849,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>rader med värden som hör ihop, med huvud som för table</translation>
     </message>
     <message>
-        <source>or min:…; one to three, the first decides</source>
-        <translation>eller min:…; ett till tre mål, det första avgör</translation>
+        <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
+        <translation>målstorhet att maximera, eller min:… att minimera; upp till tre, den första rangordnar konstruktionerna</translation>
     </message>
     <message>
         <source>scale the blow of every design to the blow energy of FILE</source>
@@ -15845,8 +15877,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>vem den är avsedd för</translation>
     </message>
     <message>
-        <source>date as text (default: none)</source>
-        <translation>dess datum, så som det ska stå; inget om inte angivet</translation>
+        <source>print this date in the report, any text (default: none)</source>
+        <translation>skriv detta datum i rapporten, valfri text (standard: inget)</translation>
     </message>
     <message>
         <source>where to write; - prints the HTML</source>
@@ -16011,8 +16043,8 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
     </message>
     <message>
-        <source>error of the momentum balance of all blows, over the impulse of the feed</source>
-        <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
+        <source>momentum balance error of all blows, relative to the feed impulse</source>
+        <translation>fel i rörelsemängdens balans för alla slag, relativt matningens impuls</translation>
     </message>
     <message>
         <source>error of the energy balance of all blows, over the hammer work</source>
@@ -16065,8 +16097,8 @@ handboken där ordet förekommer, de bästa först.</translation>
         <translation>skriva ut programmets version</translation>
     </message>
     <message>
-        <source>keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended</source>
-        <translation>behåll färdiga rader i FILE.csv.partial, och fortsätt efter dem från en avslutad körning</translation>
+        <source>keep completed rows in FILE.csv.partial, and resume an interrupted run after them</source>
+        <translation>behåll färdiga rader i FILE.csv.partial och återuppta en avbruten körning efter dem</translation>
     </message>
     <message>
         <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
@@ -16272,8 +16304,8 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>CSV med semikolon och decimalkomma</translation>
     </message>
     <message>
-        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2 (default: the gap of FILE)</source>
-        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2 (standard: spalten i FILE)</translation>
+        <source>mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: the gap of FILE)</source>
+        <translation>medelvärde för den slumpmässiga (normalfördelade) spalten, t.ex. 0.5mm, eller 0.2 i enheten d0 (standard: spalten i FILE)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
@@ -16296,16 +16328,16 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>antal gittersegment (standard: 10000, som i artikeln)</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow (default: 1000000, at worst some seconds)</source>
-        <translation>högsta antal vågbitar för ett slag (standard: 1000000, i värsta fall några sekunder)</translation>
+        <source>give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)</source>
+        <translation>avbryt ett slag som behöver fler än N vågbitar (standard: 1000000, i värsta fall några sekunder)</translation>
     </message>
     <message>
         <source>output columns, see below (default: cor)</source>
         <translation>kolumner med utdata, se nedan (standard: cor)</translation>
     </message>
     <message>
-        <source>most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)</source>
-        <translation>högsta antal vågbitar för en rad; med fler är dess celler tomma (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>lämna utdata för en rad tomma om den behöver fler än N vågbitar (standard: 1000000, i värsta fall 2 s)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
@@ -16320,8 +16352,8 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
     </message>
     <message>
-        <source>most wave pieces of a blow; one with more has no answer (default: 1000000)</source>
-        <translation>högsta antal vågbitar för ett slag; ett med fler har inget svar (standard: 1000000)</translation>
+        <source>skip a blow that needs more than N wave pieces (default: 1000000)</source>
+        <translation>hoppa över ett slag som behöver fler än N vågbitar (standard: 1000000)</translation>
     </message>
     <message>
         <source>output to map, see below (default: cor)</source>
@@ -16332,8 +16364,8 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>skriv ut ett JSON-objekt med konturerna i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)</source>
-        <translation>högsta antal vågbitar för en punkt; en med fler har inget värde (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
+        <translation>hoppa över en punkt som behöver fler än N vågbitar (standard: 1000000, i värsta fall 2 s)</translation>
     </message>
     <message>
         <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
@@ -16406,8 +16438,8 @@ Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen
 Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
     </message>
     <message>
-        <source>Also write tables, draws and the identified scenario into DIR</source>
-        <translation>Skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
+        <source>also write tables, draws and the identified scenario into DIR</source>
+        <translation>skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
     </message>
     <message>
         <source>upper limit for every design</source>
@@ -16418,56 +16450,44 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
         <translation>undre gräns för varje konstruktion</translation>
     </message>
     <message>
-        <source>Read these records of strain gauges, in their order along the hole</source>
-        <translation>Läs dessa registreringar från töjningsgivare, i ordning längs hålet</translation>
+        <source>read these records of strain gauges, in their order along the hole</source>
+        <translation>läs dessa registreringar från töjningsgivare, i ordning längs hålet</translation>
     </message>
     <message>
-        <source>Use one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>Använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
+        <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
     </message>
     <message>
-        <source>Fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
-        <translation>Anpassa auto, bilinear eller corner; file prövar berget i FILE (förval: auto)</translation>
+        <source>fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
+        <translation>anpassa auto, bilinear eller corner; file prövar berget i FILE (standard: auto)</translation>
     </message>
     <message>
-        <source>Set the 95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>Ange 95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
+        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
     </message>
     <message>
-        <source>Choose the support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
-        <translation>Välj stöd: rigid (stelt), eller bar för ett prov mellan två likadana stänger (standard: rigid)</translation>
+        <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
+        <translation>stöd: rigid (stelt), eller bar för ett prov mellan två likadana stänger (standard: rigid)</translation>
     </message>
     <message>
-        <source>Predict the gauge on the bar behind, by its distance from the specimen</source>
-        <translation>Förutsäg givaren på den bakre stången, med dess avstånd från provet</translation>
+        <source>predict the gauge on the bar behind, by its distance from the specimen</source>
+        <translation>förutsäg givaren på den bakre stången, med dess avstånd från provet</translation>
     </message>
     <message>
-        <source>Take dispersion as fit, bar or none (default: fit)</source>
-        <translation>Ta dispersionen som fit, bar eller none (förval: fit)</translation>
+        <source>take dispersion as fit, bar or none (default: fit)</source>
+        <translation>ta dispersionen som fit, bar eller none (standard: fit)</translation>
     </message>
     <message>
-        <source>End the window this long after the returning wave arrives</source>
-        <translation>Avsluta fönstret så länge efter att den återvändande vågen kommer</translation>
+        <source>end the window this long after the returning wave arrives</source>
+        <translation>avsluta fönstret så länge efter att den återvändande vågen kommer</translation>
     </message>
     <message>
-        <source>Identify the first or all fronts of a record (default: first)</source>
-        <translation>Utvärdera första eller alla slag i en registrering, first eller all (förval: first)</translation>
+        <source>identify the first or all fronts of a record (default: first)</source>
+        <translation>utvärdera första eller alla slag i en registrering, first eller all (standard: first)</translation>
     </message>
     <message>
-        <source>Draw other noise (default: 1)</source>
-        <translation>Dra annat brus (förval: 1)</translation>
-    </message>
-    <message>
-        <source>Use N threads (default: all of them)</source>
-        <translation>Använd N trådar (förval: alla)</translation>
-    </message>
-    <message>
-        <source>Print one JSON object instead of the table</source>
-        <translation>Skriv ut ett JSON-objekt i stället för tabellen</translation>
-    </message>
-    <message>
-        <source>Overwrite existing files</source>
-        <translation>Skriv över befintliga filer</translation>
+        <source>seed of noise and draws (default: 1)</source>
+        <translation>startvärde för brus och dragningar (standard: 1)</translation>
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
@@ -16482,8 +16502,8 @@ båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har
 dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
     </message>
     <message>
-        <source>also contain these studies, with the settings of FILE: drill, continuous drilling; design, the study of its block `design`</source>
-        <translation>innehåller även dessa studier, med inställningarna i FILE: drill, kontinuerlig borrning; design, studien i dess block `design`</translation>
+        <source>add studies: drill (continuous drilling), design (block `design` of FILE)</source>
+        <translation>lägg till studier: drill (kontinuerlig borrning), design (blocket `design` i FILE)</translation>
     </message>
     <message>
         <source>number of threads of --with (default: all)</source>

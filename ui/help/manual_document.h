@@ -42,7 +42,8 @@ ManualColours manualColours(const QPalette& palette);
 void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book, qreal width,
                 const QPalette& palette);
 
-/// The block of a heading or of an equation; the first one where there is none, or nothing is meant.
+/// Returns the block of a heading or of an equation, "(12)"; the first block if `heading` is empty or not
+/// found.
 QTextBlock blockOf(const QTextDocument& document, const QString& heading);
 
 }  // namespace drillwave

@@ -15,7 +15,7 @@ namespace drillwave {
 
 class CursorBar;
 
-/// Whether the strips below the plots are there without cursors too; kept in the settings.
+/// Key of the setting that shows the strips below the plots even without cursors.
 inline const QString tableShownKey = QStringLiteral("plots/table");
 
 /// Reads the chosen curve of a plot whenever it is drawn or a cursor moves. Every x and y is in the units of

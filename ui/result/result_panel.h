@@ -42,7 +42,7 @@ class ShortSequence : public QObject {
     const DrillingResult* result() const;
     /// Whether it is on its way.
     bool isAwaited() const;
-    /// Estimated time [s] if it waits for follow().
+    /// Returns the estimated computing time [s] while the sequence waits for follow(); otherwise nothing.
     std::optional<double> secondsOnRequest() const;
 
   signals:

@@ -50,13 +50,13 @@ class MapGrid {
     double value(std::size_t column, std::size_t row) const { return m_values[index(column, row)]; }
     /// Why a point that is there could not be solved; empty where it was.
     const Message& reason(std::size_t column, std::size_t row) const;
-    /// Place of the point that represents this one until it is solved: the nearest one before it in the
-    /// finest complete grid.
     struct Place {
         std::size_t column = 0;
         std::size_t row = 0;
         bool operator==(const Place&) const = default;
     };
+    /// Returns the place whose value stands for this point until it is there: column and row are rounded down
+    /// to the finest grid that has a point there, at most to the coarsest.
     Place standIn(std::size_t column, std::size_t row) const;
 
     /// The points without a solution by reason, in the order in which each occurred first.

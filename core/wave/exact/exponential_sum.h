@@ -133,7 +133,7 @@ struct HammerTerms {
         }
         return sum;
     }
-    /// The same terms seen from x on.
+    /// Moves the origin to x: value(y) becomes what value(x + y) was.
     void dropFront(double x) {
         if (hasSine()) {
             const double s = std::sin(pi * x), c = std::cos(pi * x), before = sine;

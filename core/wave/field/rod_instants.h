@@ -25,8 +25,8 @@ struct Instant {
     double reflected;  ///< r = F − g
 };
 
-/// How a piece of a wave bends: between two points it is nowhere further above their chord than a parabola of
-/// the height `above` times the square of their distance over its length, nor below it than one of `below`.
+/// Bounds of the deviation of a wave from its chords within a piece of length l: over a chord of length d,
+/// the wave is at most above·(d/l)² above the chord and at most below·(d/l)² below it.
 struct WaveBends {
     double above = 0, below = 0;
 };
@@ -97,7 +97,7 @@ Instant instantBeforeFront(const Impact& impact, double time);
 /// Returns the last period of the recording, which repeats for ever: instants of one round trip.
 std::vector<Instant> lastPeriod(const Impact& impact);
 
-/// Returns the possible error of two times one round trip apart: `time` is the later of them.
+/// Returns the rounding error of the interval between `time` and one round trip earlier.
 double roundingOfTrip(double time, double roundTrip);
 
 // Stretches of both waves at the front end, and how large the waves are in them at most: where the largest

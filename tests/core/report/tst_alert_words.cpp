@@ -47,8 +47,8 @@ const std::vector<Example>& examples() {
          "The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and "
          "the rod receives more than its momentum."},
         {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 2}}},
-         "The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, "
-         "computed for a long rod."},
+         "The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. "
+         "Reflections that return to the hammer are neglected here."},
         {{note, AlertCode::gapWithoutEffect, "delta", {}},
          "The gap has no effect on a rigid body motion: it only shifts the time of contact."},
         {{warning,
@@ -155,12 +155,12 @@ const std::vector<Example>& examples() {
           "",
           {{"time", 2e-7, Quantity::time}, {"efficiency_error", 1e-3}}},
          "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and "
-         "the efficiency may have an error of 0.0011. Lengths in whole millimetres of one steel share a time "
-         "step and are exact."},
+         "the efficiency may have an error of 0.0011. Enter all lengths in whole millimetres, with one "
+         "steel: the time step is then exact."},
         {{warning, AlertCode::lengthsRounded, "", {{"time", 2e-7, Quantity::time}, {"cor_error", 5e-3}}},
          "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and "
-         "force on the rock and rebound have errors: e by up to 0.0053. Lengths in whole millimetres of one "
-         "steel share a time step and are exact."},
+         "force on the rock and rebound have errors: e by up to 0.0053. Enter all lengths in whole "
+         "millimetres, with one steel: the time step is then exact."},
         {{warning,
           AlertCode::lengthsRounded,
           "",
@@ -169,7 +169,7 @@ const std::vector<Example>& examples() {
            {"shared_cell", 4e-7, Quantity::time}}},
          "The transit times of the sections only share a time step of 0.4 us, which takes more work than is "
          "permitted: they were rounded by up to 0.2 us, and the efficiency may have an error of 0.0011. "
-         "Lengths with a larger common divisor share a longer time step."},
+         "Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
          "After 16.7 ms the bit may still hit the rock again: these are the values at the next blow, not the "
          "final ones."},

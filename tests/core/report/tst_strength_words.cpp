@@ -59,14 +59,14 @@ class TestStrengthWords : public QObject {
         parts[0].sections.front().fatigueStrength.reset();
         QVERIFY(strengthSentence(scenario, stresses, plainStyle())
                     .text()
-                    .ends_with(". 1 section of the string has no strength."));
+                    .ends_with(". No strength is given for 1 section of the string."));
     }
 
     void withoutStrengthsTheSentenceAsksForThem() {
         const std::vector<SectionStress> stresses(4, stressed(1e8, 1e8));
         QVERIFY(strengthSentence(threeRods(), stresses, plainStyle())
                     .text()
-                    .starts_with("No section has a strength: give `fatigue_strength`"));
+                    .starts_with("No section has a strength: give string.rod.fatigue_strength"));
         QVERIFY(strengthSentence(threeRods(), {}, plainStyle()).isEmpty());
     }
 

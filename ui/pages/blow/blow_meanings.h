@@ -24,7 +24,7 @@ struct BlowMeanings {
     CurveMeaning momentum;
 };
 
-/// Returns the meaning of a force over time that is known only by its points.
+/// Returns the meaning of a force over time that has only the points of its curve, no exact function.
 CurveMeaning forceMeaning(const ShownUnits& units);
 
 /// Requires a solved blow with its curves.

@@ -220,15 +220,25 @@ QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, cons
     QStringList parts;
     if (marked.goal) parts << goalWords(picture, marked, locale);
     parts << otherGoals(picture, study, marked, locale);
-    const auto add = [&](CurveFeature::Kind kind, const QString& words) {
+    const auto extreme = [&](CurveFeature::Kind kind) {
         const CurveFeature* found = output.extreme(kind);
-        if (!found || found->shape == CurveFeature::Shape::everywhere) return;
-        const QString text = words.arg(shown(found->value.value * picture.valueFactor, picture.value),
-                                       shown(found->x.value * picture.x.factor, picture.x));
-        parts << (found->shape == CurveFeature::Shape::end ? tr("%1 (end of the range)").arg(text) : text);
+        return found && found->shape != CurveFeature::Shape::everywhere ? found : nullptr;
     };
-    add(CurveFeature::Kind::maximum, tr("largest %1 at %2"));
-    add(CurveFeature::Kind::minimum, tr("least %1 at %2"));
+    const auto placed = [&](const CurveFeature& feature, const QString& words) {
+        const QString text = words.arg(shown(feature.value.value * picture.valueFactor, picture.value),
+                                       shown(feature.x.value * picture.x.factor, picture.x));
+        return feature.shape == CurveFeature::Shape::end ? tr("%1 (end of the range)").arg(text) : text;
+    };
+    const CurveFeature* least = extreme(CurveFeature::Kind::minimum);
+    const CurveFeature* most = extreme(CurveFeature::Kind::maximum);
+    if (least && most)
+        parts << tr("%1 is between %2 and %3")
+                     .arg(outputName(*picture.output), placed(*least, tr("%1 at %2")),
+                          placed(*most, tr("%1 at %2")));
+    else if (most)
+        parts << placed(*most, tr("largest %1 at %2"));
+    else if (least)
+        parts << placed(*least, tr("least %1 at %2"));
     QStringList crossings;
     for (const CurveFeature& feature : output.features)
         if (feature.kind == CurveFeature::Kind::crossing)

@@ -11,7 +11,8 @@
 
 namespace drillwave {
 
-/// Number of points of a drill string's line among those of uniform rods.
+/// Number of points of a curve of a drill string, which is sampled: the default of the page, and that of a
+/// pinned drill string beside a uniform rod.
 inline constexpr std::uint64_t sampledPoints = 101;
 
 using RunLines = RunStudies<CurveQuestion, CurveStudy>;

@@ -42,6 +42,7 @@ class CardNames : public DesignNames {
         name[0] = name[0].toUpper();
         return name.toStdString();
     }
+    Message choice(const SweepAxis& choice) const override { return choiceName(choice).toStdString(); }
     std::string value(const Output& output, double number, int significant) const override {
         return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();
     }
@@ -207,8 +208,8 @@ QString remarkText(const DesignRemark& remark) {
             "holds it constant.");
     if (remark.code == "gamma_dominates")
         return DesignCard::tr(
-            "Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of "
-            "loading.");
+            "Nearly all scatter of the efficiency comes from γ. To compare hammers, choose loading work as "
+            "the objective.");
     return translated(withTitles(remark.text)).toHtmlEscaped();
 }
 
@@ -255,7 +256,7 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
         if (const QString text = remarkText(remark); !text.isEmpty()) paragraphs << text;
     const QString samples = QString::number(report.study.samples);
     paragraphs << (answer.isRefined()
-                       ? tr("%1 samples of each design; errors are of 95 %.").arg(samples)
+                       ? tr("%1 samples of each design; ± is the 95 % error.").arg(samples)
                        : tr("%1 samples so far, %2 to come.").arg(samples, QString::number(answer.wanted)));
     QString html = paragraphs.join(QStringLiteral("<br/>"));
     setHtml(html.replace(QLatin1String(" %"), QStringLiteral("\u00a0%")));  // "5 %" stays in one line

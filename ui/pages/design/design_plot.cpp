@@ -87,7 +87,7 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
     m_high->setChannelFillGraph(m_low);
     for (QCPGraph* edge : {m_low, m_high}) edge->setSelectable(QCP::stNone);
     m_mean = curve(tr("mean"));
-    m_nominal = curve(tr("present"));
+    m_nominal = curve(tr("values entered"));
     const auto mark = [&](const QString& name) {
         QCPGraph* graph = m_plot->addGraph(x(), y());
         graph->setLineStyle(QCPGraph::lsNone);

@@ -48,7 +48,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_gauges(new GaugeFields(this)),
       m_law(makeChoice("law", tr("law of the rock"), tr("The loading curve that is fitted"),
-                       {tr("automatic"), tr("one slope"), tr("yields once"), tr("that of the scenario")})),
+                       {tr("automatic"), tr("one line"), tr("yields once"), tr("that of the scenario")})),
       m_panel(new IdentifyPanel(this)) {
     setObjectName(QStringLiteral("identify"));
     m_panel->hide();

@@ -117,7 +117,7 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     bold.setBold(true);
     m_limitsTitle->setFont(bold);
     m_limits = newTable("limits", m_limitsTitle->text(),
-                        {tr("cause"), tr("stiffness"), tr("springback"), tr("tolerance")}, {0, 3}, content);
+                        {tr("cause"), tr("stiffness"), tr("elasticity"), tr("tolerance")}, {0, 3}, content);
     m_limits->setToolTip(tr("A click on a tolerance goes to its field"));
     const auto wantTolerance = [this](int row) {
         const std::string& key = m_keys.at(static_cast<std::size_t>(row));
@@ -176,10 +176,10 @@ void IdentifyPanel::clear() {
 void IdentifyPanel::present(const IdentifyReport& report, const ReadingStyle& style) {
     const RecordAnswer& answer = report.findings.main();
     showValues(report, style);
-    showLimits(answer, style);
-    m_next->setText(fromView(style.said(identifyNext(answer, style))));
+    showLimits(report, style);
+    m_next->setText(fromView(style.said(identifyNext(answer, report.question.scenario, style))));
     m_next->setVisible(!m_next->text().isEmpty());
-    showRemarks(report.findings, style);
+    showRemarks(report, style);
     const bool isUsable = report.findings.saysSomething() && answer.law != "file";
     for (QPushButton* button : {m_use, m_pin}) {
         button->setVisible(true);
@@ -210,8 +210,9 @@ void IdentifyPanel::showValues(const IdentifyReport& report, const ReadingStyle&
     fitHeight(*m_values);
 }
 
-void IdentifyPanel::showLimits(const RecordAnswer& answer, const ReadingStyle& style) {
-    const std::vector<IdentifyLimit> limits = identifyLimits(answer, style);
+void IdentifyPanel::showLimits(const IdentifyReport& report, const ReadingStyle& style) {
+    const std::vector<IdentifyLimit> limits =
+        identifyLimits(report.findings.main(), report.question.scenario, style);
     m_keys.clear();
     double largest = 0;
     for (const IdentifyLimit& limit : limits) largest = std::max({largest, limit.onStiffness, limit.onGamma});
@@ -238,12 +239,13 @@ void IdentifyPanel::showLimits(const RecordAnswer& answer, const ReadingStyle& s
     fitHeight(*m_limits);
 }
 
-void IdentifyPanel::showRemarks(const IdentifyFindings& findings, const ReadingStyle& style) {
+void IdentifyPanel::showRemarks(const IdentifyReport& report, const ReadingStyle& style) {
+    const RecordAnswer& answer = report.findings.main();
     QStringList lines;
-    for (const std::string& code : findings.main().remarks)
+    for (const std::string& code : answer.remarks)
         if (isRemarkShown(code))
             lines << QStringLiteral("▲ ") +
-                         fromView(style.said(identifyRemark(code, findings.main(), style)));
+                         fromView(style.said(identifyRemark(code, answer, report.question.scenario, style)));
     m_remarks->setText(lines.join(u'\n'));
     m_remarks->setVisible(!lines.isEmpty());
 }

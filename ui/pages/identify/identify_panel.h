@@ -36,8 +36,8 @@ class IdentifyPanel : public QScrollArea {
 
   private:
     void showValues(const IdentifyReport& report, const ReadingStyle& style);
-    void showLimits(const RecordAnswer& answer, const ReadingStyle& style);
-    void showRemarks(const IdentifyFindings& findings, const ReadingStyle& style);
+    void showLimits(const IdentifyReport& report, const ReadingStyle& style);
+    void showRemarks(const IdentifyReport& report, const ReadingStyle& style);
 
     QTableWidget* m_values;
     QLabel* m_limitsTitle;

@@ -67,8 +67,8 @@ QString missingIn(const RecordQuestion& question) {
             "newtons. Edit ▸ Make a rig of these groups makes one.");
     if (question.path.isEmpty())
         return tr(
-            "Identify reads stiffness, springback and gap of the rock from strain gauges on the rod. "
-            "Open a record of one blow.");
+            "Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a "
+            "record of one blow.");
     if (question.gauges.empty()) return tr("Choose the column of the gauge.");
     for (const GaugeChoice& gauge : question.gauges) {
         if (!(gauge.distance > 0))

@@ -7,6 +7,7 @@
 #include "ui/pages/map/map_contours.h"
 #include "ui/pages/map/map_crosshair.h"
 #include "ui/pages/map/map_presets.h"
+#include "ui/pages/study/output_box.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/number_ticks.h"
 #include "ui/text/number_text.h"
@@ -269,8 +270,12 @@ QString MapPlot::summary() const {
     const MapGrid& grid = m_picture->grid();
     const auto& extent = grid.extent();
     if (!extent) return grid.failed() > 0 ? tr("No point could be solved.") : tr("The map follows.");
-    QString text = tr("%1 … %2").arg(m_picture->outputText(extent->least, locale),
-                                     numberText(extent->largest * m_picture->output.factor, 5, locale));
+    const ShownUnit& unit = m_picture->output;
+    QString largest = numberText(extent->largest * unit.factor, 5, locale);
+    if (!unit.unit.isEmpty()) largest += QChar(QChar::Nbsp) + unit.unit;
+    QString text = tr("%1 is between %2 and %3")
+                       .arg(outputName(*m_picture->report->study.output.output),
+                            numberText(extent->least * unit.factor, 5, locale), largest);
     for (const Contour& contour : m_picture->report->contours)
         if (contour.lines.empty())
             text += tr(" · nowhere %1").arg(numberText(contour.level * m_picture->output.factor, 4, locale));

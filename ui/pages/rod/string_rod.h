@@ -13,7 +13,8 @@
 
 namespace drillwave {
 
-/// A section in its place, in lengths of the string from the shank: the hammer is below 0.
+/// Section of hammer or string with its ends, measured from the shank in string lengths, negative in the
+/// hammer.
 struct RodStretch {
     double rear = 0, front = 0;
     double toStress = 0;  ///< from a force [F0] on a square metre to stresses as scales have them

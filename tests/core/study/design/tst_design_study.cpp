@@ -354,36 +354,37 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         QTest::newRow(name) << problem << headline << begins << widens;
     };
     row("the present one is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}}, "keep",
-        "Keep 200 us: nothing from 100 us to 300 us has a better efficiency mean");
+        "Keep pulse.duration = 200 us: nothing from 100 us to 300 us has a better efficiency mean");
     row("another is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.5}}, "change",
-        "Change from 200 us to 250 us: efficiency mean becomes 0.8");
+        "Change pulse.duration from 200 us to 250 us: efficiency mean becomes 0.8");
     row("another is better by less than the errors", {.first = {0.5, 0.6, 0.7, 0.701, 0.5}, .error = 1e-2},
-        "keep", "Keep 200 us");
+        "keep", "Keep pulse.duration = 200 us");
     row("the next aim decides", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}, .second = {9, 1, 2, 3, 9}}, "change",
-        "Change from 200 us to 150 us: peak_force mean becomes 1");
-    row("ties in all aims", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}}, "keep", "Keep 200 us");
+        "Change pulse.duration from 200 us to 150 us: peak_force mean becomes 1");
+    row("ties in all aims", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}}, "keep", "Keep pulse.duration = 200 us");
     row("flat", {.first = {0.7, 0.7, 0.7, 0.7, 0.7}, .error = 1e-3}, "no_difference",
         "pulse.duration makes no difference: efficiency mean is 0.7, within ");
     row("flat but for rounding", {.first = {0.7, 0.7, 0.7 + 1e-15, 0.7, 0.7}, .error = 0}, "no_difference",
         "pulse");
-    row("the end is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}}, "change", "Change from 200 us to 300 us",
-        true);
+    row("the end is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}}, "change",
+        "Change pulse.duration from 200 us to 300 us", true);
     row("the other end is better", {.first = {0.9, 0.8, 0.7, 0.6, 0.5}}, "change",
-        "Change from 200 us to 100 us", true);
+        "Change pulse.duration from 200 us to 100 us", true);
     row("the end is no better than its neighbour", {.first = {0.5, 0.6, 0.7, 0.9, 0.9001}, .error = 1e-2},
-        "change", "Change from 200 us to 300 us");
+        "change", "Change pulse.duration from 200 us to 300 us");
     row("the present one has no answer", {.first = {0.5, 0.6, NAN, 0.7, 0.5}}, "change",
-        "Take 250 us: efficiency mean is 0.7");
+        "Take pulse.duration = 250 us: efficiency mean is 0.7");
     row("none is feasible", {.first = {NAN, NAN, NAN, NAN, NAN}}, "none_feasible", "");
     row("a limit excludes the best",
         {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 1, 3}, .bound = 2}, "change",
-        "Change from 200 us to 250 us: efficiency mean becomes 0.8");
+        "Change pulse.duration from 200 us to 250 us: efficiency mean becomes 0.8");
     row("a limit excludes all that is better",
-        {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 3, 3}, .bound = 2}, "keep", "Keep 200 us");
+        {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 3, 3}, .bound = 2}, "keep",
+        "Keep pulse.duration = 200 us");
     row("a limit excludes the present one",
         {.first = {0.5, 0.6, 0.7, 0.5, 0.4}, .second = {1, 1, 3, 1, 1}, .bound = 2}, "change",
-        "Change from 200 us to 150 us: efficiency mean is 0.6 +- 5e-05. The present design does not meet all "
-        "limits.");
+        "Change pulse.duration from 200 us to 150 us: efficiency mean is 0.6 +- 5e-05. The present design "
+        "does not meet all limits.");
     row("a limit excludes all", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .bound = 0.5}, "none_feasible", "");
     row("the present hammer is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}, .isNamed = true}, "keep",
         "Keep medium drifter: none of 5 designs has a better efficiency mean");

@@ -328,7 +328,7 @@ void TestIdentifyPage::aClickOnALimitGoesToItsField() {
     open(QStringLiteral("noise.csv"), {QStringLiteral("1.83 m")});
     QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
     QTableWidget& limits = table("limits");
-    const QList<QTableWidgetItem*> rows = limits.findItems(QStringLiteral("rod.diameter"), Qt::MatchExactly);
+    const QList<QTableWidgetItem*> rows = limits.findItems(QStringLiteral("diameter"), Qt::MatchExactly);
     QCOMPARE(rows.size(), 1);
     emit limits.cellClicked(rows.first()->row(), 0);
     auto* field = m_page->findChild<QuantityField*>(QStringLiteral("known.rod.diameter"));
