@@ -46,6 +46,7 @@ class TestThrustPage : public QObject {
     void theTableAndTheSentenceAreThoseOfTheStudy();
     void theSentenceHasTheNumbersOfTheReader();
     void draggingTheFeedIsOneUndoStep();
+    void aDragGoesOnWhileAnswersArrive();
     void aDragBesideTheLineDoesNotMoveIt();
     void theLineOfTheFeedFollowsTheScenario();
     void weightAlongTheHoleStaysWhileTheThrustIsDragged();
@@ -257,6 +258,23 @@ void TestThrustPage::draggingTheFeedIsOneUndoStep() {
     m_document->undoStack().undo();
     while (m_document->undoStack().canUndo()) m_document->undoStack().undo();
     QCOMPARE(*m_document->scenario().drill.thrust, before);
+}
+
+// Every answer draws the line again; the drag goes on.
+void TestThrustPage::aDragGoesOnWhileAnswersArrive() {
+    showPage();
+    const QPointF from = feedPixel();
+    PlotWidget* plot = m_page->plot();
+    QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
+    double before = *m_document->scenario().drill.thrust;
+    for (const double pixels : {10, 20, 30}) {
+        QTest::mouseMove(plot, (from + QPointF(0, pixels)).toPoint());
+        QVERIFY(*m_document->scenario().drill.thrust < before);
+        before = *m_document->scenario().drill.thrust;
+        QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    }
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + QPointF(0, 30)).toPoint());
+    QCOMPARE(m_document->undoStack().count(), 1);
 }
 
 void TestThrustPage::aDragBesideTheLineDoesNotMoveIt() {
