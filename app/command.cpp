@@ -19,22 +19,26 @@ bool isLinkToFile(const std::string& path) {
            !std::filesystem::is_directory(path, ignored);
 }
 
+std::vector<Command> studyCommands(bool ofFeed) {
+    std::vector<Command> made;
+    for (const Study* study : studies())
+        if (study->isOfFeed == ofFeed) made.push_back(studyCommand(*study));
+    return made;
+}
+
 }  // namespace
 
 std::span<const Command* const> commands() {
-    static const std::vector<Command> ofStudies = [] {
-        std::vector<Command> made;
-        for (const Study* study : studies()) made.push_back(studyCommand(*study));
-        return made;
-    }();
+    static const std::vector<Command> ofBlows = studyCommands(false), ofFeed = studyCommands(true);
     static const std::vector<const Command*> all = [] {
         std::vector<const Command*> list{&runCommand(),   &sweepCommand(), &tableCommand(),
                                          &curveCommand(), &mapCommand(),   &joinCommand()};
-        for (const Command& command : ofStudies) list.push_back(&command);
-        list.insert(list.end(),
-                    {&drillCommand(), &thrustCommand(), &designCommand(), &identifyCommand(),
-                     &signalCommand(), &reportCommand(), &figuresCommand(), &accuracyCommand(),
-                     &stabilityCommand(), &validateCommand(), &examplesCommand(), &presetsCommand()});
+        for (const Command& command : ofBlows) list.push_back(&command);
+        list.push_back(&drillCommand());
+        for (const Command& command : ofFeed) list.push_back(&command);
+        list.insert(list.end(), {&designCommand(), &identifyCommand(), &signalCommand(), &reportCommand(),
+                                 &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
+                                 &validateCommand(), &examplesCommand(), &presetsCommand()});
         return list;
     }();
     return all;

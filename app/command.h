@@ -36,7 +36,6 @@ const Command& tableCommand();
 const Command& curveCommand();
 const Command& mapCommand();
 const Command& drillCommand();
-const Command& thrustCommand();
 const Command& designCommand();
 const Command& identifyCommand();
 const Command& signalCommand();

@@ -26,7 +26,6 @@ struct MapReport;
 struct StabilityReport;
 struct StringAccuracy;
 struct SweepRows;
-struct ThrustReport;
 class StudyAnswer;
 
 /// Result of a study. One that can be drawn has its line here, and its drawStudy() in
@@ -34,7 +33,7 @@ class StudyAnswer;
 using StudyValue =
     std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const DesignReport*,
                  const DrillingReport*, const DrillingScanReport*, const MapReport*, const StringAccuracy*,
-                 const StudyAnswer*, const SweepRows*, const ThrustReport*>;
+                 const StudyAnswer*, const SweepRows*>;
 
 /// Draws in the language of the command, numbers too; its means belong to another program (desktop.h). All
 /// functions throw CommandError (unwritable output) if something could not be drawn, and return not all

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_command.h"
 
+#include <array>
+
+#include "app/axis_argument.h"
 #include "app/input_text.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
@@ -19,8 +23,9 @@ namespace {
 /// The question that the command line asks about a scenario. Throws CommandError: usage; invalid scenario.
 StudyQuestion questionOf(const Study& study, const Arguments& arguments, const Scenario& scenario,
                          const std::string& path) {
-    if (const Message reason = study.whyNot(scenario); !reason.isEmpty())
-        throw CommandError(ExitCode::invalidScenario, about(inputName(path), reason));
+    for (const Message& reason :
+         {study.whyNot(scenario), study.lacks ? study.lacks(scenario, plainStyle()) : Message()})
+        if (!reason.isEmpty()) throw CommandError(ExitCode::invalidScenario, about(inputName(path), reason));
     if (arguments.has("si") && !hasUnits(scenario))
         throw CommandError(
             ExitCode::usage,
@@ -36,6 +41,13 @@ StudyQuestion questionOf(const Study& study, const Arguments& arguments, const S
                            words ? refusedValue("--" + std::string(problem->option), *words, problem->reason)
                                  : problem->reason);
     }
+    if (!study.axis) return question;
+    if (const std::optional<StudyAxis> axis = study.axis(question))
+        checkNotSet(arguments, scenario, {&axis->axis, 1},
+                    std::array{quotedAxis(std::string(axis->option), *wordsOf(question, axis->option))});
+    else if (arguments.has("o"))
+        throw CommandError(ExitCode::usage,
+                           translatable("-o writes the table of --along; add --along KEY=START:STOP"));
     return question;
 }
 
@@ -46,6 +58,8 @@ ExitCode runStudy(const Study& study, const Arguments& arguments, const Drawing*
     checkAboutFiles(arguments, {"force", "si", "decimal-comma"}, "FILE.csv");
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
+    const int threads = study.threadsHelp.empty() ? availableThreads() : jobsOf(arguments);
+    const WorkLimits limits = study.hasWorkLimit ? workLimitsOf(arguments) : WorkLimits();
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     const StudyQuestion question = questionOf(study, arguments, document.scenario, path);
     if (csvPath) {
@@ -58,18 +72,28 @@ ExitCode runStudy(const Study& study, const Arguments& arguments, const Drawing*
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
     ShareBar bar(arguments.style());
-    const StudyAnswerPtr answer = study.run(
-        question, {.stop = interruption.token(), .progress = bar.progress(), .threads = availableThreads()});
+    const StudyAnswerPtr answer = study.run(question, {.stop = interruption.token(),
+                                                       .progress = bar.progress(),
+                                                       .threads = threads,
+                                                       .limits = limits,
+                                                       .isForText = csvPath != "-"});
     interruption.check();
-    if (const Message gap = answer->gap(); !gap.isEmpty())
-        throw CommandError(ExitCode::unsolvedOrFailed, about(path, gap));
+    const auto checkSolved = [&](const Message& gap) {
+        if (!gap.isEmpty())
+            throw CommandError(
+                ExitCode::unsolvedOrFailed,
+                about(path, study.hasWorkLimit ? reasonWithHint(gap, arguments, document.scenario) : gap));
+    };
+    if (!answer->hasRows()) checkSolved(answer->gap());
     const std::string scenarioText = completeScenarioText(document);
     const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(scenarioText) + answer->csv(units),
                    plots.draw(answer.get(), drawing, interruption), overwrite, interruption);
-    if (csvPath == "-") return ExitCode::done;
-    printText(arguments.has("json") ? answer->json(scenarioText) : answer->text(arguments.style()));
+    checkSolved(answer->gap());
+    if (csvPath != "-")
+        printText(arguments.has("json") ? answer->json(scenarioText) : answer->text(arguments.style()));
+    checkSolved(answer->gapInRows());
     return ExitCode::done;
 }
 
@@ -79,6 +103,8 @@ Command studyCommand(const Study& study) {
     std::vector<OptionSpec> options;
     for (const StudyOption& option : study.options)
         options.push_back({option.key, option.value, option.help});
+    if (!study.threadsHelp.empty()) options.push_back({"j", "N", study.threadsHelp});
+    if (study.hasWorkLimit) options.push_back(workLimitSpec());
     options.push_back({"json", "", "print one JSON object instead of the table"});
     options.push_back({"o", "FILE.csv", study.csvHelp});
     if (study.hasSi) options.push_back({"si", "", "with -o, columns in SI, with units in the header"});

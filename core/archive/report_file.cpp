@@ -301,7 +301,6 @@ BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& sto
     report.recordRemarks = recordRemarksOf(document);
     report.inputs = inputsOf(document.scenario, report.scenarioText);
     report.sections = sectionsOf(document.scenario, report.scenarioText);
-    if (report.thrust) report.thrust->scenarioText = report.scenarioText;
     return report;
 }
 

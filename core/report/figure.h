@@ -43,13 +43,27 @@ struct FigureAxis {
     bool isLogarithmic = false;
     std::optional<std::pair<double, double>> range = {};  ///< fixed; else all values are in view
     std::optional<AxisTarget> target = {};                ///< nothing: a click sets nothing
+    bool isFromZero = false;                              ///< from zero to a little above all values
 };
 
 /// line: y over ascending x. path: through points in their order. area: the same, closed and filled.
 enum class SeriesKind { line, path, area };
 
-/// The pen and colour of a series.
-enum class SeriesRole { result, second, third, fourth };
+/// The pen and colour of a series; `reference` is a strong line in the colour of the words.
+enum class SeriesRole { result, second, third, fourth, reference };
+
+/// A number in a caption.
+struct FigureNumber {
+    double value = 0;
+    FigureQuantity quantity = PlainNumber::number;
+    int digits = 4;
+};
+
+/// A sentence with numbers in the places %1, %2 and so on.
+struct FigureText {
+    const char* pattern = "";
+    std::vector<FigureNumber> numbers = {};
+};
 
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
@@ -60,6 +74,10 @@ struct FigureSeries {
     bool isOnTop = false;                             ///< its x are those of the top axis
     std::function<double(double x)> value = nullptr;  ///< of a line, y between its points; may be empty
     bool isFaint = false;                             ///< stays behind the others
+    std::vector<double> upper = {};                   ///< of a line, the other edge of a strip, drawn thin
+    bool isFilled = false;                            ///< whether the strip is shaded
+    FigureText startText = {};                        ///< beside the first point
+    std::optional<AxisTarget> dragged = {};  ///< changes by as much as the user drags the line up or down
 };
 
 /// Kind of a marked place of a curve.
@@ -92,6 +110,14 @@ struct FigureBand {
     double to = 0;
 };
 
+/// Layers of y along x, from below; the lower, the darker.
+struct FigureLayers {
+    std::vector<Message> names = {};
+    std::vector<double> x = {};
+    std::vector<std::vector<double>> edges = {};  ///< y over x between each layer and the next one
+    std::vector<double> clear = {};               ///< y over x of a line that names keep clear of, or none
+};
+
 /// A line at a value of x that the reader can drag.
 struct FigureHandle {
     Message name;
@@ -120,20 +146,8 @@ struct StudyPanel {
     std::vector<FigureMark> marks = {};  ///< of the first series
     std::optional<FigureZone> zone = {};
     std::vector<FigureBand> bands = {};
+    FigureLayers layers = {};
     std::optional<FigureHandle> handle = {};
-};
-
-/// A number in a caption.
-struct FigureNumber {
-    double value = 0;
-    FigureQuantity quantity = PlainNumber::number;
-    int digits = 4;
-};
-
-/// A sentence with numbers in the places %1, %2 and so on.
-struct FigureText {
-    const char* pattern = "";
-    std::vector<FigureNumber> numbers = {};
 };
 
 /// Panels in rows, with what stands above them. A figure with another number of panels is another figure:
@@ -143,6 +157,8 @@ struct StudyFigure {
     std::vector<StudyPanel> panels = {};
     std::vector<FigureLevel> levels = {};
     bool isPreview = false;  ///< a first look, without what needs the whole result
+    Message summary = {};    ///< in words, where the caption says less
+    int paperHeight = 110;   ///< [mm], of a figure 180 mm wide
 };
 
 }  // namespace drillwave

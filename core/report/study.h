@@ -3,6 +3,7 @@
 // made from it (app/study_command.h, ui/pages/study/figure_page.h).
 #pragma once
 
+#include <any>
 #include <functional>
 #include <map>
 #include <memory>
@@ -13,12 +14,16 @@
 #include <variant>
 #include <vector>
 
+#include "core/blow/method.h"
 #include "core/model/scenario.h"
 #include "core/report/figure.h"
 #include "core/study/rows/output_column.h"
+#include "core/study/rows/sweep_axis.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
+
+struct Blow;
 
 /// Options that are given, each with its words of a command line: {"gap-mean", "0.5 mm"}.
 using StudyWords = std::map<std::string, std::string, std::less<>>;
@@ -74,6 +79,27 @@ struct StudyOption {
     const StudyGroup* group = nullptr;  ///< whose choice it belongs to
 };
 
+/// The axis of the rows that a study writes, and the option that gives it.
+struct StudyAxis {
+    std::string_view option;
+    SweepAxis axis;
+};
+
+/// Numbers below a figure.
+struct StudyTable {
+    struct Title {
+        Message text;
+        Message tip;
+    };
+    struct Cell {
+        std::string text;
+        std::string more = {};  ///< shown with the text at the pointer
+    };
+    std::vector<Title> columns = {};
+    std::vector<Title> rows = {};
+    std::vector<std::vector<Cell>> cells = {};  ///< by rows
+};
+
 /// The result of a study, or a first look at it; it does not change once made.
 class StudyAnswer {
   public:
@@ -86,6 +112,10 @@ class StudyAnswer {
 
     /// Why it is not complete, in the words that follow "FILE: "; empty when it is.
     virtual Message gap() const = 0;
+    /// Why rows lack numbers, in the same way; empty when none do.
+    virtual Message gapInRows() const { return {}; }
+    /// Whether there are rows, although there may be a gap().
+    virtual bool hasRows() const { return gap().isEmpty(); }
     /// The answer in sentences, of a complete study.
     virtual std::vector<Message> sentences(const ReadingStyle& style) const = 0;
     /// One of Study::views; also of a first look.
@@ -95,6 +125,10 @@ class StudyAnswer {
     virtual std::optional<FigurePoint> placeOf(const Scenario& scenario, std::size_t view) const = 0;
     /// The series that is laid over the figure of another answer, up to a value of x (default: the first).
     virtual std::optional<FigureSeries> overlay(std::size_t view, double until) const;
+    /// Where the blow of a pinned run is in the figure of Study::marksBlows.
+    virtual std::optional<FigurePoint> placeOfBlow(const Blow& /*blow*/) const { return std::nullopt; }
+    /// The numbers of Study::tableName.
+    virtual StudyTable table(const ReadingStyle& /*style*/) const { return {}; }
     /// Table and remarks for a terminal.
     virtual std::string text(const ReadingStyle& style) const = 0;
     /// One JSON object; the text gives the scenario again.
@@ -115,6 +149,9 @@ struct StudyWork {
     std::function<void(double share)> progress = [](double) {};
     std::function<void(StudyAnswerPtr)> show = nullptr;
     int threads = 1;
+    WorkLimits limits = {};      ///< of one blow
+    bool isForText = true;       ///< whether text() or json() is asked for, not only the rows
+    std::any* memory = nullptr;  ///< kept from question to question, for one thread at a time; or none
 };
 
 /// One study. Texts are in English and marked by translatable().
@@ -143,6 +180,21 @@ struct Study {
     std::optional<StudyProblem> (*problem)(const StudyQuestion& question);
     /// Answers a question without a problem. A stop leaves an answer with a gap().
     StudyAnswerPtr (*run)(const StudyQuestion& question, const StudyWork& work);
+
+    /// Whether it is of scenarios with physical units, and shown in these.
+    bool isPhysical = false;
+    /// Whether its page stands behind those of single blows, and its command behind `drill`.
+    bool isOfFeed = false;
+    /// Keys of optional parameters: the page asks for those that the scenario lacks.
+    std::vector<std::string_view> asked = {};
+    /// Why there is no answer before these are given; nullptr where none are needed.
+    Message (*lacks)(const Scenario& scenario, const ReadingStyle& style) = nullptr;
+    /// The axis of the rows that are asked for; nullptr where rows need no axis.
+    std::optional<StudyAxis> (*axis)(const StudyQuestion& question) = nullptr;
+    std::string_view threadsHelp = {};  ///< of -j; empty: all threads are taken
+    bool hasWorkLimit = false;          ///< whether the command has --work-limit
+    const char* tableName = nullptr;    ///< of the table on the page, for a screen reader; or none
+    bool marksBlows = false;            ///< whether pinned runs are only marked, without studies of their own
 
     /// The question about a scenario, which is reduced.
     StudyQuestion question(Scenario scenario, StudyWords words) const;

@@ -2,11 +2,12 @@
 #include "core/report/study.h"
 
 #include "core/report/gap_report.h"
+#include "core/report/thrust_report.h"
 
 namespace drillwave {
 
 std::vector<const Study*> studies() {
-    return {&gapStudy()};
+    return {&gapStudy(), &thrustStudy()};
 }
 
 }  // namespace drillwave

@@ -189,11 +189,11 @@ std::string thrustText(const ThrustReport& report, const ReadingStyle& style) {
     return text;
 }
 
-std::string thrustJson(const ThrustReport& report) {
+std::string thrustJson(const ThrustReport& report, const std::string& scenarioText) {
     const ThrustStudy& study = report.study;
     const std::optional<FeedForce> feed = feedForceOf(report.scenario);
     JsonObject object = headJson({.scenario = report.scenario,
-                                  .scenarioText = report.scenarioText,
+                                  .scenarioText = scenarioText,
                                   .method = MethodChoice{},
                                   .units = {{"thrust", unitJson(Quantity::force)},
                                             {"installed_thrust", unitJson(Quantity::force)},

@@ -9,6 +9,7 @@
 
 #include "core/model/scenario.h"
 #include "core/report/report_text.h"
+#include "core/report/study.h"
 #include "core/study/rows/sweep_axis.h"
 #include "core/study/thrust/thrust_curve.h"
 #include "core/study/thrust/thrust_study.h"
@@ -25,11 +26,18 @@ struct ThrustAlong {
 /// All that is reported.
 struct ThrustReport {
     Scenario scenario;
-    ThrustStudy study;
-    std::optional<ThrustAlong> along;
-    std::string scenarioText;  ///< gives the same scenario again
-    double runTime = 0;        ///< [s]
+    ThrustStudy study = {};
+    std::optional<ThrustAlong> along = {};
+    double runTime = 0;  ///< [s]
 };
+
+/// `drillwave thrust` and the page Feed: the required feed force, and how the installed one compares (theory
+/// §10).
+const Study& thrustStudy();
+
+/// Returns the required forces along a parameter as strips, the states of the feed as layers, and the feed,
+/// of a report that has them.
+StudyFigure thrustFigure(const ThrustReport& report);
 
 /// Returns the required feed of the four cases as text: a line of titles, then a line for each case. Requires
 /// a study.
@@ -44,13 +52,11 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
 /// Sentences and tables for people.
 std::string thrustText(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// One JSON object, SI.
-std::string thrustJson(const ThrustReport& report);
+/// One JSON object, SI; the text gives the scenario again.
+std::string thrustJson(const ThrustReport& report, const std::string& scenarioText);
 
 /// Points of a range for which no number was given.
 inline constexpr std::uint64_t customaryThrustPoints = 101;
-/// Points that may be asked for.
-inline constexpr std::uint64_t mostThrustPoints = 10'000;
 
 /// All values of the axis, SI.
 std::vector<double> valuesOf(const SweepAxis& axis);

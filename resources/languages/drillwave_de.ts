@@ -6362,6 +6362,78 @@ eine Projektion weiterer Dimensionen</translation>
 <context>
     <name>drillwave::Message</name>
     <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
+        <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>effective force, with weight along the hole</source>
+        <translation>wirksame Kraft, mit Gewicht entlang des Bohrlochs</translation>
+    </message>
+    <message>
+        <source>installed feed force</source>
+        <translation>installierter Andruck</translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
+        <translation>Bedarfe an Andruck über %1, für %2, jeder von voller Eindringung bis zur Bohrkrone, die vor dem nächsten Schlag zurück ist; dahinter, was der Vorschub beim Rückprall dieses Schlags bewirkt.</translation>
+    </message>
+    <message>
+        <source>each need from full penetration to the bit back before the next blow undamped</source>
+        <translation>jeder Bedarf: volle Eindringung bis Bohrkrone ungedämpft rechtzeitig zurück</translation>
+    </message>
+    <message>
+        <source>95 % of gaps</source>
+        <translation>95 % der Spalte</translation>
+    </message>
+    <message>
+        <source>worst gap</source>
+        <translation>schlechtester Spalt</translation>
+    </message>
+    <message>
+        <source>Mean force that balances a blow which starts at rest on the rock</source>
+        <translation>Mittlere Kraft, die einen Schlag ausgleicht, der in Ruhe auf dem Gestein beginnt</translation>
+    </message>
+    <message>
+        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
+        <translation>Bei diesem Andruck ist eine ungedämpfte starre Stange vor dem nächsten Schlag zurück am Gestein</translation>
+    </message>
+    <message>
+        <source>Effective feed force over the required one, less 1</source>
+        <translation>Wirksamer Andruck geteilt durch den erforderlichen, minus 1</translation>
+    </message>
+    <message>
+        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
+    </message>
+    <message>
+        <source>could not be solved: %1</source>
+        <translation>konnte nicht gelöst werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points could not be solved: their cells are empty; the first: %3</source>
+        <translation>%1 von %2 Punkten ohne Lösung, ihre Zellen bleiben leer; der erste: %3</translation>
+    </message>
+    <message>
+        <source>effective %1</source>
+        <translation>wirksam %1</translation>
+    </message>
+    <message>
+        <source>installed %1</source>
+        <translation>installiert %1</translation>
+    </message>
+    <message>
         <source>%1: cannot be written: %2; free some space or choose another place</source>
         <translation>%1: kann nicht geschrieben werden: %2; Platz schaffen oder einen anderen Ort wählen</translation>
     </message>
@@ -10218,10 +10290,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1: at most %2 values</source>
         <translation>%1: höchstens %2 Werte</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 points could not be solved: their cells are empty; the first: %4</source>
-        <translation>%1: %2 von %3 Punkten ohne Lösung, ihre Zellen bleiben leer; der erste: %4</translation>
     </message>
     <message>
         <source>-o writes the table of --along; add --along KEY=START:STOP</source>
@@ -15236,107 +15304,6 @@ Festigkeit</translation>
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ThrustPage</name>
-    <message>
-        <source>over</source>
-        <translation>über</translation>
-    </message>
-    <message>
-        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
-        <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen.</translation>
-    </message>
-    <message>
-        <source>Required feed</source>
-        <translation>Erforderlicher Andruck</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Andruck</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ThrustPlot</name>
-    <message>
-        <source>effective force, with weight along the hole</source>
-        <translation>wirksame Kraft, mit Gewicht entlang des Bohrlochs</translation>
-    </message>
-    <message>
-        <source>installed feed force</source>
-        <translation>installierter Andruck</translation>
-    </message>
-    <message>
-        <source>thrust</source>
-        <translation>Andruck</translation>
-    </message>
-    <message>
-        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
-        <translation>Bedarfe an Andruck über %1, für %2, jeder von voller Eindringung bis zur Bohrkrone, die vor dem nächsten Schlag zurück ist; dahinter, was der Vorschub beim Rückprall dieses Schlags bewirkt.</translation>
-    </message>
-    <message>
-        <source>; </source>
-        <translation>; </translation>
-    </message>
-    <message>
-        <source>each need from full penetration to the bit back before the next blow undamped</source>
-        <translation>jeder Bedarf: volle Eindringung bis Bohrkrone ungedämpft rechtzeitig zurück</translation>
-    </message>
-    <message>
-        <source>effective</source>
-        <translation>wirksam</translation>
-    </message>
-    <message>
-        <source>installed</source>
-        <translation>installiert</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ThrustTable</name>
-    <message>
-        <source>95 % of gaps</source>
-        <translation>95 % der Spalte</translation>
-    </message>
-    <message>
-        <source>worst gap</source>
-        <translation>schlechtester Spalt</translation>
-    </message>
-    <message>
-        <source>margin</source>
-        <translation>Reserve</translation>
-    </message>
-    <message>
-        <source>Required feed</source>
-        <translation>Erforderlicher Andruck</translation>
-    </message>
-    <message>
-        <source>required</source>
-        <translation>erforderlich</translation>
-    </message>
-    <message>
-        <source>return in time</source>
-        <translation>rechtzeitige Rückkehr</translation>
-    </message>
-    <message>
-        <source>covered up to</source>
-        <translation>reicht bis</translation>
-    </message>
-    <message>
-        <source>Mean force that balances a blow which starts at rest on the rock</source>
-        <translation>Mittlere Kraft, die einen Schlag ausgleicht, der in Ruhe auf dem Gestein beginnt</translation>
-    </message>
-    <message>
-        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
-        <translation>Bei diesem Andruck ist eine ungedämpfte starre Stange vor dem nächsten Schlag zurück am Gestein</translation>
-    </message>
-    <message>
-        <source>Effective feed force over the required one, less 1</source>
-        <translation>Wirksamer Andruck geteilt durch den erforderlichen, minus 1</translation>
-    </message>
-    <message>
-        <source>Up to this blow frequency the effective feed force covers the required one</source>
-        <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
 </context>
 <context>

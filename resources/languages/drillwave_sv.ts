@@ -6362,6 +6362,78 @@ en projektion av fler dimensioner</translation>
 <context>
     <name>drillwave::Message</name>
     <message>
+        <source>over</source>
+        <translation>över</translation>
+    </message>
+    <message>
+        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
+        <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Matningskraft</translation>
+    </message>
+    <message>
+        <source>effective force, with weight along the hole</source>
+        <translation>verksam kraft, med vikten längs hålet</translation>
+    </message>
+    <message>
+        <source>installed feed force</source>
+        <translation>installerad matningskraft</translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation>matningskraft</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
+        <translation>Behov av matningskraft över %1, för %2, vart och ett från full inträngning till borrkronan tillbaka före nästa slag; bakom dem vad matningen gör vid detta slags studs.</translation>
+    </message>
+    <message>
+        <source>each need from full penetration to the bit back before the next blow undamped</source>
+        <translation>varje behov: full inträngning till kronan odämpat tillbaka före nästa slag</translation>
+    </message>
+    <message>
+        <source>95 % of gaps</source>
+        <translation>95 % av spalterna</translation>
+    </message>
+    <message>
+        <source>worst gap</source>
+        <translation>sämsta spalt</translation>
+    </message>
+    <message>
+        <source>Mean force that balances a blow which starts at rest on the rock</source>
+        <translation>Medelkraft som balanserar ett slag som börjar i vila på berget</translation>
+    </message>
+    <message>
+        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
+        <translation>Vid denna matningskraft är en odämpad stel stång tillbaka vid berget före nästa slag</translation>
+    </message>
+    <message>
+        <source>Effective feed force over the required one, less 1</source>
+        <translation>Verksam matningskraft delad med den som krävs, minus 1</translation>
+    </message>
+    <message>
+        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
+    </message>
+    <message>
+        <source>could not be solved: %1</source>
+        <translation>kunde inte lösas: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points could not be solved: their cells are empty; the first: %3</source>
+        <translation>%1 av %2 punkter kunde inte lösas: deras celler är tomma; den första: %3</translation>
+    </message>
+    <message>
+        <source>effective %1</source>
+        <translation>verksam %1</translation>
+    </message>
+    <message>
+        <source>installed %1</source>
+        <translation>installerad %1</translation>
+    </message>
+    <message>
         <source>%1: cannot be written: %2; free some space or choose another place</source>
         <translation>%1: kan inte skrivas: %2; frigör utrymme eller välj en annan plats</translation>
     </message>
@@ -10218,10 +10290,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1: at most %2 values</source>
         <translation>%1: högst %2 värden</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 points could not be solved: their cells are empty; the first: %4</source>
-        <translation>%1: %2 av %3 punkter kunde inte lösas: deras celler är tomma; den första: %4</translation>
     </message>
     <message>
         <source>-o writes the table of --along; add --along KEY=START:STOP</source>
@@ -15236,107 +15304,6 @@ fastheten</translation>
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ThrustPage</name>
-    <message>
-        <source>over</source>
-        <translation>över</translation>
-    </message>
-    <message>
-        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
-        <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas.</translation>
-    </message>
-    <message>
-        <source>Required feed</source>
-        <translation>Matningskraft som krävs</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Matningskraft</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ThrustPlot</name>
-    <message>
-        <source>effective force, with weight along the hole</source>
-        <translation>verksam kraft, med vikten längs hålet</translation>
-    </message>
-    <message>
-        <source>installed feed force</source>
-        <translation>installerad matningskraft</translation>
-    </message>
-    <message>
-        <source>thrust</source>
-        <translation>matningskraft</translation>
-    </message>
-    <message>
-        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
-        <translation>Behov av matningskraft över %1, för %2, vart och ett från full inträngning till borrkronan tillbaka före nästa slag; bakom dem vad matningen gör vid detta slags studs.</translation>
-    </message>
-    <message>
-        <source>; </source>
-        <translation>; </translation>
-    </message>
-    <message>
-        <source>each need from full penetration to the bit back before the next blow undamped</source>
-        <translation>varje behov: full inträngning till kronan odämpat tillbaka före nästa slag</translation>
-    </message>
-    <message>
-        <source>effective</source>
-        <translation>verksam</translation>
-    </message>
-    <message>
-        <source>installed</source>
-        <translation>installerad</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ThrustTable</name>
-    <message>
-        <source>95 % of gaps</source>
-        <translation>95 % av spalterna</translation>
-    </message>
-    <message>
-        <source>worst gap</source>
-        <translation>sämsta spalt</translation>
-    </message>
-    <message>
-        <source>margin</source>
-        <translation>marginal</translation>
-    </message>
-    <message>
-        <source>Required feed</source>
-        <translation>Matningskraft som krävs</translation>
-    </message>
-    <message>
-        <source>required</source>
-        <translation>krävs</translation>
-    </message>
-    <message>
-        <source>return in time</source>
-        <translation>återkomst i tid</translation>
-    </message>
-    <message>
-        <source>covered up to</source>
-        <translation>täcker upp till</translation>
-    </message>
-    <message>
-        <source>Mean force that balances a blow which starts at rest on the rock</source>
-        <translation>Medelkraft som balanserar ett slag som börjar i vila på berget</translation>
-    </message>
-    <message>
-        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
-        <translation>Vid denna matningskraft är en odämpad stel stång tillbaka vid berget före nästa slag</translation>
-    </message>
-    <message>
-        <source>Effective feed force over the required one, less 1</source>
-        <translation>Verksam matningskraft delad med den som krävs, minus 1</translation>
-    </message>
-    <message>
-        <source>Up to this blow frequency the effective feed force covers the required one</source>
-        <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,6 @@
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/string/string_sketch.h"
-#include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/figure_frame.h"
 #include "ui/text/language.h"
@@ -109,7 +108,8 @@ PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, c
     const FigureUnits units{reader.unitsFor(scenario), [&](const Parameter& parameter) -> const Unit& {
                                 return reader.unitFor(parameter);
                             }};
-    return paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, 110}, reader.locale);
+    return paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, double(figure.paperHeight)},
+                                  reader.locale);
 }
 
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
@@ -142,13 +142,6 @@ PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader)
         report.study, reader.unitsFor(report.study.base),
         [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
     return paperPlot<DesignPlot>(designPicture(report, units), {180, 180}, reader.locale);
-}
-
-PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader) {
-    const Scenario& scenario = report.scenario;
-    const ThrustUnits units =
-        thrustUnits(scenario, reader.unitFor(*report.along->axis.parameter), reader.unitsFor(scenario));
-    return paperPlot<ThrustPlot>(thrustPicture(*report.along, units), {180, 120}, reader.locale);
 }
 
 }  // namespace drillwave

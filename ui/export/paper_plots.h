@@ -9,7 +9,6 @@
 #include "core/blow/blow.h"
 #include "core/report/design_report.h"
 #include "core/report/figure.h"
-#include "core/report/thrust_report.h"
 #include "core/signal/alignment.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/study/scan/drilling_scan.h"
@@ -85,7 +84,5 @@ PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token&
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader = {});
 /// The designs of a study that has a robust best.
 PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader = {});
-/// The needs along a parameter, of a report that has them.
-PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader = {});
 
 }  // namespace drillwave

@@ -95,7 +95,8 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
                    {180, 72}));
     if (report.thrust && report.thrust->along)
         plots.push_back(placed("thrust", tr("Required and installed feed force over the blow frequency."),
-                               thrustPaperPlot(*report.thrust, reader), {180, 58}));
+                               figurePaperPlot(thrustFigure(*report.thrust), report.blow.scenario, reader),
+                               {180, 58}));
     addStudies(plots, report.studies, reader, stop);
     return plots;
 }

@@ -61,10 +61,6 @@ Pictures drawStudy(const MapReport& report, const PictureOrder& order, const Pap
         report.study.base.title, order);
 }
 
-Pictures drawStudy(const ThrustReport& report, const PictureOrder& order, const PaperReader& reader) {
-    return drawn(thrustPaperPlot(report, reader), report.scenario.title, order);
-}
-
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader) {
     return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, reader.locale), {160, 110}, reader.locale),
                  {}, order);

@@ -8,7 +8,6 @@
 #include "core/report/drilling_scan_report.h"
 #include "core/report/gap_report.h"
 #include "core/report/map_report.h"
-#include "core/report/thrust_report.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
 #include "core/study/proof/string_accuracy.h"
@@ -28,8 +27,6 @@ Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// Requires a report along a parameter.
-Pictures drawStudy(const ThrustReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const StabilityReport& report, const PictureOrder& order, const PaperReader& reader = {});

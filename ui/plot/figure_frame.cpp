@@ -81,8 +81,13 @@ ShownUnit FigureUnits::of(const FigureQuantity& quantity) const {
         quantity);
 }
 
-FigureFrame::FigureFrame(QCustomPlot* plot) : StudyFrame(plot) {
+FigureFrame::FigureFrame(QCustomPlot* plot) : StudyFrame(plot), m_seriesDrag(new SeriesDrag(*plot)) {
     setAxesVisible(false);
+    connect(m_seriesDrag, &SeriesDrag::begun, this,
+            [this](double y) { emit seriesHeld(y / m_yUnit.factor); });
+    connect(m_seriesDrag, &SeriesDrag::moved, this,
+            [this](double y) { emit seriesMoved(y / m_yUnit.factor); });
+    connect(plot, &QCustomPlot::beforeReplot, this, &FigureFrame::followLines);
     connect(plot, &QCustomPlot::afterLayout, this, &FigureFrame::placeZones);
     connect(plot, &QCustomPlot::beforeReplot, this, [this] {
         if (isEmpty()) return;
@@ -144,6 +149,7 @@ void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
     if (!isFirstOfRow(index)) rect->axis(QCPAxis::atLeft)->setTickLabels(false);
     addZone(panel);
     panel.bands = FigureBands(rect);
+    panel.layers = new LayerItems(rect);
     if (panelOf(index).handle) addHandle(index);
 }
 
@@ -208,9 +214,10 @@ void FigureFrame::present(const ShownFigure& shown) {
         showBands(i);
     }
     showLevels();
+    showDrag();
     standRunsLast();
     restyle();
-    showCaption();
+    showTexts();
     finish(hasOther);
     followTopAxes();
 }
@@ -222,6 +229,7 @@ bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
     };
     const auto ends = [](const StudyPanel& panel) {
         const auto& x = panel.series.front().x;
+        if (panel.x.range) return *panel.x.range;
         return x.empty() ? std::pair(0.0, 0.0) : std::pair(x.front(), x.back());
     };
     const StudyPanel& before = panelOf(0);
@@ -237,6 +245,8 @@ void FigureFrame::showSeries(std::size_t index) {
         QCPAbstractPlottable* gone = last.line ? static_cast<QCPAbstractPlottable*>(last.line) : last.path;
         gone->removeFromLegend(m_legend);
         m_plot->removePlottable(gone);
+        if (last.upper) m_plot->removePlottable(last.upper);
+        if (last.startText) m_plot->removeItem(last.startText);
         panel.series.pop_back();
     }
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -268,6 +278,7 @@ void FigureFrame::showSeries(std::size_t index) {
             for (std::size_t point = 0; point < each.x.size(); ++point)
                 appendFinite(points, each.x[point] * xFactor, each.y[point] * yFactor);
             drawn.line->setData(graphData(points));
+            showStrip(index, i);
         } else {
             QVector<QCPCurveData> points;
             for (std::size_t point = 0; point < each.x.size(); ++point)
@@ -279,6 +290,51 @@ void FigureFrame::showSeries(std::size_t index) {
         panel.marks = new CurveMarks(panel.series.front().line);
 }
 
+void FigureFrame::showStrip(std::size_t index, std::size_t series) {
+    const FigureSeries& shown = panelOf(index).series[series];
+    Drawn& drawn = m_panels[index].series[series];
+    if (!drawn.upper && !shown.upper.empty())
+        drawn.upper = addCurve(drawn.line->keyAxis(), drawn.line->valueAxis());
+    if (drawn.upper) {
+        drawn.upper->setSelectable(QCP::stNone);
+        QVector<QCPGraphData> points;
+        for (std::size_t point = 0; point < shown.upper.size(); ++point)
+            appendFinite(points, shown.x[point] * xFactorOf(index), shown.upper[point] * yFactorOf(index));
+        drawn.upper->setData(graphData(points));
+    }
+    if (!drawn.startText && *shown.startText.pattern) {
+        drawn.startText =
+            addText(m_panels[index].rect, QMargins(6, 2, 6, 2), Qt::AlignLeft | Qt::AlignBottom);
+        drawn.startText->setFont(m_style.font);
+        drawn.startText->setColor(m_style.text);
+    }
+}
+
+// Both edges of a strip are one entry of the legend.
+void FigureFrame::followLines() {
+    for (const Panel& panel : m_panels)
+        for (const Drawn& drawn : panel.series) {
+            if (drawn.upper) drawn.upper->setVisible(drawn.line->visible());
+            if (drawn.startText)
+                drawn.startText->setVisible(drawn.line->visible() && !drawn.startText->text().isEmpty() &&
+                                            !drawn.line->data()->isEmpty());
+        }
+}
+
+void FigureFrame::showDrag() {
+    const auto found = std::ranges::find_if(
+        panelOf(0).series, [](const FigureSeries& series) { return series.dragged.has_value(); });
+    const auto index = static_cast<std::size_t>(found - panelOf(0).series.begin());
+    m_seriesDrag->setCurve(found == panelOf(0).series.end() ? nullptr : graph(0, index));
+}
+
+const AxisTarget* FigureFrame::dragged() const {
+    if (isEmpty()) return nullptr;
+    for (const FigureSeries& series : panelOf(0).series)
+        if (series.dragged) return &*series.dragged;
+    return nullptr;
+}
+
 void FigureFrame::showAxes(std::size_t index) {
     const StudyPanel& panel = panelOf(index);
     QCPAxisRect& rect = *m_panels[index].rect;
@@ -286,7 +342,9 @@ void FigureFrame::showAxes(std::size_t index) {
         const ShownUnit unit = m_shown.units.of(axis.quantity);
         drawn.setScaleType(axis.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
         drawn.setTicker(ticker(axis.isLogarithmic, panel.width < narrow ? 2 : 5));
-        drawn.setLabel(unit.axisLabel(translated(axis.title)));
+        const auto* parameter = std::get_if<KeptParameter>(&axis.quantity);
+        const bool isUntitled = parameter && axis.title.isEmpty();
+        drawn.setLabel(unit.axisLabel(isUntitled ? parameterTitle(**parameter) : translated(axis.title)));
     };
     show(panel.x, *rect.axis(QCPAxis::atBottom));
     if (isFirstOfRow(index)) show(panel.y, *rect.axis(QCPAxis::atLeft));
@@ -310,6 +368,7 @@ void FigureFrame::showBands(std::size_t index) {
     for (const FigureBand& band : panelOf(index).bands)
         bands.push_back({translated(band.name), QCPRange(band.from * factor, band.to * factor)});
     m_panels[index].bands.present(std::move(bands));
+    m_panels[index].layers->present(panelOf(index).layers, factor, yFactorOf(index));
     if (!m_panels[index].handle) return;
     const std::optional<FigureHandle>& handle = panelOf(index).handle;
     if (handle)
@@ -350,29 +409,42 @@ void FigureFrame::showLevels() {
 }
 
 // Numbers as the plot writes them, which in files is another way.
-void FigureFrame::showCaption() {
+QString FigureFrame::textOf(const FigureText& text) const {
+    QString words = translated(text.pattern);
+    QStringList numbers;
+    for (const FigureNumber& number : text.numbers) {
+        const ShownUnit unit = m_shown.units.of(number.quantity);
+        const QString value = numberText(number.value * unit.factor, number.digits, m_plot->locale());
+        numbers << (unit.unit.isEmpty() ? value : value + QChar(QChar::Nbsp) + unit.unit);
+    }
+    for (qsizetype i = 0; i < numbers.size(); ++i)
+        words.replace(QLatin1Char('%') + QString::number(i + 1), numbers[i]);
+    return words;
+}
+
+void FigureFrame::showTexts() {
     if (isEmpty()) return;
     QStringList parts;
-    for (const FigureText& text : m_shown.figure.caption) {
-        QString part = translated(text.pattern);
-        QStringList numbers;
-        for (const FigureNumber& number : text.numbers) {
-            const ShownUnit unit = m_shown.units.of(number.quantity);
-            const QString value = numberText(number.value * unit.factor, number.digits, m_plot->locale());
-            numbers << (unit.unit.isEmpty() ? value : value + QChar(QChar::Nbsp) + unit.unit);
+    for (const FigureText& text : m_shown.figure.caption) parts << textOf(text);
+    m_captionText = parts.join(betweenParts);
+    m_caption->setText(m_captionText);
+    const Message& summary = m_shown.figure.summary;
+    m_summary = summary.isEmpty() ? m_captionText : translated(summary);
+    for (std::size_t i = 0; i < m_panels.size(); ++i)
+        for (std::size_t each = 0; each < m_panels[i].series.size(); ++each) {
+            const FigureSeries& series = panelOf(i).series[each];
+            QCPItemText* text = m_panels[i].series[each].startText;
+            if (!text) continue;
+            text->setText(textOf(series.startText));
+            if (!series.x.empty())
+                text->position->setCoords(series.x.front() * xFactorOf(i), series.y.front() * yFactorOf(i));
         }
-        for (qsizetype i = 0; i < numbers.size(); ++i)
-            part.replace(QLatin1Char('%') + QString::number(i + 1), numbers[i]);
-        parts << part;
-    }
-    m_summary = parts.join(betweenParts);
-    m_caption->setText(m_summary);
 }
 
 // One part below the other where they are too long for one line.
 void FigureFrame::breakCaption() {
-    const double width = QFontMetricsF(m_caption->font()).horizontalAdvance(m_summary);
-    QString text = m_summary;
+    const double width = QFontMetricsF(m_caption->font()).horizontalAdvance(m_captionText);
+    QString text = m_captionText;
     if (width > m_plot->viewport().width() - 20) text.replace(betweenParts, QStringLiteral("\n"));
     m_caption->setText(text);
 }
@@ -400,11 +472,14 @@ void FigureFrame::clear() {
         for (const Drawn& drawn : panel.series) {
             if (drawn.line) drawn.line->data()->clear();
             if (drawn.path) drawn.path->data()->clear();
+            if (drawn.upper) drawn.upper->data()->clear();
         }
         if (panel.marks) panel.marks->clear();
         panel.bands.present({});
+        panel.layers->present({}, 1, 1);
         if (panel.handle) panel.handle->hide();
     }
+    m_seriesDrag->setCurve(nullptr);
     showLevels();
     setAxesVisible(false);
 }
@@ -424,6 +499,7 @@ void FigureFrame::restyle() {
             const Drawn& drawn = panel.series[each];
             const QPen pen = panelOf(i).series[each].isFaint ? m_style.ghostPen(role) : m_style.linePen(role);
             if (drawn.line) drawn.line->setPen(pen);
+            if (drawn.line) styleStrip(drawn, panelOf(i).series[each]);
             if (!drawn.path) continue;
             const bool isArea = panelOf(i).series[each].kind == SeriesKind::area;
             drawn.path->setPen(isArea ? QPen(m_style.lines[role], 1) : pen);
@@ -437,6 +513,7 @@ void FigureFrame::restyle() {
         panel.zone->setPen(Qt::NoPen);
         panel.zone->setBrush(m_style.areaBrush(2));
         m_panels[i].bands.setStyle(m_style);
+        panel.layers->setStyle(m_style);
         if (panel.handle) panel.handle->setStyle(m_style);
         if (!panel.marks || m_isCleared) continue;
         panel.marks->setStyle(m_style);
@@ -448,7 +525,18 @@ void FigureFrame::restyle() {
     }
     for (QCPItemText* name : m_levelNames) name->setBrush(m_style.behindWords());
     if (m_legend) m_style.applyTo(*m_legend);
-    if (!isEmpty()) showCaption();  // files have another locale
+    showTexts();  // files have another locale
+}
+
+void FigureFrame::styleStrip(const Drawn& drawn, const FigureSeries& series) const {
+    const auto role = static_cast<int>(series.role);
+    if (series.role == SeriesRole::reference) drawn.line->setPen(QPen(m_style.text, 2.4));
+    drawn.line->setBrush(series.isFilled ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
+    drawn.line->setChannelFillGraph(series.isFilled ? drawn.upper : nullptr);
+    if (!drawn.upper) return;
+    QPen thin = m_style.linePen(role);
+    thin.setWidthF(0.8);
+    drawn.upper->setPen(thin);
 }
 
 QCPGraph* FigureFrame::graph(std::size_t panel, std::size_t series) const {

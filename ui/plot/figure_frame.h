@@ -9,6 +9,8 @@
 #include "ui/plot/curve_marks.h"
 #include "ui/plot/drag_line.h"
 #include "ui/plot/figure_bands.h"
+#include "ui/plot/layer_items.h"
+#include "ui/plot/series_drag.h"
 #include "ui/plot/study_frame.h"
 #include "ui/text/shown_units.h"
 
@@ -48,6 +50,10 @@ class FigureFrame : public StudyFrame {
     /// Over the shown values of the first panel.
     const ShownUnit& xUnit() const { return m_xUnit; }
     const ShownUnit& yUnit() const { return m_yUnit; }
+    /// The line that can be dragged.
+    const SeriesDrag& seriesDrag() const { return *m_seriesDrag; }
+    /// The value that dragging it sets; nullptr where no line can be dragged.
+    const AxisTarget* dragged() const;
     /// Tells the plot what its lines stand for, with the function behind the points of the figure's own.
     void giveMeanings(PlotWidget& plot) const;
     /// Along the lines of the first panel, to its marks.
@@ -57,12 +63,17 @@ class FigureFrame : public StudyFrame {
     /// The user moves the line of a figure's handle, and lets it go; in values of the figure.
     void handleMoved(double x);
     void handleReleased(double x);
+    /// The user has taken hold of the line of dragged(), and moves it there; in values of the figure.
+    void seriesHeld(double y);
+    void seriesMoved(double y);
 
   private:
-    /// A series as it is drawn: one of the two.
+    /// A series as it is drawn: a line or a path.
     struct Drawn {
         QCPGraph* line = nullptr;
         QCPCurve* path = nullptr;
+        QCPGraph* upper = nullptr;         // of a strip
+        QCPItemText* startText = nullptr;  // beside the first point
     };
     struct Panel {
         QCPAxisRect* rect = nullptr;
@@ -72,6 +83,7 @@ class FigureFrame : public StudyFrame {
         QCPItemText* zoneName = nullptr;
         std::vector<QCPItemStraightLine*> levels;
         FigureBands bands{rect};
+        LayerItems* layers = nullptr;
         DragLine* handle = nullptr;
         std::size_t first = 0;  // panel of its row
         std::size_t last = 0;   // panel of its row
@@ -89,10 +101,15 @@ class FigureFrame : public StudyFrame {
     void showAxes(std::size_t index);
     void showBands(std::size_t index);
     void showLevels();
+    void showStrip(std::size_t index, std::size_t series);
+    void showDrag();
+    void followLines();
+    void styleStrip(const Drawn& drawn, const FigureSeries& series) const;
     void setKeyRange(std::size_t index);
     std::optional<QCPRange> valuesOf(std::size_t first) const;
     void setValueRange(std::size_t first, std::optional<QCPRange> values);
-    void showCaption();
+    QString textOf(const FigureText& text) const;
+    void showTexts();
     void breakCaption();
     void placeZones();
     void followTopAxes();
@@ -113,6 +130,8 @@ class FigureFrame : public StudyFrame {
     ShownUnit m_yUnit;
     std::vector<Panel> m_panels;
     std::vector<QCPItemText*> m_levelNames;
+    SeriesDrag* m_seriesDrag;
+    QString m_captionText;
     bool m_isCleared = true;
 };
 

@@ -67,6 +67,9 @@ std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
             const QCPRange range =
                 drawn.line ? drawn.line->getValueRange(isThere) : drawn.path->getValueRange(isThere);
             expand(values, range, isThere);
+            if (!drawn.upper) continue;
+            const QCPRange upper = drawn.upper->getValueRange(isThere);
+            expand(values, upper, isThere);
         }
     if (first > 0) {
         for (const FigureLevel& level : m_shown.figure.levels)
@@ -87,6 +90,7 @@ void FigureFrame::setValueRange(std::size_t first, std::optional<QCPRange> value
     const FigureAxis& axis = panelOf(first).y;
     const double factor = yFactorOf(first);
     if (axis.range) return left->setRange(axis.range->first * factor, axis.range->second * factor);
+    if (axis.isFromZero) return left->setRange(0, shown.upper > 0 ? 1.06 * shown.upper : 1);
     if (axis.isLogarithmic) return left->setRange(withMargin(shown, 0.1, true));
     const double size = std::max(shown.size(), 0.02 * std::abs(shown.upper));
     // Where a zone begins, if that leaves the curves most of the height.

@@ -33,7 +33,6 @@
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/figure_page.h"
-#include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/alert_list.h"
 #include "ui/result/result_panel.h"
@@ -124,16 +123,20 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(m_stringPage, PageGroup::thisBlow);
     m_curvePage = new CurvePage(m_document);
     m_pages->add(m_curvePage, PageGroup::studies);
-    for (const Study* study : studies()) {
-        auto* page = new FigurePage(*study, m_document);
-        m_pages->add(page, PageGroup::studies);
-        connect(page, &Page::elsewhereRequested, this, [this] {
-            m_curvePage->varyGap();
-            m_pages->setCurrentWidget(m_curvePage);
-        });
-    }
+    const auto addStudies = [this](bool ofFeed) {
+        for (const Study* study : studies()) {
+            if (study->isOfFeed != ofFeed) continue;
+            auto* page = new FigurePage(*study, m_document);
+            m_pages->add(page, PageGroup::studies);
+            connect(page, &Page::elsewhereRequested, this, [this] {
+                m_curvePage->varyGap();
+                m_pages->setCurrentWidget(m_curvePage);
+            });
+        }
+    };
+    addStudies(false);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
-    m_pages->add(new ThrustPage(m_document), PageGroup::studies);
+    addStudies(true);
     auto* drilling = new DrillingPage(m_document);
     m_pages->add(drilling, PageGroup::studies);
     connect(drilling, &DrillingPage::blowOpened, this,

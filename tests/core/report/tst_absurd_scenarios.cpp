@@ -313,8 +313,8 @@ Answer gaps(const Scenario& scenario) {
 Answer thrust(const Scenario& scenario) {
     const ThrustStudy study = studyThrust(scenario, {}, {}, 300'000, smallWork);
     if (!study.reason.isEmpty()) return answerOf(study.reason, {});
-    const ThrustReport report{scenario, study, {}, {}};
-    return {true, {}, {thrustJson(report), thrustText(report)}};
+    const ThrustReport report{scenario, study};
+    return {true, {}, {thrustJson(report, {}), thrustText(report)}};
 }
 
 Answer thrustCurve(const Scenario& scenario) {

@@ -315,7 +315,7 @@ void TestAgreement::thrustIsTheRun() {
                                       ? studyStringThrust(scenario, NetworkAccuracy::sure, solver, {})
                                       : studyThrust(scenario);
         if (!study.reason.isEmpty()) continue;
-        const QByteArray json = QByteArray::fromStdString(thrustJson({scenario, study, {}, one.text}));
+        const QByteArray json = QByteArray::fromStdString(thrustJson({scenario, study}, one.text));
         const QJsonObject needs = QJsonDocument::fromJson(json).object()["needs"].toObject();
         const QJsonObject blow = needs["scenario"].toObject();
         QVERIFY2(!blow.isEmpty(), json);

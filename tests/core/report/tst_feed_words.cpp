@@ -23,7 +23,7 @@ Scenario scenarioOf(const char* example) {
 }
 
 ThrustReport reportOf(const Scenario& scenario) {
-    return {.scenario = scenario, .study = studyThrust(scenario), .along = {}, .scenarioText = {}};
+    return {.scenario = scenario, .study = studyThrust(scenario)};
 }
 
 QStringList sentencesOf(const ThrustReport& report, const ReadingStyle& style = plainStyle()) {

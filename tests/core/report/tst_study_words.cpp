@@ -35,8 +35,7 @@ Told thrust(const Scenario& scenario) {
     const ThrustReport report{
         .scenario = scenario,
         .study = studyThrust(scenario),
-        .along = ThrustAlong{axis, thrustAlong(scenario, *axis.parameter, axis.list, 1)},
-        .scenarioText = {}};
+        .along = ThrustAlong{axis, thrustAlong(scenario, *axis.parameter, axis.list, 1)}};
     return [report](const ReadingStyle& style) { return thrustText(report, style); };
 }
 

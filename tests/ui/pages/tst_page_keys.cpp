@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/report/gap_report.h"
+#include "core/report/thrust_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "ui/pages/curve/curve_page.h"
@@ -16,7 +17,6 @@
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/study/figure_page.h"
-#include "ui/pages/thrust/thrust_page.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
@@ -160,7 +160,7 @@ void TestPageKeys::onTheMapThePresetIsTaken() {
 }
 
 void TestPageKeys::onThrustTheFrequencyIsTaken() {
-    ThrustPage page(*m_document);
+    FigurePage page(thrustStudy(), *m_document);
     show(page);
     press(page, Qt::Key_Return);
     press(page, Qt::Key_Right, Qt::ShiftModifier);

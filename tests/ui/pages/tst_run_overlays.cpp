@@ -7,6 +7,7 @@
 
 #include "core/blow/feed_estimate.h"
 #include "core/report/gap_report.h"
+#include "core/report/thrust_report.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
@@ -21,8 +22,6 @@
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/study/figure_page.h"
-#include "ui/pages/thrust/thrust_page.h"
-#include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/rod_profile.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
@@ -652,11 +651,12 @@ void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
     QVERIFY(isNear(curves->runMarks()[1].at.x(), 300));
     QCOMPARE(curves->runMarks()[1].at.y(), run(1).blow->summary.cor);
     stiffness.hide();
-    ThrustPage thrust(*m_document);
+    FigurePage thrust(thrustStudy(), *m_document);
     thrust.resize(900, 600);
     thrust.show();
     present(thrust);
-    auto* needs = thrust.findChild<ThrustPlot*>();
+    QTRY_COMPARE_WITH_TIMEOUT(thrust.activity()->state(), StudyState::finished, patience);
+    const FigureFrame* needs = &thrust.figureFrame();
     QTRY_COMPARE_WITH_TIMEOUT(needs->runMarks().size(), 2, patience);
     QVERIFY(isNear(needs->runMarks()[0].at.x(), 60));  // Hz
     const double need = *thrustNeeded(run(0).contents.scenario, run(0).blow->summary.cor);

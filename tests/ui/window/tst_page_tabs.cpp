@@ -21,7 +21,6 @@
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/figure_page.h"
-#include "ui/pages/thrust/thrust_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_notices.h"
@@ -400,7 +399,7 @@ void TestPageTabs::thrustIsAbsentWithoutUnits() {
     window->show();
     QVERIFY(QTest::qWaitForWindowActive(window.get()));
     auto& pages = part<PageTabs>(*window);
-    auto& thrust = part<ThrustPage>(*window);
+    auto& thrust = studyPage(*window, "thrust");
     const auto& notice = part<ElsewhereNotice>(*window);
     const auto* goThere = notice.findChild<QPushButton*>(QStringLiteral("goThere"));
     const int tab = pages.strip()->indexOf(&thrust);

@@ -2,12 +2,16 @@
 #include "ui/pages/study/figure_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/archive/result_scenario.h"
 #include "core/numeric/available_threads.h"
 #include "core/report/blow_csv.h"
 #include "ui/form/choice_box.h"
+#include "ui/form/rig_dialog.h"
+#include "ui/pages/study/answer_table.h"
+#include "ui/pages/study/missing_fields.h"
 #include "ui/pages/study/option_fields.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/run_overlay.h"
@@ -24,7 +28,7 @@ namespace {
 
 // Away from the window's thread.
 StudyAnswerPtr answered(const Study& study, const StudyQuestion& question,
-                        const StudyFeed<StudyAnswerPtr>& feed) {
+                        const StudyFeed<StudyAnswerPtr>& feed, std::any& memory) {
     if (const std::optional<StudyProblem> problem = study.problem(question)) fail(problem->reason);
     constexpr std::size_t parts = 1000;  // of the work
     StudyAnswerPtr answer = study.run(
@@ -34,9 +38,20 @@ StudyAnswerPtr answered(const Study& study, const StudyQuestion& question,
                            feed.tell({.done = static_cast<std::size_t>(share * parts), .wanted = parts});
                        },
                    .show = feed.show,
-                   .threads = availableThreads()});
+                   .threads = availableThreads(),
+                   .memory = &memory});
     if (!feed.stop.stop_requested() && !answer->gap().isEmpty()) fail(answer->gap());
     return answer;
+}
+
+// A value that the hand has chosen to a pixel needs no more digits than that.
+double readable(double value, const QCPAxis& axis) {
+    const double step = std::abs(axis.pixelToCoord(axis.coordToPixel(value) + 1) - value);
+    if (!(step > 0) || !std::isfinite(step) || value == 0) return value;
+    constexpr int most = 15;  // digits that a double keeps
+    const double digits = std::floor(std::log10(std::abs(value) / step)) + 1;
+    // Through text: 0.3, not 0.30000000000000004.
+    return QString::number(value, 'g', std::clamp(int(digits), 1, most)).toDouble();
 }
 
 }  // namespace
@@ -45,8 +60,9 @@ FigurePage::FigurePage(const Study& study, Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_study(study),
       m_options(new OptionFields(study, document.units(), this)),
-      m_asked([&study](const StudyQuestion& question, const StudyFeed<StudyAnswerPtr>& feed) {
-          return answered(study, question, feed);
+      m_asked([&study, memory = std::make_shared<std::any>()](const StudyQuestion& question,
+                                                              const StudyFeed<StudyAnswerPtr>& feed) {
+          return answered(study, question, feed, *memory);
       }),
       m_ofRuns([&study](const StudyQuestion& question,
                         const std::stop_token& stop) -> std::optional<StudyAnswerPtr> {
@@ -65,14 +81,26 @@ FigurePage::FigurePage(const Study& study, Document& document, QWidget* parent)
         connect(m_view, &QComboBox::currentIndexChanged, this, &FigurePage::present);
         controls << m_view;
     }
-    PlotWidget* plot = arrange(controls + m_options->widgets());
+    controls << m_options->widgets();
+    if (!study.asked.empty()) {
+        m_missing = new MissingFields(study.asked, document.units(), this);
+        connect(m_missing, &MissingFields::entered, this, [this](const KeptParameter& parameter, double si) {
+            load({{parameter, si}});
+        });
+        controls << m_missing;
+    }
+    PlotWidget* plot = arrange(controls);
+    if (study.tableName) addBelow(m_table = new AnswerTable(translated(study.tableName), this));
     m_frame = new FigureFrame(plot);
     useFrame(*m_frame, translated(study.plotTitle));
     watch(m_asked.job());
     watchBeside(m_ofRuns.activity());
     connect(m_options, &OptionFields::changed, this, &FigurePage::askSoon);
     connect(plot, &PlotWidget::placeTaken, this, &FigurePage::takePlace);
+    connect(m_frame, &FigureFrame::seriesHeld, this, &FigurePage::hold);
+    connect(m_frame, &FigureFrame::seriesMoved, this, &FigurePage::moveHeld);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
+        m_shown = {};  // of the axes, too
         if (isVisible()) present();
     });
 }
@@ -82,12 +110,28 @@ QString FigurePage::title() const {
 }
 
 QString FigurePage::elsewhere() const {
-    return translated(m_study.elsewhere);
+    const QString words = translated(m_study.elsewhere);
+    return m_study.isPhysical ? words + QLatin1Char(' ') + waysToPhysicalUnits() : words;
+}
+
+Message FigurePage::lacking() const {
+    return m_study.lacks ? m_study.lacks(scenario(), LocalStyle::of(document().units())) : Message();
 }
 
 void FigurePage::ask() {
     m_options->present(scenario());
+    if (m_missing) m_missing->present(scenario());
+    if (const Message why = lacking(); !why.isEmpty()) {
+        m_asked.job().forget();
+        return refuse(translated(why));
+    }
     m_asked.ask(m_study.question(scenario(), m_options->words()));
+}
+
+void FigurePage::refuse(const QString& why) {
+    m_shown = {};
+    if (m_table) m_table->clearContents();
+    showNothingAsked(why);
 }
 
 FigurePage::Shown FigurePage::wanted() const {
@@ -97,9 +141,13 @@ FigurePage::Shown FigurePage::wanted() const {
     wanted.view = m_view ? static_cast<std::size_t>(m_view->currentIndex()) : 0;
     const Scenario& studied = wanted.answer->scenario();
     const Scales scales = scalesOf(studied);
-    wanted.units = blow() && hasUnits(studied)
-                       ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
-                       : shownUnits(naturalUnits(studied), scales);
+    const UnitChoice& choice = document().units();
+    if (m_study.isPhysical)
+        wanted.units = shownUnits(choice.physicalSystem(), scales, choice.chosen());
+    else
+        wanted.units = blow() && hasUnits(studied)
+                           ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
+                           : shownUnits(naturalUnits(studied), scales);
     return wanted;
 }
 
@@ -110,6 +158,7 @@ FigureUnits FigurePage::figureUnits(const ShownUnits& units) const {
 }
 
 void FigurePage::present() {
+    if (m_asked.job().state() == StudyState::failed) return refuse(m_asked.job().problem());
     Shown shown = wanted();
     if (!shown.answer) return;
     const bool isNew = !(shown == m_shown);
@@ -127,11 +176,12 @@ void FigurePage::draw() {
     if (isFirst) plot()->keyPoint().offer(m_frame->keyPlaces());
     m_frame->giveMeanings(*plot());
     m_shownRuns.reset();  // over other values or in other units
+    if (m_table) m_table->present(m_shown.answer->table(LocalStyle::of(document().units())));
     if (figure.isPreview)
         say(translated(m_study.firstLook));
     else
         say(translatedEach(m_shown.answer->sentences(LocalStyle::of(document().units())))
-            << translated(m_study.clickHelp));
+            << QStringList(*m_study.clickHelp ? 1 : 0, translated(m_study.clickHelp)));
     redraw();
 }
 
@@ -152,6 +202,7 @@ StudyQuestion FigurePage::questionOf(const Run& run) const {
 }
 
 void FigurePage::askRuns() {
+    if (m_study.marksBlows) return;
     std::vector<StudyQuestion> questions;
     for (const Run& run : runs())
         if (isCompared(run)) questions.push_back(questionOf(run));
@@ -159,6 +210,7 @@ void FigurePage::askRuns() {
 }
 
 void FigurePage::showRuns() {
+    if (m_study.marksBlows) return markRuns();
     if (!m_ofRuns.answers()) return;
     if (m_shownRuns == runList() && m_shownAnswers == m_ofRuns.answers()) return;
     m_shownRuns = runList();
@@ -191,11 +243,41 @@ void FigurePage::showRuns() {
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void FigurePage::markRuns() {
+    QVector<RunMark> marks;
+    for (const Run& run : runs()) {
+        if (!isCompared(run)) continue;
+        const std::optional<FigurePoint> place = m_shown.answer->placeOfBlow(*run.blow);
+        if (place && place->y)
+            marks.append({run.number,
+                          run.title(),
+                          {place->x * m_frame->xUnit().factor, *place->y * m_frame->yUnit().factor}});
+    }
+    m_frame->setRuns(marks);
+}
+
 void FigurePage::takePlace(const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
     const AxisTarget* target = m_frame->targetIn(rect);
     if (!m_shown.answer || !target) return;
-    const double value = std::max(0.0, at.x() / m_frame->xUnit().factor);
-    take({{target->parameter, value * target->factor}}, modifiers);
+    const double shown = m_study.isPhysical ? readable(at.x(), *rect->axis(QCPAxis::atBottom)) : at.x();
+    const double value = shown / m_frame->xUnit().factor * target->factor;
+    take({{target->parameter, std::max(target->parameter->hard.low, value)}}, modifiers);
+}
+
+void FigurePage::hold(double y) {
+    const KeptParameter& parameter = m_frame->dragged()->parameter;
+    m_held = {document().newGesture(), parameter->value(scenario()).value_or(0), y};
+}
+
+// The line may be the sum of the value and others: the value moves by as much.
+void FigurePage::moveHeld(double y) {
+    const AxisTarget* target = m_frame->dragged();
+    if (!target) return;
+    const double unit = m_frame->yUnit().factor / target->factor;
+    const double value = m_held.value + (y - m_held.y) * target->factor;
+    const double shown = std::max(target->parameter->hard.low, value) * unit;
+    document().assign(*target->parameter, readable(shown, *m_frame->graph()->valueAxis()) / unit,
+                      m_held.gesture);
 }
 
 QByteArray FigurePage::csv() const {
@@ -207,6 +289,7 @@ QByteArray FigurePage::csv() const {
 }
 
 QStringList FigurePage::commandWords() const {
+    if (!lacking().isEmpty()) return {};
     QStringList words{fromView(m_study.name)};
     const StudyWords given = m_options->words();
     for (const StudyOption& option : m_study.options)  // in the order of the help

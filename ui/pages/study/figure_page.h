@@ -10,7 +10,9 @@
 
 namespace drillwave {
 
+class AnswerTable;
 class ChoiceBox;
+class MissingFields;
 class OptionFields;
 
 /// Controls of the study's options, its sentences and its figure, with the answers for pinned runs laid
@@ -54,14 +56,28 @@ class FigurePage : public StudyPage {
     void placeHere();
     void askRuns();
     void showRuns();
+    void markRuns();
     bool isCompared(const Run& run) const;
     StudyQuestion questionOf(const Run& run) const;
+    Message lacking() const;
+    void refuse(const QString& why);
     void takePlace(const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
+    void hold(double y);
+    void moveHeld(double y);
 
     const Study& m_study;
     ChoiceBox* m_view = nullptr;  // none where there is one thing to see
     OptionFields* m_options;
     FigureFrame* m_frame = nullptr;
+    MissingFields* m_missing = nullptr;  // none where nothing is asked for
+    AnswerTable* m_table = nullptr;      // none where the study has no table
+    // A line that is dragged: the value that it sets, and y where it was taken hold of.
+    struct Held {
+        int gesture = 0;
+        double value = 0;
+        double y = 0;
+    };
+    Held m_held;
     Shown m_shown;
     std::shared_ptr<const RunAnswers::Answers> m_shownAnswers;  // of runs, as they are drawn
     RunListPtr m_shownRuns;

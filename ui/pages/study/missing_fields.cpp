@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/thrust/missing_fields.h"
+#include "ui/pages/study/missing_fields.h"
 
 #include <QLabel>
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Layers of a figure: areas between edges, each with its name.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QObject>
+#include <QVector>
+#include <vector>
+
+#include "core/report/figure.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Behind the curves; cut at the axes in every format. Lives as a child of the plot.
+class LayerItems : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit LayerItems(QCPAxisRect* rect);
+
+    /// Shows the layers, their values times these factors being those of the axes.
+    void present(const FigureLayers& layers, double xFactor, double yFactor);
+    void setStyle(const PlotStyle& style);
+
+  private:
+    struct Item {
+        QCPCurve* area;
+        QCPItemText* name;
+    };
+
+    void addLayer();
+    void place();
+    QVector<QPointF> edge(std::size_t above, double level) const;
+    void placeName(QCPItemText& name, const QVector<QPointF>& floor, const QVector<QPointF>& ceiling);
+    bool hasRoom(const QCPItemText& name, QPointF floor, QPointF ceiling) const;
+
+    QCPAxis* m_x;
+    QCPAxis* m_y;
+    FigureLayers m_layers;  // in values of the axes
+    PlotStyle m_style;
+    std::vector<Item> m_items;
+};
+
+}  // namespace drillwave
