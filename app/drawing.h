@@ -22,6 +22,7 @@ struct CurveReport;
 struct DesignReport;
 struct DrillingReport;
 struct DrillingScanReport;
+struct IdentifyReport;
 struct MapReport;
 struct StabilityReport;
 struct StringAccuracy;
@@ -32,8 +33,8 @@ class StudyAnswer;
 /// ui/export/study_pictures.h.
 using StudyValue =
     std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const DesignReport*,
-                 const DrillingReport*, const DrillingScanReport*, const MapReport*, const StringAccuracy*,
-                 const StudyAnswer*, const SweepRows*>;
+                 const DrillingReport*, const DrillingScanReport*, const IdentifyReport*, const MapReport*,
+                 const StringAccuracy*, const StudyAnswer*, const SweepRows*>;
 
 /// Draws in the language of the command, numbers too; its means belong to another program (desktop.h). All
 /// functions throw CommandError (unwritable output) if something could not be drawn, and return not all

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave identify FILE --signals REC.csv --gauge COLUMN@DISTANCE
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "app/command.h"
 #include "app/identify_options.h"
@@ -11,6 +13,7 @@
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/archive/identified_document.h"
 #include "core/archive/result_scenario.h"
 #include "core/report/identify_report.h"
@@ -21,7 +24,7 @@ namespace {
 
 constexpr const char* identifyJsonName = "identify.json";
 
-FolderFiles identifyFolder(const IdentifyReport& report) {
+FolderFiles identifyFolder(const IdentifyReport& report, std::vector<NamedFile> pictures) {
     std::vector<NamedFile> files{{"match.csv", matchCsv(report)},
                                  {"force_penetration.csv", forcePenetrationCsv(report)},
                                  {"incident.csv", incidentCsv(report)}};
@@ -29,6 +32,7 @@ FolderFiles identifyFolder(const IdentifyReport& report) {
     if (std::string draws = posteriorCsv(report); !draws.empty())
         files.push_back({"posterior.csv", std::move(draws)});
     if (report.findings.saysSomething()) files.push_back({"identified.yaml", report.identifiedText});
+    std::move(pictures.begin(), pictures.end(), std::back_inserter(files));
     files.push_back({identifyJsonName, identifyJson(report)});
     // Files of an earlier set that this one does not have would show something else.
     std::vector<std::string> absent;
@@ -49,7 +53,7 @@ void checkRefusals(const IdentifyFindings& findings) {
     throw CommandError(ExitCode::unreadableInput, lines);
 }
 
-ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing*) {
+ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing* drawing) {
     const IdentifyFiles files = identifyFiles(arguments);
     const std::optional<std::string> folder = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -58,12 +62,13 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing*) {
         throw CommandError(ExitCode::usage,
                            translatable("-o - names no folder for the files; add -o DIR, or --json, "
                                         "which prints to standard output"));
+    const StudyPlots plots = StudyPlots::inFolder(arguments, "match");
     const int jobs = jobsOf(arguments);
     const ScenarioDocument document = loadScenarioArgument(files.scenario, arguments);
     if (folder) {
-        const std::vector<std::string> names{"match.csv",     "force_penetration.csv", "incident.csv",
-                                             "records.csv",   "posterior.csv",         "identified.yaml",
-                                             identifyJsonName};
+        const std::vector<std::string> names =
+            plots.namesWith({"match.csv", "force_penetration.csv", "incident.csv", "records.csv",
+                             "posterior.csv", "identified.yaml", identifyJsonName});
         std::vector<std::string> inputs = files.records;
         inputs.push_back(files.scenario);
         for (const std::string& name : names) checkOutputIsNone(*folder + "/" + name, inputs);
@@ -86,7 +91,9 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing*) {
     for (const RecordAnswer& record : report.findings.records)
         if (record.refusal) printRemark(about(record.file, record.refusal->text), arguments.style());
     report.identifiedText = identifiedDocument(report, document).text;
-    if (folder) writeFolder(*folder, identifyFolder(report), overwrite, &interruption);
+    if (folder)
+        writeFolder(*folder, identifyFolder(report, plots.draw(&report, drawing, interruption)), overwrite,
+                    &interruption);
     std::string text = arguments.has("json") ? identifyJson(report) : identifyText(report, arguments.style());
     if (folder && !arguments.has("json"))
         text += "  " + arguments.style().said({translatable("files in %1"), {*folder}}) + "\n";
@@ -118,7 +125,7 @@ const Command& identifyCommand() {
         .options = identifyOptionSpecs(),
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runIdentifyCommand,
     };
     return command;

@@ -10,6 +10,7 @@
 #include "app/output_file.h"
 #include "app/scenario_argument.h"
 #include "app/signal_options.h"
+#include "app/study_plots.h"
 #include "core/model/parameter.h"
 #include "core/signal/signal_option.h"
 #include "core/study/identify/gauge_reading.h"
@@ -41,7 +42,8 @@ double lengthOf(const std::string& option, const std::string& text) {
     return typed.si;
 }
 
-/// A gauge of `--gauge` or `--check`.
+}  // namespace
+
 GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word) {
     const std::string option = "--" + name + " " + word;
     const std::size_t at = word.rfind('@');
@@ -60,6 +62,8 @@ GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word) {
     if (!(gauge.distance > 0)) refuseIdentifyValue(option, translatable("the distance must be positive"));
     return gauge;
 }
+
+namespace {
 
 KnownTolerance knownOf(const std::string& word, const Scenario& scenario) {
     const std::string option = "--known " + word;
@@ -132,6 +136,7 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"j", "N", "number of threads (default: all)"},
         {"json", "", "print one JSON object instead of the table"},
         {"o", "DIR", "also write tables, draws and the identified scenario into DIR"},
+        plotsOptionSpec(),
         {"force", "", "overwrite existing files"}};
     std::vector<OptionSpec> all = scenarioOptions();
     std::erase_if(all, [](const OptionSpec& option) {

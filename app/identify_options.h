@@ -8,12 +8,17 @@
 
 #include "app/arguments.h"
 #include "core/model/scenario.h"
+#include "core/study/identify/gauge_reading.h"
 #include "core/study/identify/identify_question.h"
 
 namespace drillwave {
 
 /// The options of `identify`: of scenarios, of reading, and its own.
 std::vector<OptionSpec> identifyOptionSpecs();
+
+/// A gauge of `--gauge`, `--check` or `--record`: COLUMN@DISTANCE. Throws CommandError: usage; invalid
+/// scenario where the distance is none.
+GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word);
 
 /// FILE and the records of --signals, in their order.
 struct IdentifyFiles {

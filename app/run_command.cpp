@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/command.h"
+#include "app/identify_options.h"
+#include "app/input_text.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
 #include "app/output_file.h"
@@ -16,6 +18,8 @@
 #include "core/model/blow_traits.h"
 #include "core/report/blow_json.h"
 #include "core/report/blow_text.h"
+#include "core/report/gauge_record.h"
+#include "core/study/identify/gauge_place.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "core/text/decimal_text.h"
 
@@ -29,7 +33,53 @@ struct RunFiles {
     std::vector<std::string> plots;    ///< formats
     std::optional<OutputUnits> units;  ///< none: those of the scenario
     Overwrite overwrite = Overwrite::refused;
+    std::vector<PlannedGauge> gauges;  ///< of record.csv
+    double noise = 0;                  ///< in it, share of the largest strain
+    std::uint64_t seed = 1;            ///< of that noise
 };
+
+/// The gauges of --record. Throws CommandError: usage; invalid scenario.
+void readGauges(const Arguments& arguments, RunFiles& files) {
+    constexpr std::size_t mostGauges = 2;
+    const std::vector<std::string> words = arguments.values("record");
+    checkAboutFiles(arguments, {"record", "noise", "seed"}, "DIR");
+    if (words.size() > mostGauges)
+        throw CommandError(ExitCode::usage, translatable("--record is for one or two gauges"));
+    for (const std::string& word : words) {
+        const GaugeChoice gauge = gaugeChoiceOf("record", word);
+        files.gauges.push_back({gauge.column, gauge.distance});
+    }
+    for (const char* option : {"noise", "seed"})
+        if (arguments.has(option) && words.empty())
+            throw CommandError(ExitCode::usage, Message(translatable("--%1 needs --record COLUMN@DISTANCE"),
+                                                        {std::string(option)}));
+    files.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, 2'000'000'000));
+    const std::optional<std::string> noise = arguments.value("noise");
+    if (!noise) return;
+    const bool isPercent = noise->ends_with('%');
+    const std::optional<double> share =
+        parseNumber(std::string_view(*noise).substr(0, noise->size() - (isPercent ? 1 : 0)));
+    if (!isPercent || !share || !(*share >= 0 && *share <= 100))
+        throw CommandError(ExitCode::invalidScenario,
+                           refusedValue("--noise", *noise,
+                                        translatable("must be a percentage from 0 to 100 %, such as 1%")));
+    files.noise = *share / 100;
+}
+
+/// Finds out whether the gauges are on the rod or string.
+void checkGauges(const RunFiles& files, const Scenario& scenario, const std::string& path) {
+    if (files.gauges.empty()) return;
+    if (!hasUnits(scenario))
+        throw CommandError(
+            ExitCode::invalidScenario,
+            about(path, translatable("is given by its dimensionless groups; --record needs physical units")));
+    for (const PlannedGauge& gauge : files.gauges)
+        if (!gaugePlace(scenario, gauge.distance))
+            throw CommandError(
+                ExitCode::invalidScenario,
+                Message(translatable("--record %1: is not on a uniform section of the rod or string"),
+                        {gauge.column}));
+}
 
 RunFiles filesOf(const Arguments& arguments) {
     RunFiles files;
@@ -43,6 +93,7 @@ RunFiles filesOf(const Arguments& arguments) {
         files.units = OutputUnits::dimensionless;
     }
     files.plots = plotFormats(arguments);
+    readGauges(arguments, files);
     checkAboutFiles(arguments, {"plots", "si", "dimensionless", "force", "decimal-comma"}, "DIR");
     return files;
 }
@@ -71,16 +122,17 @@ Blow solve(MethodSolver solver, const Scenario& scenario, const MethodChoice& ch
 
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
                 const ReadingStyle& style, const Interruption& interruption) {
-    std::vector<NamedFile> pictures;
     const bool drawn = run.blow.impact.hasHistories();
     if (!drawn)
-        printRemark(
-            translatable(
-                "note: the waves of this blow are more than can be kept: no histories.csv and no plots"),
-            style);
-    if (!files.plots.empty() && drawn) pictures = drawing->blow(run.blow, files.plots, interruption.token());
+        printRemark(translatable("note: the waves of this blow are more than can be kept: no histories.csv, "
+                                 "no record and no plots"),
+                    style);
+    std::vector<NamedFile> further;
+    if (!files.plots.empty() && drawn) further = drawing->blow(run.blow, files.plots, interruption.token());
+    if (!files.gauges.empty() && drawn)
+        further.push_back({gaugeRecordName, gaugeRecordCsv(run.blow, files.gauges, files.noise, files.seed)});
     interruption.check();
-    writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, &interruption);
+    writeFolder(files.directory, runFolder(run, std::move(further)), files.overwrite, &interruption);
 }
 
 void print(const SolvedRun& run, const RunFiles& files, bool json, const ReadingStyle& style) {
@@ -103,6 +155,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
             ExitCode::usage,
             Message(translatable("--si: %1 is given by its dimensionless groups and has no SI units"),
                     {path}));
+    checkGauges(files, document.scenario, path);
     prepare(files, arguments, document);
 
     const bool writesFiles = !files.directory.empty();
@@ -139,6 +192,11 @@ std::vector<OptionSpec> runOptions() {
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
           OptionSpec{"si", "", "with -o, CSV columns in SI (default for scenarios with units)"},
           OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless"},
+          OptionSpec{"record", "COLUMN@DISTANCE",
+                     "with -o, also the record of a strain gauge, by its distance from the bit face",
+                     OptionSpec::Times::repeated},
+          OptionSpec{"noise", "SHARE", "white noise in that record (default: 0%)"},
+          OptionSpec{"seed", "S", "seed of that noise (default: 1)"},
           OptionSpec{"force", "", "overwrite existing files"}, decimalCommaSpec()})
         options.push_back(option);
     return options;
@@ -151,7 +209,9 @@ const Command& runCommand() {
         "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
         "events.csv and the plots: each of the\n"
         "first four can be run again. For drill strings, the histories are taken at the middle of the "
-        "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.";
+        "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.\n"
+        "--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:\n"
+        "the strain at one or two gauges in 1e6 samples a second.";
     static const Command command{
         .name = "run",
         .operands = "FILE",

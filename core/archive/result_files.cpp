@@ -95,7 +95,7 @@ std::string scenarioFile(const SolvedRun& run) {
 }
 
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats) {
-    std::vector<std::string> names{scenarioName, summaryName, historiesName, eventsName};
+    std::vector<std::string> names{scenarioName, summaryName, historiesName, eventsName, gaugeRecordName};
     for (const std::string& format : formats) {
         for (const char* plot : {"blow.", "rock.", "wave_picture.", "rod."}) names.push_back(plot + format);
     }
@@ -108,12 +108,12 @@ std::vector<std::string> runFilesThere(const std::string& folder) {
     return names;
 }
 
-FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures) {
+FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> further) {
     FolderFiles folder;
     folder.outdated = filesOfEarlierRun;
     folder.files = {{scenarioName, scenarioFile(run)}, {eventsName, eventsFile(run)}};
     if (run.blow.impact.hasHistories()) folder.files.push_back({historiesName, historiesFile(run)});
-    std::ranges::move(pictures, std::back_inserter(folder.files));
+    std::ranges::move(further, std::back_inserter(folder.files));
     folder.files.push_back({summaryName, blowJson(run.blow, run.scenarioText)});
     return folder;
 }

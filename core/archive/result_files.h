@@ -65,10 +65,14 @@ std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
 /// Returns those files of a run, with pictures in every format, that exist in the folder.
 std::vector<std::string> runFilesThere(const std::string& folder);
 
-/// Returns the folder of a run, with pictures of it. Pictures of an earlier run in formats not requested
-/// would show another blow and are removed. A folder with a summary.json is complete. The same run gives the
-/// same bytes wherever it is written from, except `run_time` in summary.json and the creation date in PDF.
-FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures);
+/// Name of the record of gauges in the folder of a run (core/report/gauge_record.h).
+inline constexpr char gaugeRecordName[] = "record.csv";
+
+/// Returns the folder of a run, with further files: pictures, a record of gauges. Pictures of an earlier run
+/// in formats not requested would show another blow and are removed. A folder with a summary.json is
+/// complete. The same run gives the same bytes wherever it is written from, except `run_time` in summary.json
+/// and the creation date in PDF.
+FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> further);
 
 // Files that belong together: those beside the rows of a study, and the two files of a report.
 

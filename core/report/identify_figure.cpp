@@ -188,6 +188,7 @@ StudyPanel rockPanel(const RecordAnswer& answer) {
 
 StudyFigure identifyFigure(const RecordAnswer& answer) {
     StudyFigure figure;
+    figure.paperHeight = 220;
     figure.panels = {recordPanel(answer), residualPanel(answer), rockPanel(answer)};
     const double noise = 2 * answer.match.noise * answer.peak;
     figure.levels = {{translatable("+2 σ of the noise"), noise, false, 1}, {{}, -noise, false, 1}};

@@ -5662,6 +5662,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Identify</source>
         <translation>Identifizieren</translation>
     </message>
+    <message>
+        <source>Other laws are being tried; they can widen the intervals.</source>
+        <translation>Weitere Gesetze werden geprüft; sie können die Intervalle erweitern.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::IdentifyPanel</name>
@@ -8791,11 +8795,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 Auslegung hat zu viele ungelöste Stichproben (über 0,1 %) und keine Statistik.</translation>
+        <translation>%1 Auslegung hat zu viele ungelöste Stichproben (über 0,1&#xa0;%) und keine Statistik.</translation>
     </message>
     <message>
         <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 Auslegungen haben zu viele ungelöste Stichproben (über 0,1 %) und keine Statistik.</translation>
+        <translation>%1 Auslegungen haben zu viele ungelöste Stichproben (über 0,1&#xa0;%) und keine Statistik.</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
@@ -10224,7 +10228,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Aus vielen Schlägen, nur namentlich (je Fall eine Rechnung); mit drill.blow_frequency und drill.thrust:</translation>
     </message>
     <message>
-        <source>note: the waves of this blow are more than can be kept: no histories.csv and no plots</source>
+        <source>note: the waves of this blow are more than can be kept: no histories.csv, no record and no plots</source>
         <translation>Hinweis: dieser Schlag hat mehr Wellen, als behalten werden können: keine histories.csv und keine Diagramme</translation>
     </message>
     <message>
@@ -12339,7 +12343,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Neither stiffness nor elasticity is known to 20 %.</source>
-        <translation>Weder Steifigkeit noch Elastizität sind auf 20 % genau bekannt.</translation>
+        <translation>Weder Steifigkeit noch Elastizität sind auf 20&#xa0;% genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12488,10 +12492,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>samples are missing from %1 to %2; record without a pause</source>
         <translation>Abtastwerte fehlen von %1 bis %2; ohne Pause aufzeichnen</translation>
-    </message>
-    <message>
-        <source>the window ends %1 after the reflection arrives; record longer, or put the gauge further from the end behind it</source>
-        <translation>das Fenster endet %1 nach der Ankunft der Reflexion; länger aufzeichnen oder die Messstelle weiter vom Ende dahinter entfernt anbringen</translation>
     </message>
     <message>
         <source>the incident wave is clipped over %1; choose a larger range of the amplifier or of the recorder</source>
@@ -12644,6 +12644,46 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>For 90 % of all gaps, e is between %1 and %2; its mean is %3.</source>
         <translation>Für 90&#xa0;% aller Spalte liegt e zwischen %1 und %2; im Mittel ist es %3.</translation>
+    </message>
+    <message>
+        <source>not seen: the force stays below a corner</source>
+        <translation>nicht gesehen: die Kraft bleibt unter einem Knick</translation>
+    </message>
+    <message>
+        <source>not known: any value fits</source>
+        <translation>nicht bekannt: jeder Wert passt</translation>
+    </message>
+    <message>
+        <source>column %1 is given twice; every gauge has a column of its own</source>
+        <translation>Spalte %1 ist zweimal angegeben; jede Messstelle hat eine eigene Spalte</translation>
+    </message>
+    <message>
+        <source>the record ends before the reflection arrives, %1 after the front; record longer</source>
+        <translation>die Aufzeichnung endet, bevor die Reflexion %1 nach der Front eintrifft; länger aufzeichnen</translation>
+    </message>
+    <message>
+        <source>only %1 samples show the reflection, in a window of %2; at least 50 are needed: record faster or longer, or put the gauge further from the end behind it</source>
+        <translation>nur %1 Abtastwerte zeigen die Reflexion, in einem Fenster von %2; mindestens 50 sind nötig: schneller oder länger aufzeichnen oder die Messstelle weiter vom Ende hinter ihr setzen</translation>
+    </message>
+    <message>
+        <source>--record is for one or two gauges</source>
+        <translation>--record ist für eine oder zwei Messstellen</translation>
+    </message>
+    <message>
+        <source>--%1 needs --record COLUMN@DISTANCE</source>
+        <translation>--%1 braucht --record COLUMN@DISTANCE</translation>
+    </message>
+    <message>
+        <source>must be a percentage from 0 to 100 %, such as 1%</source>
+        <translation>muss ein Prozentsatz von 0 bis 100 % sein, etwa 1%</translation>
+    </message>
+    <message>
+        <source>is given by its dimensionless groups; --record needs physical units</source>
+        <translation>ist durch seine dimensionslosen Kennzahlen gegeben; --record braucht physikalische Einheiten</translation>
+    </message>
+    <message>
+        <source>--record %1: is not on a uniform section of the rod or string</source>
+        <translation>--record %1: liegt nicht auf einem gleichförmigen Abschnitt von Stange oder Strang</translation>
     </message>
 </context>
 <context>
@@ -15564,15 +15604,6 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
         <translation>einen Schlag lösen; Zusammenfassung, und in einen Ordner Verläufe, Ereignisse und Diagramme</translation>
     </message>
     <message>
-        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. For drill strings, the histories are taken at the middle of the longest
-section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
-        <translation>Mit -o bekommt DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: aus
-jeder der ersten vier Dateien lässt sich der Lauf wiederholen. Von einem Bohrstrang enthalten die
-Verläufe die Wellen in der Mitte seines längsten Abschnitts. Die Diagramme sind blow.*, rock.*,
-wave_picture.* und rod.*.</translation>
-    </message>
-    <message>
         <source>change parameters, e.g. rod.length=4.27m beta=0.8</source>
         <translation>Parameter ändern, zum Beispiel rod.length=4.27m beta=0.8</translation>
     </message>
@@ -16520,6 +16551,30 @@ angegebene und das Gewicht von Stange und drill.machine_mass längs des Lochs. `
 löst aufeinander folgende Schläge. Braucht ein Szenario in physikalischen Einheiten mit
 drill.blow_frequency; Reserven brauchen drill.thrust. Bei Bohrsträngen ist I0 der Kraftstoß der
 Hammerfläche; Spalte haben keine Periode, daher nur dieser Schlag und starres Gestein.</translation>
+    </message>
+    <message>
+        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
+section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
+--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
+the strain at one or two gauges in 1e6 samples a second.</source>
+        <translation>Mit -o erhält DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: jede der
+ersten vier lässt sich wieder rechnen. Bei Bohrsträngen stehen die Verläufe für die Mitte des längsten
+Abschnitts. Die Diagramme sind blow.*, rock.*, wave_picture.* und rod.*.
+--record near@1.13m --record far@2.93m --noise 1% schreibt record.csv, eine Probe für `identify`:
+die Dehnung an einer oder zwei Messstellen mit 1e6 Abtastwerten je Sekunde.</translation>
+    </message>
+    <message>
+        <source>with -o, also the record of a strain gauge, by its distance from the bit face</source>
+        <translation>mit -o auch die Aufzeichnung einer Dehnungsmessstelle, nach ihrem Abstand von der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>white noise in that record (default: 0%)</source>
+        <translation>weißes Rauschen darin (Vorgabe: 0%)</translation>
+    </message>
+    <message>
+        <source>seed of that noise (default: 1)</source>
+        <translation>Startwert dieses Rauschens (Vorgabe: 1)</translation>
     </message>
 </context>
 </TS>

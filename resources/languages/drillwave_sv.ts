@@ -4407,7 +4407,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>%1 samples of each design; ± is the 95 % error.</source>
-        <translation>%1 stickprov per konstruktion; ± är 95 %-felet.</translation>
+        <translation>%1 stickprov per konstruktion; ± är 95&#xa0;%-felet.</translation>
     </message>
     <message>
         <source>%1 samples so far, %2 to come.</source>
@@ -5661,6 +5661,10 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>Identify</source>
         <translation>Identifiera</translation>
+    </message>
+    <message>
+        <source>Other laws are being tried; they can widen the intervals.</source>
+        <translation>Andra lagar prövas; de kan vidga intervallen.</translation>
     </message>
 </context>
 <context>
@@ -8715,11 +8719,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 design with %2 samples; +- is the 95 % error.</source>
-        <translation>%1 konstruktion med %2 stickprov; +- är 95 %-felet.</translation>
+        <translation>%1 konstruktion med %2 stickprov; +- är 95&#xa0;%-felet.</translation>
     </message>
     <message>
         <source>%1 designs with %2 samples each, the same for all; +- is the 95 % error.</source>
-        <translation>%1 konstruktioner med %2 stickprov var, samma för alla; +- är 95 %-felet.</translation>
+        <translation>%1 konstruktioner med %2 stickprov var, samma för alla; +- är 95&#xa0;%-felet.</translation>
     </message>
     <message>
         <source>design</source>
@@ -8791,11 +8795,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 konstruktion har för många olösta stickprov (över 0,1 %) och saknar statistik.</translation>
+        <translation>%1 konstruktion har för många olösta stickprov (över 0,1&#xa0;%) och saknar statistik.</translation>
     </message>
     <message>
         <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 konstruktioner har för många olösta stickprov (över 0,1 %) och saknar statistik.</translation>
+        <translation>%1 konstruktioner har för många olösta stickprov (över 0,1&#xa0;%) och saknar statistik.</translation>
     </message>
     <message>
         <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
@@ -10224,7 +10228,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Över många slag, bara vid namn (en egen beräkning var); FILE behöver drill.blow_frequency, drill.thrust:</translation>
     </message>
     <message>
-        <source>note: the waves of this blow are more than can be kept: no histories.csv and no plots</source>
+        <source>note: the waves of this blow are more than can be kept: no histories.csv, no record and no plots</source>
         <translation>anmärkning: detta slag har fler vågor än vad som kan behållas: ingen histories.csv och inga diagram</translation>
     </message>
     <message>
@@ -12339,7 +12343,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Neither stiffness nor elasticity is known to 20 %.</source>
-        <translation>Varken styvhet eller elasticitet är känd på 20 % när.</translation>
+        <translation>Varken styvhet eller elasticitet är känd på 20&#xa0;% när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12488,10 +12492,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>samples are missing from %1 to %2; record without a pause</source>
         <translation>mätvärden saknas från %1 till %2; mät utan uppehåll</translation>
-    </message>
-    <message>
-        <source>the window ends %1 after the reflection arrives; record longer, or put the gauge further from the end behind it</source>
-        <translation>fönstret slutar %1 efter att reflexionen kommit; mät längre, eller sätt givaren längre från änden bakom den</translation>
     </message>
     <message>
         <source>the incident wave is clipped over %1; choose a larger range of the amplifier or of the recorder</source>
@@ -12644,6 +12644,46 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>For 90 % of all gaps, e is between %1 and %2; its mean is %3.</source>
         <translation>För 90&#xa0;% av alla spalter ligger e mellan %1 och %2; medelvärdet är %3.</translation>
+    </message>
+    <message>
+        <source>not seen: the force stays below a corner</source>
+        <translation>inte sett: kraften stannar under ett knä</translation>
+    </message>
+    <message>
+        <source>not known: any value fits</source>
+        <translation>inte känt: varje värde passar</translation>
+    </message>
+    <message>
+        <source>column %1 is given twice; every gauge has a column of its own</source>
+        <translation>kolumn %1 anges två gånger; varje givare har en egen kolumn</translation>
+    </message>
+    <message>
+        <source>the record ends before the reflection arrives, %1 after the front; record longer</source>
+        <translation>inspelningen slutar innan reflexen kommer %1 efter fronten; spela in längre</translation>
+    </message>
+    <message>
+        <source>only %1 samples show the reflection, in a window of %2; at least 50 are needed: record faster or longer, or put the gauge further from the end behind it</source>
+        <translation>bara %1 sampel visar reflexen, i ett fönster på %2; minst 50 behövs: spela in snabbare eller längre, eller sätt givaren längre från änden bakom den</translation>
+    </message>
+    <message>
+        <source>--record is for one or two gauges</source>
+        <translation>--record gäller en eller två givare</translation>
+    </message>
+    <message>
+        <source>--%1 needs --record COLUMN@DISTANCE</source>
+        <translation>--%1 kräver --record COLUMN@DISTANCE</translation>
+    </message>
+    <message>
+        <source>must be a percentage from 0 to 100 %, such as 1%</source>
+        <translation>måste vara en procentsats från 0 till 100 %, till exempel 1%</translation>
+    </message>
+    <message>
+        <source>is given by its dimensionless groups; --record needs physical units</source>
+        <translation>anges med sina dimensionslösa tal; --record kräver fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>--record %1: is not on a uniform section of the rod or string</source>
+        <translation>--record %1: ligger inte på en likformig sektion av stången eller strängen</translation>
     </message>
 </context>
 <context>
@@ -15563,14 +15603,6 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
         <translation>lös ett slag; en sammanfattning, och förlopp, händelser och diagram till en mapp</translation>
     </message>
     <message>
-        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. For drill strings, the histories are taken at the middle of the longest
-section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
-        <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
-de fyra första filerna kan köras igen. För en borrsträng innehåller förloppen vågorna mitt i den
-längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</translation>
-    </message>
-    <message>
         <source>change parameters, e.g. rod.length=4.27m beta=0.8</source>
         <translation>ändra parametrar, t.ex. rod.length=4.27m beta=0.8</translation>
     </message>
@@ -16430,7 +16462,7 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
     </message>
     <message>
         <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95 %-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
+        <translation>95&#xa0;%-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
     </message>
     <message>
         <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
@@ -16509,6 +16541,30 @@ angivna plus tyngden av stång och drill.machine_mass längs hålet. `drillwave 
 följd. Kräver ett scenario i fysikaliska enheter med drill.blow_frequency; marginaler kräver
 drill.thrust. För borrsträngar är I0 impulsen på hammarens yta; spalter har ingen period, så bara
 detta slag och stelt berg skrivs ut.</translation>
+    </message>
+    <message>
+        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
+section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
+--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
+the strain at one or two gauges in 1e6 samples a second.</source>
+        <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
+de fyra första kan räknas om. För borrsträngar gäller förloppen mitten av den längsta sektionen.
+Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.
+--record near@1.13m --record far@2.93m --noise 1% skriver record.csv, en övning inför `identify`:
+töjningen vid en eller två givare med 1e6 sampel per sekund.</translation>
+    </message>
+    <message>
+        <source>with -o, also the record of a strain gauge, by its distance from the bit face</source>
+        <translation>med -o även inspelningen från en töjningsgivare, efter dess avstånd från kronans yta</translation>
+    </message>
+    <message>
+        <source>white noise in that record (default: 0%)</source>
+        <translation>vitt brus i den (förval: 0%)</translation>
+    </message>
+    <message>
+        <source>seed of that noise (default: 1)</source>
+        <translation>frö för detta brus (förval: 1)</translation>
     </message>
 </context>
 </TS>

@@ -53,6 +53,7 @@ class TestStudyPlots : public QObject {
     void figuresComeInTheFormatsOfChoice();
     void accuracyIsDrawnIntoItsFolder();
     void accuracyOfAStringIsDrawnIntoItsFolder();
+    void aRecordWithItsModelIsDrawnIntoItsFolder();
     void whatCannotBeDrawnIsRefused_data();
     void whatCannotBeDrawnIsRefused();
 
@@ -191,6 +192,22 @@ void TestStudyPlots::accuracyIsDrawnIntoItsFolder() {
     QCOMPARE(filesIn(folder), (QStringList{"accuracy.csv", "accuracy.pdf", "accuracy.png"}));
     QVERIFY(curvePixels(QImage(folder + "/accuracy.png")) > 200);
     QCOMPARE(run(words).exitCode, 4);
+}
+
+void TestStudyPlots::aRecordWithItsModelIsDrawnIntoItsFolder() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("rock"), scenario = example("identify/rod");
+    QString record = scenario;
+    record.replace(QStringLiteral(".yaml"), QStringLiteral(".csv"));
+    const Finished finished = run({"identify", scenario, "--signals", record, "--gauge", "top+bottom@1.83m",
+                                   "-o", out, "--plots", "png,svg"});
+    QVERIFY2(finished.exitCode == 0, finished.error.constData());
+    const QImage image(out + "/match.png");
+    QVERIFY(image.width() > 1000);
+    QVERIFY2(curvePixels(image) > 1500, qPrintable(QString::number(curvePixels(image))));
+    const QString drawn = textsOf(read(out + "/match.svg"));
+    for (const char* text : {"residual", "penetration U", "model"})
+        QVERIFY2(drawn.contains(packed(QString::fromLatin1(text))), qPrintable(drawn));
 }
 
 void TestStudyPlots::accuracyOfAStringIsDrawnIntoItsFolder() {

@@ -53,6 +53,12 @@ Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const P
                  order);
 }
 
+Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, const PaperReader& reader) {
+    const Scenario& scenario = report.question.scenario;
+    return drawn(figurePaperPlot(identifyFigure(report.findings.main()), scenario, reader), scenario.title,
+                 order);
+}
+
 // The report outlives the picture.
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader) {
     const std::shared_ptr<const MapReport> shared(std::shared_ptr<const MapReport>(), &report);

@@ -7,6 +7,7 @@
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
 #include "core/report/gap_report.h"
+#include "core/report/identify_report.h"
 #include "core/report/map_report.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
@@ -26,6 +27,8 @@ Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, cons
 Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});
+/// The main record; requires that it is not refused.
+Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});

@@ -124,6 +124,7 @@ struct RecordAnswer {
     double distanceThatFits = 0;  ///< of the near gauge from the bit face [m]
     double impedance = 0;         ///< Z of the gauge's section [N s/m]
     std::optional<BlindCheck> check;
+    bool isFirst = false;  ///< other laws are still to be tried: intervals may widen
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;

@@ -270,13 +270,11 @@ void checkFileLaw(const IdentifyQuestion& question, const GaugeRecord& given, co
     answer.laws.push_back({"file", candidate.misfit(), candidate.errors.misfit.ratio, {}});
 }
 
-/// Adds the answer by the law that fits to what is known of the record before.
-RecordAnswer fittedAnswer(RecordAnswer answer, const IdentifyQuestion& question, const GaugeRecord& given,
-                          const PreparedRecord& record, const std::vector<KnownSize>& sizes,
-                          const std::stop_token& stop) {
+/// Adds what these trials say to what is known of the record before.
+RecordAnswer answerOf(RecordAnswer answer, const LawTrials& trials, const IdentifyQuestion& question,
+                      const GaugeRecord& given, const PreparedRecord& record,
+                      const std::vector<KnownSize>& sizes, const std::stop_token& stop) {
     const std::vector<GaugePlace>& places = record.places;
-    LawTrials trials = tryLaws(record, question, sizes, stop);
-    if (stop.stop_requested()) return answer;
     const LawCandidate& chosen = trials.chosen();
     answer.law = chosen.name == "corner" ? "corner" : "bilinear";
     for (const std::string& remark : chosen.errors.remarks) answer.remarks.push_back(remark);
@@ -306,6 +304,22 @@ RecordAnswer fittedAnswer(RecordAnswer answer, const IdentifyQuestion& question,
         answer.check = blindCheck(given, *question.checkDistance, *chosen.model, chosen.fit);
     addLaws(trials, answer);
     fillParameters(trials, atLeast, answer);
+    return answer;
+}
+
+/// Adds the answer by the law that fits to what is known of the record before.
+RecordAnswer fittedAnswer(const RecordAnswer& before, const IdentifyQuestion& question,
+                          const GaugeRecord& given, const PreparedRecord& record,
+                          const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                          const ShowAnswer& showFirst) {
+    const LawTrials trials = tryLaws(record, question, sizes, stop, [&](const LawTrials& first) {
+        if (!showFirst) return;
+        RecordAnswer shown = answerOf(before, first, question, given, record, sizes, stop);
+        shown.isFirst = true;
+        if (shown.model != ModelVerdict::rejected) showFirst(std::move(shown));
+    });
+    if (stop.stop_requested()) return before;
+    RecordAnswer answer = answerOf(before, trials, question, given, record, sizes, stop);
     const IdentifiedParameter* gap = answer.find("bit_rock.gap");
     if (answer.model != ModelVerdict::rejected && gap && gap->low && *gap->low > 0.02e-3 &&
         gapMayBeBend(trials, record, question, sizes, stop)) {
@@ -319,7 +333,7 @@ RecordAnswer fittedAnswer(RecordAnswer answer, const IdentifyQuestion& question,
 
 RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& given,
                             const std::vector<GaugePlace>& places, std::size_t blow,
-                            const std::stop_token& stop) {
+                            const std::stop_token& stop, const ShowAnswer& showFirst) {
     RecordAnswer answer;
     answer.file = given.file;
     answer.blow = blow;
@@ -339,11 +353,11 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
         checkFileLaw(question, given, record, stop, answer);
         return answer;
     }
-    const RecordAnswer fitted = fittedAnswer(answer, question, given, record, sizes, stop);
+    RecordAnswer fitted = fittedAnswer(answer, question, given, record, sizes, stop, showFirst);
     if (!record.isPair() || fitted.model != ModelVerdict::rejected || stop.stop_requested()) return fitted;
     const std::optional<PreparedRecord> moved = transitChosen(record, question, tolerances, stop);
     if (!moved) return fitted;
-    RecordAnswer other = fittedAnswer(std::move(answer), question, given, *moved, sizes, stop);
+    RecordAnswer other = fittedAnswer(answer, question, given, *moved, sizes, stop, {});
     return other.model == ModelVerdict::rejected ? fitted : other;
 }
 

@@ -13,7 +13,6 @@
 
 #include "core/numeric/ordered_work.h"
 #include "core/study/identify/even_samples.h"
-#include "core/study/identify/identify_record.h"
 #include "core/study/identify/known_sizes.h"
 
 namespace drillwave {
@@ -157,7 +156,7 @@ std::vector<Message> identifyProblems(const IdentifyQuestion& question) {
 }
 
 IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs, const std::stop_token& stop,
-                             const std::function<void(std::size_t)>& tell) {
+                             const std::function<void(std::size_t)>& tell, const ShowAnswer& showFirst) {
     IdentifyFindings findings;
     std::vector<BlowTask> tasks = tasksOf(question);
     std::size_t next = 0;
@@ -171,7 +170,8 @@ IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs, const s
         [&] {
             return [&](BlowTask& task, const std::stop_token& ending) {
                 const GaugeRecord& record = question.records[task.record];
-                task.answer = identifyRecord(question, record, placesOf(question, record), task.blow, ending);
+                task.answer = identifyRecord(question, record, placesOf(question, record), task.blow, ending,
+                                             showFirst);
             };
         },
         [&](BlowTask& task) {

@@ -13,6 +13,7 @@
 
 #include "core/study/identify/identify_answer.h"
 #include "core/study/identify/identify_question.h"
+#include "core/study/identify/identify_record.h"
 
 namespace drillwave {
 
@@ -48,9 +49,11 @@ struct IdentifyFindings {
 /// Returns problems of places and tolerances, before anything is computed; empty where there are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
-/// Identifies every record. The answer does not depend on `jobs` ≥ 1.
+/// Identifies every record. The answer does not depend on `jobs` ≥ 1. `showFirst` gets a first answer of each
+/// record, from any thread, see identifyRecord().
 IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs = 1, const std::stop_token& stop = {},
-                             const std::function<void(std::size_t)>& tell = {});
+                             const std::function<void(std::size_t)>& tell = {},
+                             const ShowAnswer& showFirst = {});
 
 /// The measurement that would help most; nothing where the model is rejected.
 std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer);

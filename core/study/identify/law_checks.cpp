@@ -15,6 +15,7 @@ using Eigen::Index;
 constexpr double countsWithin = 1.5;       ///< of the misfit of the answer: a law that counts
 constexpr double countsBelow = 0.8;        ///< of that of the bilinear law
 constexpr double cornerShare = 2.0 / 3;    ///< of the misfit that a corner replaces
+constexpr double clearly = 0.85;           ///< of the misfit: a better fit than by chance
 constexpr double jumpShare = 0.5;          ///< of that which a jump replaces
 constexpr double jumpTolerance = 0.05;     ///< of the peak
 constexpr double jumpExplains = 0.15;      ///< of Σr² at least
@@ -150,7 +151,8 @@ bool isAccepted(const MisfitFound& misfit) {
 }
 
 LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
-                  const std::vector<KnownSize>& sizes, const std::stop_token& stop) {
+                  const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                  const std::function<void(const LawTrials&)>& showFirst) {
     LawTrials trials;
     const SizeTolerances tolerances = sizeTolerances(sizes, record.places.front());
     const auto modelOf = [&](TrialLaw law) {
@@ -159,6 +161,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     auto model = modelOf(TrialLaw::bilinear);
     LawFit fit = fitFromStarts(*model, stop);
     trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
+    if (stop.stop_requested()) return trials;
+    showFirst(trials);
     const auto tryLaw = [&](const char* name, TrialLaw law) {
         auto other = modelOf(law);
         LawFit found = fitFrom(*other, *trials.candidates[0].model, trials.candidates[0].fit,
@@ -191,7 +195,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     } else if (question.law == LawChoice::automatic) {
         const LawCandidate& other = trials.candidates[corner];
         const bool bilinearHolds = isAccepted(misfit);
-        if ((isAccepted(other.errors.misfit) && !bilinearHolds) ||
+        if ((isAccepted(other.errors.misfit) && !bilinearHolds &&
+             other.misfit() <= clearly * misfit.misfit) ||
             other.misfit() <= cornerShare * misfit.misfit)
             trials.answer = corner;
         // A crater begins as steep as the rock springs back, as a corner can.

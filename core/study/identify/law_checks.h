@@ -2,6 +2,7 @@
 // Other laws and other zero lines that explain a record as well: they widen the answer or replace it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -34,9 +35,11 @@ struct LawTrials {
 /// Whether a model with this misfit is accepted.
 bool isAccepted(const MisfitFound& misfit);
 
-/// Tries what the choice of the law asks for (theory of identification C6).
+/// Tries what the choice of the law asks for (theory of identification C6); shows the bilinear law when it is
+/// fitted.
 LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
-                  const std::vector<KnownSize>& sizes, const std::stop_token& stop);
+                  const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                  const std::function<void(const LawTrials&)>& showFirst);
 
 /// Whether a power law without gap leaves as little as the answer (C10).
 bool gapMayBeBend(const LawTrials& trials, const PreparedRecord& record, const IdentifyQuestion& question,

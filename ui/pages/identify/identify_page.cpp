@@ -199,7 +199,8 @@ void IdentifyPage::present() {
 void IdentifyPage::draw() {
     const IdentifyReport& report = m_shown->report;
     const RecordAnswer& answer = report.findings.main();
-    const QString sentence = translated(identifySentence(answer));
+    QString sentence = translated(identifySentence(answer));
+    if (answer.isFirst) sentence += u' ' + tr("Other laws are being tried; they can widen the intervals.");
     if (answer.refusal) {
         m_panel->clear();
         m_panel->hide();
@@ -213,6 +214,7 @@ void IdentifyPage::draw() {
     plot()->keyPoint().offer(m_frame->keyPlaces());
     m_frame->giveMeanings(*plot());
     m_panel->present(report, LocalStyle::of(document().units()));
+    m_panel->setEnabled(!answer.isFirst);
     m_panel->show();
     say(sentence);
     redraw();

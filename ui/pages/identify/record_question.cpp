@@ -106,7 +106,11 @@ IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
     asked.records.push_back(std::move(reading.record));
     if (const std::vector<Message> problems = identifyProblems(asked); !problems.empty())
         refuseRecord(inOneLine(problems));
-    answer->report.findings = runIdentify(asked, 1, feed.stop);
+    answer->report.findings = runIdentify(asked, 1, feed.stop, {}, [&](RecordAnswer first) {
+        auto shown = std::make_shared<IdentifiedRecord>(*answer);
+        shown->report.findings.records.push_back(std::move(first));
+        feed.show(shown);
+    });
     return answer;
 }
 
