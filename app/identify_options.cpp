@@ -151,7 +151,6 @@ std::vector<OptionSpec> identifyOptionSpecs() {
 IdentifyFiles identifyFiles(const Arguments& arguments) {
     IdentifyFiles files;
     files.records = arguments.values("signals");
-    if (files.records.empty()) refuseIdentifyUsage(translatable("needs --signals REC.csv"));
     std::vector<std::string> operands = arguments.operands();
     const auto isScenario = [](const std::string& word) {
         return word.ends_with(".yaml") || word.ends_with(".yml");
@@ -162,6 +161,7 @@ IdentifyFiles identifyFiles(const Arguments& arguments) {
     operands.erase(scenario);
     // A shell puts all names of a pattern behind --signals.
     files.records.insert(files.records.end(), operands.begin(), operands.end());
+    if (files.records.empty()) refuseIdentifyUsage(translatable("needs --signals REC.csv"));
     for (std::size_t i = 0; i < files.records.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (files.records[i] == files.records[k])

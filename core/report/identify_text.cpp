@@ -93,10 +93,13 @@ class IdentifyWriter {
                         m_style.signedPercent(std::round(1e4 * match.zero[0].slope) / 1e4)}}));
         if (answer.check)
             line(said(translatable("check")),
-                 said({translatable(
-                           "the wave behind the specimen is predicted within %1 of its peak, %2 late"),
+                 said({answer.check->shift < 0
+                           ? translatable("the wave behind the specimen is predicted within %1 of its peak; "
+                                          "it was measured %2 earlier")
+                           : translatable("the wave behind the specimen is predicted within %1 of its peak; "
+                                          "it was measured %2 later"),
                        {percent(answer.check->error),
-                        m_style.quantity(answer.check->shift, Quantity::time, 2)}}));
+                        m_style.quantity(std::abs(answer.check->shift), Quantity::time, 2)}}));
         if (answer.laws.size() > 1) {
             std::string laws;
             for (const TriedLaw& law : answer.laws)

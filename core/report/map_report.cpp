@@ -61,6 +61,26 @@ Message linesMessage(const MapReport& report, const Contour& contour, const Read
     return message;
 }
 
+/// The lowest and the highest point of a contour; empty without one.
+std::string extentText(const MapReport& report, const Contour& contour, const ReadingStyle& style) {
+    const ContourPoint *lowest = nullptr, *highest = nullptr;
+    for (const ContourLine& line : contour.lines)
+        for (const ContourPoint& point : line) {
+            if (!lowest || point.y < lowest->y) lowest = &point;
+            if (!highest || point.y > highest->y) highest = &point;
+        }
+    if (!lowest) return {};
+    const auto shown = [&](const SweepAxis& axis, double value) {
+        return style.quantity(value, axis.parameter->quantity, mapDigits);
+    };
+    const SweepAxis &x = report.study.x, &y = report.study.y;
+    return "    " +
+           style.said({translatable("lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6"),
+                       {std::string(y.key()), shown(y, lowest->y), std::string(x.key()), shown(x, lowest->x),
+                        shown(y, highest->y), shown(x, highest->x)}}) +
+           "\n";
+}
+
 std::string contourText(const MapReport& report, const Contour& contour, const ReadingStyle& style) {
     Message message{
         "%1 = %2: %3",
@@ -70,7 +90,7 @@ std::string contourText(const MapReport& report, const Contour& contour, const R
         message = {contour.unplaced == 1 ? translatable("%1; %2 crossing not placed: %3")
                                          : translatable("%1; %2 crossings not placed: %3"),
                    {message, std::to_string(contour.unplaced), contour.reason}};
-    return "  " + style.said(message) + "\n";
+    return "  " + style.said(message) + "\n" + extentText(report, contour, style);
 }
 
 JsonObject axisJson(const SweepAxis& axis) {

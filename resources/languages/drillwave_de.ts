@@ -12614,10 +12614,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Gegenprobe</translation>
     </message>
     <message>
-        <source>the wave behind the specimen is predicted within %1 of its peak, %2 late</source>
-        <translation>die Welle hinter der Probe wird auf %1 ihres Scheitels vorhergesagt, Verzug %2</translation>
-    </message>
-    <message>
         <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit breaks and cuttings are removed.</source>
         <translation>Die ersten %1 von %2 Schlägen zählen nicht. Der Bohrfortschritt ist eine obere Grenze: alles Gestein unter der Krone gibt nach, Bohrklein verschwindet.</translation>
     </message>
@@ -12684,6 +12680,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>--record %1: is not on a uniform section of the rod or string</source>
         <translation>--record %1: liegt nicht auf einem gleichförmigen Abschnitt von Stange oder Strang</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 earlier</source>
+        <translation>die Welle hinter der Probe ist auf %1 ihrer Spitze vorhergesagt; gemessen wurde sie %2 früher</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 later</source>
+        <translation>die Welle hinter der Probe ist auf %1 ihrer Spitze vorhergesagt; gemessen wurde sie %2 später</translation>
+    </message>
+    <message>
+        <source>lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6</source>
+        <translation>niedrigstes %1 = %2 bei %3 = %4; höchstes %1 = %5 bei %3 = %6</translation>
     </message>
 </context>
 <context>

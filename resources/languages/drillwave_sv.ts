@@ -12614,10 +12614,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kontroll</translation>
     </message>
     <message>
-        <source>the wave behind the specimen is predicted within %1 of its peak, %2 late</source>
-        <translation>vågen bakom provet förutsägs inom %1 av sin topp, fördröjning %2</translation>
-    </message>
-    <message>
         <source>The first %1 of %2 blows are not counted. The rate is an upper limit: all rock under the bit breaks and cuttings are removed.</source>
         <translation>De första %1 av %2 slag räknas inte. Borrsjunkningen är en övre gräns: allt berg under borrkronan ger efter och borrkaxet försvinner.</translation>
     </message>
@@ -12684,6 +12680,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>--record %1: is not on a uniform section of the rod or string</source>
         <translation>--record %1: ligger inte på en likformig sektion av stången eller strängen</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 earlier</source>
+        <translation>vågen bakom provet förutsägs inom %1 av sin topp; den mättes %2 tidigare</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 later</source>
+        <translation>vågen bakom provet förutsägs inom %1 av sin topp; den mättes %2 senare</translation>
+    </message>
+    <message>
+        <source>lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6</source>
+        <translation>lägsta %1 = %2 vid %3 = %4; högsta %1 = %5 vid %3 = %6</translation>
     </message>
 </context>
 <context>

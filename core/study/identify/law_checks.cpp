@@ -15,6 +15,7 @@ using Eigen::Index;
 constexpr double countsWithin = 1.5;       ///< of the misfit of the answer: a law that counts
 constexpr double countsBelow = 0.8;        ///< of that of the bilinear law
 constexpr double cornerShare = 2.0 / 3;    ///< of the misfit that a corner replaces
+constexpr double cornerReach = 0.95;       ///< of the largest force at most, of a corner that is the answer
 constexpr double clearly = 0.85;           ///< of the misfit: a better fit than by chance
 constexpr double jumpShare = 0.5;          ///< of that which a jump replaces
 constexpr double jumpTolerance = 0.05;     ///< of the peak
@@ -195,9 +196,13 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     } else if (question.law == LawChoice::automatic) {
         const LawCandidate& other = trials.candidates[corner];
         const bool bilinearHolds = isAccepted(misfit);
-        if ((isAccepted(other.errors.misfit) && !bilinearHolds &&
-             other.misfit() <= clearly * misfit.misfit) ||
-            other.misfit() <= cornerShare * misfit.misfit)
+        const double force =
+            std::exp(other.fit.values[static_cast<Index>(other.model->find(UnknownKind::cornerForce))]);
+        // One at the very peak takes what is no corner, such as a gain that falls.
+        const bool isReached = !bilinearHolds || force < cornerReach * largestForce(*other.model, other.fit);
+        if (isReached && ((isAccepted(other.errors.misfit) && !bilinearHolds &&
+                           other.misfit() <= clearly * misfit.misfit) ||
+                          other.misfit() <= cornerShare * misfit.misfit))
             trials.answer = corner;
         // A crater begins as steep as the rock springs back, as a corner can.
         if (trials.answer == corner && indexOf("crater") < trials.candidates.size() &&

@@ -75,12 +75,6 @@ struct Start {
     int group = 0;  ///< of starts that are alike; 0: like no other
 };
 
-/// The largest force on the rock in a solution [N].
-double largestForce(RecordModel& model, const LawFit& fit) {
-    const std::vector<double>& force = model.solved(fit.values).rockForce();
-    return force.empty() ? 0 : *std::ranges::max_element(force);
-}
-
 void scoreAndSort(RecordModel& model, std::vector<Start>& starts, const std::stop_token& stop) {
     Eigen::VectorXd residuals;
     for (Start& start : starts) {
@@ -405,6 +399,11 @@ QuietErrors quietErrors(const RecordModel& model, const Eigen::VectorXd& values)
     errors.last = beyond(1);
     errors.hasBefore = static_cast<double>(counts[0]) * record.step > 40e-6;
     return errors;
+}
+
+double largestForce(RecordModel& model, const LawFit& fit) {
+    const std::vector<double>& force = model.solved(fit.values).rockForce();
+    return force.empty() ? 0 : *std::ranges::max_element(force);
 }
 
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {

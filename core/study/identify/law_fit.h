@@ -50,6 +50,9 @@ Eigen::VectorXd startValues(const RecordModel& model);
 /// Levenberg–Marquardt within the bounds, from `values` on; returns Σr².
 double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, const std::stop_token& stop);
 
+/// The largest force on the rock in a solution [N].
+double largestForce(RecordModel& model, const LawFit& fit);
+
 /// Bilinear, or the file's law with its timing, from many starts; sizes and dispersion are freed from the
 /// best on, and the weights of the quiet stretch follow what is seen in it.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);

@@ -198,7 +198,7 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
     for (std::size_t i = 3; i < answer.parameters.size(); ++i) judgeLog(answer.parameters[i]);
     if (chosen.name == "corner" && !hasCorner) {
         answer.parameters[3].verdict = ParameterVerdict::bounded;
-        answer.parameters[3].low = force.largest;
+        answer.parameters[3].low = std::min(force.largest, answer.parameters[3].value);
         answer.parameters[3].high.reset();
         notSeen(answer.parameters[4], "no_corner");
     }

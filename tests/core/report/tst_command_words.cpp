@@ -178,7 +178,10 @@ QStringList namesOf(const CommandText& text, const Scenario& scenario) {
         names << wordsOf(QString::fromUtf8(words.data(), qsizetype(words.size())));
     };
     if (text.names) add(text.names());
-    for (const Section* section : allSections(scenario.drillString)) add(section->name);
+    for (const Section* section : allSections(scenario.drillString)) {
+        add(section->name);
+        add("string." + section->name + ".fatigue_strength");
+    }
     for (const Parameter& parameter : parameters()) add(parameter.key);
     for (const std::string_view method : methodNames()) add(method);
     add(methodOfStrings);
