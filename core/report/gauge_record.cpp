@@ -15,7 +15,7 @@ namespace drillwave {
 namespace {
 
 constexpr int partsOfSample = 4;        // whose mean is a sample
-constexpr double finestStrain = 1e-10;  // of the table, 1e-4 microstrain
+constexpr double finestStrain = 1e-10;  // step of the values in the table: 1e-4 microstrain
 
 /// Strain at a gauge over the times of the record, tension positive.
 std::vector<double> strainAt(const Blow& blow, const BlowWaves& waves, const PlannedGauge& gauge,

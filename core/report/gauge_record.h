@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// A gauge that is to be glued on.
+/// Name and place of a gauge that is planned.
 struct PlannedGauge {
     std::string column;   ///< its name in the table
     double distance = 0;  ///< from the bit face [m], on a uniform section of rod or string
@@ -20,10 +20,11 @@ struct PlannedGauge {
 inline constexpr double gaugeRecordRate = 1e6;    ///< [1/s]
 inline constexpr double gaugeRecordBegin = 3e-4;  ///< [s]
 
-/// Returns `time [us]` and for each gauge its strain [microstrain], tension positive, each the mean over a
-/// sampling interval, with white noise of that share of the gauge's largest strain (0 … 1) from `seed`. Two
-/// round trips behind the arrival of the blow at the bit, a string at most as long as it was followed.
-/// Requires a blow with units and histories (Impact::hasHistories()), and gaugePlace() of every gauge.
+/// Returns a table of `time [us]` and the strain of each gauge [microstrain], tension positive. Each sample
+/// is the mean over its interval, with white noise from `seed` of the share `noise` (0 … 1) of the gauge's
+/// largest strain. The record ends two round trips after the blow reaches the bit, or where the waves of a
+/// string end. Requires a blow with units and histories (Impact::hasHistories()), and gaugePlace() of every
+/// gauge.
 std::string gaugeRecordCsv(const Blow& blow, const std::vector<PlannedGauge>& gauges, double noise,
                            std::uint64_t seed);
 

@@ -112,7 +112,8 @@ Message sizeWords(const std::string& key, const Scenario& scenario, const Readin
 }
 
 std::string shortLength(double si, int digits, const ReadingStyle& style) {
-    const ReadUnit read = style.unitFor(2e-3, Quantity::length);  // that of some millimetres
+    const ReadUnit read =
+        style.unitFor(2e-3, Quantity::length);  // the unit in which lengths of a few millimetres are shown
     // + 0.0 turns -0 into 0.
     return style.number(std::round(read.unit->fromSi(si) * 1e4) / 1e4 + 0.0, digits) + " " + read.name;
 }

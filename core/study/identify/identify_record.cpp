@@ -50,7 +50,7 @@ PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record,
 /// where that explains little.
 std::optional<PreparedRecord> transitChosen(const PreparedRecord& record, const IdentifyQuestion& question,
                                             const SizeTolerances& sizes, const std::stop_token& stop) {
-    constexpr double explained = 0.5;  // of Σr²
+    constexpr double explained = 0.5;  // share of Σr² that a better distance removes at least
     constexpr int steps = 4;           // to either side, half a tolerance each
     const double tolerance = placeTolerance(question) / record.places.front().waveSpeed;
     RecordModel model(record, question, sizes, TrialLaw::bilinear);

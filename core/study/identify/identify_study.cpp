@@ -206,7 +206,7 @@ std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer) {
     if (!(first.together() > 0)) return std::nullopt;
     NextMeasurement next{first.source, first.key, 0, first.unit, "", 0};
     double share = std::min(1.0, second / first.together());
-    if (first.source == "noise") share = 0.5;  // of 4 blows
+    if (first.source == "noise") share = 0.5;  // the mean of four blows has half the noise
     if (!first.key.empty() && first.tolerance > 0) {
         // one digit, no finer than a fifth of today's tolerance
         const double wanted = first.tolerance * std::max(share, 0.2);
