@@ -49,7 +49,7 @@ struct ImpactSummary {
 
     double transferred = 1;      ///< momentum that the drive transfers to rod or string [I0; p0]
     double loadingWork = 0;      ///< A(Fm), work on the rock up to the largest force, of the hammer work
-    double efficiencyError = 0;  ///< stated error of energy.rockWork, where cells give it
+    double efficiencyError = 0;  ///< stated error of energy.rockWork and other shares, where cells give it
     double stressError = 0;      ///< stated error of the largest stresses of a string, as a share of them
 
     // Energies in W, or in E0 of a followed hammer; momenta in I0, or in p0 of a followed hammer

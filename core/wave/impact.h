@@ -104,7 +104,7 @@ struct Impact {
     double faceSeparation = never;                ///< when hammer and string first separate
     double jointLoss = 0, rodLoss = 0;            ///< energy lost in joints and on the way [I0²/(Z t0)]
     double externalMomentum = 0;                  ///< lost in joints and rods [I0]
-    double efficiencyError = 0;                   ///< stated error of efficiency()
+    double efficiencyError = 0;                   ///< stated error of efficiency() and of other shares of E0
 
     // Drill strings only
     double endTime = 0;  ///< time to which it was followed
