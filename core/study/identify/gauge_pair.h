@@ -29,7 +29,7 @@ void matchSecondGauge(PreparedRecord& record);
 ///
 /// Linear in the signals. `transit` is ϑ.
 SeparatedWaves separateWaves(const PreparedRecord& record,
-                             const std::vector<const std::vector<double>*>& signals, double transit);
+                             const std::vector<const std::vector<double>*>& ofGauges, double transit);
 /// The same of the record itself.
 SeparatedWaves separateWaves(const PreparedRecord& record);
 

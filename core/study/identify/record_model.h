@@ -123,7 +123,7 @@ class RecordModel {
   private:
     void addUnknowns(const IdentifyQuestion& question, const SizeTolerances& sizes);
     void addShapes(const IdentifyQuestion& question);
-    void addShape(LinearShape shape, const std::vector<const std::vector<double>*>& signals);
+    void addShape(LinearShape shape, const std::vector<const std::vector<double>*>& ofGauges);
     void setShapeUnknown(std::size_t shape);
     void runModel(const Eigen::VectorXd& values, bool keepsRock);
     void setRows();
