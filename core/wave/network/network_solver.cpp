@@ -60,8 +60,8 @@ constexpr double coveringResidual = 20;
 constexpr double coveringForce = 100;
 
 /// Waves lost by cells are missing in the energy by their square, but by their first power in the largest
-/// force, which inelastic rock remembers, and on every rock in the shares of hammer, string and joints: errors
-/// of quick runs are up to 0.03 times the root of the missing energy.
+/// force, which inelastic rock remembers, and on every rock in the shares of hammer, string and joints:
+/// errors of quick runs are up to 0.03 times the root of the missing energy.
 constexpr double coveringRoot = 0.06;
 
 /// Smallest significant residual of a balance.
