@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an identification must agree with: a closed form, its own invariances, and its intervals over many
+// Identifications against a closed form, under changes that must not matter, and their intervals over many
 // records (theory of identification §11, §13).
 #include <QTest>
 
