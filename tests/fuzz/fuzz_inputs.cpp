@@ -23,16 +23,19 @@
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/report/blow_json.h"
+#include "core/report/identify_report.h"
 #include "core/report/signal_report.h"
 #include "core/signal/signal_reading.h"
 #include "core/study/design/draws.h"
 #include "core/study/design/uncertain_input.h"
+#include "core/study/identify/gauge_reading.h"
 #include "core/study/rows/sweep_axis.h"
 #include "core/study/rows/table.h"
 #include "core/text/decimal_text.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/pulse_reader.h"
 #include "core/yaml/recorder_file.h"
+#include "tests/core/study/identify/coverage_scenes.h"
 #include "tests/support/mutation.h"
 #include "tests/support/scenario_reading.h"
 
@@ -44,7 +47,7 @@ namespace {
 
 constexpr const char* usage = R"(usage: fuzz_inputs [TARGET…] [--inputs N | --seconds S] [--seed S] [--from I]
   Mutates what each target reads (all of them without a name); prints how many were taken and the slowest.
-  --inputs N   so many of each target (2000)
+  --inputs N   so many of each target (2000), fewer of slow ones
   --seconds S  as many as there is time for, of all targets
   --seed S     other mutations (1)
   --from I     from that one on: what an input was that did harm
@@ -170,6 +173,28 @@ std::vector<std::string> sampleTexts() {
             "t [us],F [kN]\n0,1\n1,2\n2,1\n\0\0\0"s};
 }
 
+/// Records of a gauge on a rod, and of a pair of gauges, every fourth sample.
+std::vector<std::string> gaugeTexts() {
+    std::vector<std::string> texts;
+    for (const bool isPair : {false, true}) {
+        const GaugeScene scene = coverageScene("white", coverageRocks[4], 0.005, isPair ? 2 : 1);
+        const GaugeRecord& record = scene.question.records[0];
+        std::string text = isPair ? "time [us];A [kN];B [kN]\n" : "time [us],A [kN]\n";
+        for (std::size_t i = 0; i < record.time.size(); i += 4) {
+            const double force = 1e-3 * record.gauges[0].force[i];
+            char line[80];
+            if (isPair)
+                std::snprintf(line, sizeof line, "%.0f;%.2f;%.2f\n", 1e6 * record.time[i], force + 2,
+                              force - 2);
+            else
+                std::snprintf(line, sizeof line, "%.0f,%.2f\n", 1e6 * record.time[i], force);
+            text += line;
+        }
+        texts.push_back(text);
+    }
+    return texts;
+}
+
 std::vector<std::string> wordTexts() {
     return {"bit_rock.stiffness=50MN/m:250MN/m:log",
             "rod.length=+-5%",
@@ -189,6 +214,7 @@ struct Target {
     std::string_view name;
     std::vector<std::string> corpus;
     std::function<bool(const std::string&)> takes;
+    std::uint64_t cost = 1;  ///< one of so many inputs is tried
 };
 
 bool takesTable(const std::string& text) {
@@ -229,6 +255,37 @@ bool takesSamples(const std::string& text) {
         isTaken = true;
     }
     return isTaken;
+}
+
+/// As `identify` reads a record, with the answer in every form: numbers are finite, or there are none.
+bool takesGaugeRecord(const std::string& text) {
+    IdentifyReport report;
+    report.question.scenario = rodScenario({});
+    std::istringstream in(text);
+    GaugeChoice gauge{.column = "A", .opposite = "", .distance = RodRig().ahead};
+    if (text.find("B [kN]") != std::string::npos) gauge.opposite = "B";
+    const GaugePlace place = *gaugePlace(report.question.scenario, gauge.distance);
+    GaugeReading reading = readGauges(in, {}, {gauge}, {place});
+    if (!reading.problem.isEmpty()) {
+        requireLine(reading.problem);
+        return false;
+    }
+    if (!reading.questions.empty()) return false;
+    report.question.records.push_back(std::move(reading.record));
+    report.findings = runIdentify(report.question);
+    const RecordAnswer& answer = report.findings.main();
+    requireLine(identifySentence(answer));
+    identifyText(report, plainStyle());
+    if (answer.refusal) {
+        requireLine(answer.refusal->text);
+        return false;
+    }
+    for (const IdentifiedParameter& parameter : answer.parameters)
+        for (const double value : {parameter.value, parameter.low.value_or(0), parameter.high.value_or(0)})
+            if (!std::isfinite(value)) throw std::logic_error("no number for " + parameter.key);
+    if (matchCsv(report).find("nan") != std::string::npos) throw std::logic_error("no number in match.csv");
+    posteriorCsv(report);
+    return answer.model != ModelVerdict::rejected;
 }
 
 bool takesRecorders(const std::string& text) {
@@ -322,6 +379,7 @@ std::vector<Target> allTargets() {
         {"draws", tableTexts(), takesDraws},
         {"pulse_table", sampleTexts(), takesPulseTable},
         {"samples", sampleTexts(), takesSamples},
+        {"gauge_record", gaugeTexts(), takesGaugeRecord, 20},
         {"recorders",
          {"drillwave_recorders: 1\nrecorders:\n  \"rig scope\":\n    unit: \"V\"\n    scale: \"50kN/V\"\n    "
           "invert: true\n",
@@ -439,7 +497,10 @@ int main(int argc, char** argv) {
         Tally tally;
         const double end = secondsNow() + options.seconds / double(targets.size());
         for (std::uint64_t i = options.from;
-             options.seconds > 0 ? secondsNow() < end : i < options.from + options.inputs; ++i)
+             options.seconds > 0
+                 ? secondsNow() < end
+                 : i < options.from + std::max<std::uint64_t>(1, options.inputs / target.cost);
+             ++i)
             isRight &= feed(target, options, i, tally);
         std::printf("%-12.*s %8llu %7llu %11.2f\n", int(target.name.size()), target.name.data(),
                     static_cast<unsigned long long>(tally.inputs),
