@@ -44,6 +44,12 @@ double lengthOf(const std::string& option, const std::string& text) {
 
 }  // namespace
 
+std::optional<double> percentageOf(std::string_view text) {
+    if (!text.ends_with('%')) return std::nullopt;
+    const std::optional<double> number = parseNumber(text.substr(0, text.size() - 1));
+    return number ? std::optional(*number / 100) : std::nullopt;
+}
+
 GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word) {
     const std::string option = "--" + name + " " + word;
     const std::size_t at = word.rfind('@');
@@ -82,10 +88,9 @@ KnownTolerance knownOf(const std::string& word, const Scenario& scenario) {
     const bool isRelative = known.key == "gain" || known.key == "zero" ||
                             known.key.ends_with("youngs_modulus") || known.key.ends_with("density");
     if (isPercent || isRelative) {
-        if (!isPercent) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
-        const std::optional<double> number = parseNumber(std::string_view(text).substr(0, text.size() - 1));
-        if (!number) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
-        known.tolerance = *number / 100;
+        const std::optional<double> share = percentageOf(text);
+        if (!share) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
+        known.tolerance = *share;
         if (!isRelative) {
             const KeptParameter parameter = findParameter(known.key);
             if (parameter && parameter->applies(scenario))

@@ -2,8 +2,10 @@
 // From the words of `identify` to its question.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
@@ -15,6 +17,9 @@ namespace drillwave {
 
 /// The options of `identify`: of scenarios, of reading, and its own.
 std::vector<OptionSpec> identifyOptionSpecs();
+
+/// Returns the share of a percentage such as "2%"; nothing for another text.
+std::optional<double> percentageOf(std::string_view text);
 
 /// A gauge of `--gauge`, `--check` or `--record`: COLUMN@DISTANCE. Throws CommandError: usage; invalid
 /// scenario where the distance is none.

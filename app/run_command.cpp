@@ -48,6 +48,7 @@ void readGauges(const Arguments& arguments, RunFiles& files) {
     for (const std::string& word : words) {
         const GaugeChoice gauge = gaugeChoiceOf("record", word);
         files.gauges.push_back({gauge.column, gauge.distance});
+        if (!gauge.opposite.empty()) files.gauges.push_back({gauge.opposite, gauge.distance});
     }
     for (const char* option : {"noise", "seed"})
         if (arguments.has(option) && words.empty())
@@ -56,14 +57,12 @@ void readGauges(const Arguments& arguments, RunFiles& files) {
     files.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, 2'000'000'000));
     const std::optional<std::string> noise = arguments.value("noise");
     if (!noise) return;
-    const bool isPercent = noise->ends_with('%');
-    const std::optional<double> share =
-        parseNumber(std::string_view(*noise).substr(0, noise->size() - (isPercent ? 1 : 0)));
-    if (!isPercent || !share || !(*share >= 0 && *share <= 100))
+    const std::optional<double> share = percentageOf(*noise);
+    if (!share || !(*share >= 0 && *share <= 1))
         throw CommandError(ExitCode::invalidScenario,
                            refusedValue("--noise", *noise,
                                         translatable("must be a percentage from 0 to 100 %, such as 1%")));
-    files.noise = *share / 100;
+    files.noise = *share;
 }
 
 /// Finds out whether the gauges are on the rod or string.
@@ -211,7 +210,8 @@ const Command& runCommand() {
         "first four can be run again. For drill strings, the histories are taken at the middle of the "
         "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.\n"
         "--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:\n"
-        "the strain at one or two gauges in 1e6 samples a second.";
+        "the strain at one or two gauges in 1e6 samples a second; --record top+bottom@1.13m that of "
+        "gauges\non opposite sides, each with noise of its own.";
     static const Command command{
         .name = "run",
         .operands = "FILE",

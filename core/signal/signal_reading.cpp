@@ -286,23 +286,16 @@ class SignalReader {
     /// N that a number of the table stands for; 0 where something is open, which is asked for.
     double force() {
         const std::optional<NamedSignalUnit>& unit = m_reading.unit;
-        if (m_options.scale) {
-            const SignalScale& scale = *m_options.scale;
-            if (scale.isPerUnit) {
-                if (!unit) ask("unit");
-                return unit ? scale.factor * unit->unit.factor : 0;
-            }
-            if (!unit) {
-                ask("unit");
-                return 0;
-            }
-            // Newtons for a volt, or so many times a force.
-            return scale.factor * unit->unit.factor;
-        }
         if (!unit) {
             ask("unit");
             return 0;
         }
+        const std::optional<SignalScale>& scale = m_options.scale;
+        const bool isVoltageAlone = unit->kind == SignalKind::voltage && !m_options.excitation;
+        const bool isOfForce =
+            isVoltageAlone || unit->kind == SignalKind::force || unit->kind == SignalKind::velocity;
+        // Newtons for a volt or a m/s, or so many times a force; a factor of a strain leaves it a strain.
+        if (scale && (scale->isPerUnit || isOfForce)) return scale->factor * unit->unit.factor;
         GaugedBar bar;
         const std::optional<double> area = m_options.area ? m_options.area : m_bar.area;
         const std::optional<double> modulus = m_options.modulus ? m_options.modulus : m_bar.modulus;
@@ -325,15 +318,14 @@ class SignalReader {
         if (kind == SignalKind::bridge && !m_options.gaugeFactor) ask("gauge_factor");
         const bool needsBar =
             kind == SignalKind::strain || kind == SignalKind::bridge || kind == SignalKind::voltage;
-        const bool isVoltOpen = kind == SignalKind::voltage && !m_options.excitation;
-        if ((needsBar || kind == SignalKind::stress) && !area && !isVoltOpen) ask("area");
-        if (needsBar && !modulus && !isVoltOpen) ask("modulus");
+        if ((needsBar || kind == SignalKind::stress) && !area && !isVoltageAlone) ask("area");
+        if (needsBar && !modulus && !isVoltageAlone) ask("modulus");
         if (kind == SignalKind::velocity && !m_bar.impedance) ask("impedance");
         const bool isOpen = std::ranges::any_of(m_reading.questions, [](const std::string& question) {
             return question == "unit" || question == "area" || question == "modulus" ||
                    question == "bridge" || question == "gauge_factor" || question == "impedance";
         });
-        return isOpen ? 0 : forcePerNumber(kind, unit->unit.factor, bar);
+        return isOpen ? 0 : (scale ? scale->factor : 1) * forcePerNumber(kind, unit->unit.factor, bar);
     }
 
     /// The zero line, the sign, the range, and what is remarkable.

@@ -16561,18 +16561,6 @@ drill.blow_frequency; Reserven brauchen drill.thrust. Bei Bohrsträngen ist I0 d
 Hammerfläche; Spalte haben keine Periode, daher nur dieser Schlag und starres Gestein.</translation>
     </message>
     <message>
-        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. For drill strings, the histories are taken at the middle of the longest
-section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
---record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
-the strain at one or two gauges in 1e6 samples a second.</source>
-        <translation>Mit -o erhält DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: jede der
-ersten vier lässt sich wieder rechnen. Bei Bohrsträngen stehen die Verläufe für die Mitte des längsten
-Abschnitts. Die Diagramme sind blow.*, rock.*, wave_picture.* und rod.*.
---record near@1.13m --record far@2.93m --noise 1% schreibt record.csv, eine Probe für `identify`:
-die Dehnung an einer oder zwei Messstellen mit 1e6 Abtastwerten je Sekunde.</translation>
-    </message>
-    <message>
         <source>with -o, also the record of a strain gauge, by its distance from the bit face</source>
         <translation>mit -o auch die Aufzeichnung einer Dehnungsmessstelle, nach ihrem Abstand von der Bohrkrone</translation>
     </message>
@@ -16583,6 +16571,20 @@ die Dehnung an einer oder zwei Messstellen mit 1e6 Abtastwerten je Sekunde.</tra
     <message>
         <source>seed of that noise (default: 1)</source>
         <translation>Startwert dieses Rauschens (Vorgabe: 1)</translation>
+    </message>
+    <message>
+        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
+section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
+--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
+the strain at one or two gauges in 1e6 samples a second; --record top+bottom@1.13m that of gauges
+on opposite sides, each with noise of its own.</source>
+        <translation>Mit -o erhält DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: jede der
+ersten vier lässt sich wieder rechnen. Bei Bohrsträngen stehen die Verläufe für die Mitte des längsten
+Abschnitts. Die Diagramme sind blow.*, rock.*, wave_picture.* und rod.*.
+--record near@1.13m --record far@2.93m --noise 1% schreibt record.csv, eine Probe für `identify`:
+die Dehnung an einer oder zwei Messstellen mit 1e6 Abtastwerten je Sekunde; --record oben+unten@1.13m die
+gegenüberliegender Messstellen, jede mit eigenem Rauschen.</translation>
     </message>
 </context>
 </TS>

@@ -16551,18 +16551,6 @@ drill.thrust. För borrsträngar är I0 impulsen på hammarens yta; spalter har 
 detta slag och stelt berg skrivs ut.</translation>
     </message>
     <message>
-        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. For drill strings, the histories are taken at the middle of the longest
-section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
---record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
-the strain at one or two gauges in 1e6 samples a second.</source>
-        <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
-de fyra första kan räknas om. För borrsträngar gäller förloppen mitten av den längsta sektionen.
-Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.
---record near@1.13m --record far@2.93m --noise 1% skriver record.csv, en övning inför `identify`:
-töjningen vid en eller två givare med 1e6 sampel per sekund.</translation>
-    </message>
-    <message>
         <source>with -o, also the record of a strain gauge, by its distance from the bit face</source>
         <translation>med -o även inspelningen från en töjningsgivare, efter dess avstånd från kronans yta</translation>
     </message>
@@ -16573,6 +16561,20 @@ töjningen vid en eller två givare med 1e6 sampel per sekund.</translation>
     <message>
         <source>seed of that noise (default: 1)</source>
         <translation>frö för detta brus (förval: 1)</translation>
+    </message>
+    <message>
+        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
+section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
+--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
+the strain at one or two gauges in 1e6 samples a second; --record top+bottom@1.13m that of gauges
+on opposite sides, each with noise of its own.</source>
+        <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
+de fyra första kan räknas om. För borrsträngar gäller förloppen mitten av den längsta sektionen.
+Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.
+--record near@1.13m --record far@2.93m --noise 1% skriver record.csv, en övning inför `identify`:
+töjningen vid en eller två givare med 1e6 sampel per sekund; --record upp+ner@1.13m den från givare
+mitt emot varandra, var och en med eget brus.</translation>
     </message>
 </context>
 </TS>

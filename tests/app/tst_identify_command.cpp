@@ -59,6 +59,8 @@ void TestIdentifyCommand::aRehearsedRecordGivesTheRockBack_data() {
     QTest::addColumn<double>("stiffness");
     QTest::addColumn<double>("most");  // relative deviation of stiffness and gamma
     QTest::newRow("rod") << example("t38_medium_rock") << QStringList{"a@1.8m"} << 105e6 << 2e-3;
+    QTest::newRow("gauges on opposite sides")
+        << example("t38_medium_rock") << QStringList{"a+b@1.8m"} << 105e6 << 2e-3;
     QTest::newRow("string") << example("t38_string") << QStringList{"near@1.1m", "far@2.5m"} << 100e6 << 2e-2;
 }
 

@@ -287,6 +287,8 @@ void TestSignalReading::voltsBecomeForces_data() {
     QTest::addRow("bridge") << "mV/V"
                             << "bridge 1 gauge-factor 2" + bar << area * modulus * 4e-3 / 2;
     QTest::addRow("strain") << "µm/m" << bar << area * modulus * 1e-6;
+    QTest::addRow("strain, corrected") << "µm/m"
+                                       << "scale 1.13" + bar << 1.13 * area * modulus * 1e-6;
     QTest::addRow("stress") << "MPa"
                             << "area 1000mm^2" << area * 1e6;
     QTest::addRow("velocity") << "m/s"
