@@ -81,7 +81,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     DrillingSettings settings = drillingSettingsOf(document.scenario);
     settings.cells = drillCells(arguments, settings.cells);
     refuseDrill(drillingRefusals(document.scenario, settings), path);
-    DrillingWants wants;
+    DrillingRequest wants;
     wants.histories = drillHistories(arguments, out, settings);
     if (wants.histories && foreseenInstants(document.scenario, settings, *wants.histories) >
                                static_cast<double>(mostDrillingInstants))

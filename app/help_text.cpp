@@ -15,11 +15,11 @@ namespace drillwave {
 
 namespace {
 
-constexpr const char* beforeCommands =
+constexpr const char* usageHeader =
     "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
     "       drillwave COMMAND ARGUMENTS  work without a window\n"
     "\nCommands:\n";
-constexpr const char* behindCommands =
+constexpr const char* usageFooter =
     "\n  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter\n"
     "  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual\n"
     "  or a section of it (help theory 10), and for any other word (help feed) the places of the\n"
@@ -124,10 +124,10 @@ std::string detailsOf(const Command& command, const ReadingStyle& style) {
 }
 
 std::string programHelp(const ReadingStyle& style) {
-    std::string help = style.said(beforeCommands);
+    std::string help = style.said(usageHeader);
     for (const Command* command : commands())
         help += line(std::string(command->name), style.patternFor(std::string(command->summary)), 9);
-    return help + style.said({behindCommands, {chapterList(), Message::ofTable(exitCodesHelp)}});
+    return help + style.said({usageFooter, {chapterList(), Message::ofTable(exitCodesHelp)}});
 }
 
 std::string commandHelp(const Command& command, const ReadingStyle& style) {
@@ -161,9 +161,9 @@ std::string ownHelp(std::string_view name, const ReadingStyle& style) {
 }
 
 std::vector<std::string_view> helpTexts() {
-    std::vector<std::string_view> texts{beforeCommands, behindCommands, scenarioOperandHelp, exitCodesHelp,
-                                        optionsTitle,   thisText,       versionHelp,         helpSummary,
-                                        helpDetails,    versionSummary};
+    std::vector<std::string_view> texts{usageHeader,  usageFooter,   scenarioOperandHelp, exitCodesHelp,
+                                        optionsTitle, thisText,      versionHelp,         helpSummary,
+                                        helpDetails,  versionSummary};
     for (const Command* command : commands()) {
         texts.push_back(command->summary);
         if (!command->details.empty()) texts.push_back(command->details);

@@ -71,7 +71,7 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing* drawing) 
                              "posterior.csv", "identified.yaml", identifyJsonName});
         std::vector<std::string> inputs = files.records;
         inputs.push_back(files.scenario);
-        for (const std::string& name : names) checkOutputIsNone(*folder + "/" + name, inputs);
+        for (const std::string& name : names) checkNotInputFile(*folder + "/" + name, inputs);
         checkFolder(*folder, names, overwrite);
     }
     checkStandardOutput();

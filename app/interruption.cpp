@@ -115,7 +115,7 @@ const ReadingStyle& Interruption::style() const {
     return styleOfCommand ? *styleOfCommand : plainStyle();
 }
 
-void Interruption::ignoreFromNowOn() const {
+void Interruption::disable() const {
     for (const int signal : interruptions) std::signal(signal, SIG_IGN);
 }
 

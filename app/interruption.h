@@ -41,7 +41,7 @@ class Interruption {
     /// Throws CommandError (interrupted) if a stop was requested.
     void check() const;
     /// Ignores signals until the program ends, because all output is written.
-    void ignoreFromNowOn() const;
+    void disable() const;
     /// The style of speakOnInterruption().
     const ReadingStyle& style() const;
 

@@ -168,7 +168,7 @@ ExitCode runJoin(const Arguments& arguments, const Drawing*) {
         whole.unsolved += one.part.unsolved;
     }
     for (const std::string& output : {*path, recordName(*path)}) {
-        checkOutputIsNone(output, inputs);
+        checkNotInputFile(output, inputs);
         checkOverwrite(output, overwrite);
     }
 

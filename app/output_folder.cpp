@@ -38,7 +38,7 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
     const FolderEnd end = writeWholeFolder(
         path, rewritten, existing, interruption ? interruption->token() : std::stop_token(), onLongWait);
     if (end.isWritten()) {
-        if (interruption) interruption->ignoreFromNowOn();
+        if (interruption) interruption->disable();
         return;
     }
     if (interruption) interruption->check();

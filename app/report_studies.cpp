@@ -70,7 +70,7 @@ ReportStudies ReportStudyPlan::run(const Interruption& interruption) const {
 }
 
 std::shared_ptr<const DrillingResult> ReportStudyPlan::drilling(const Interruption& interruption) const {
-    const DrillingWants wants{.jobs = m_jobs};
+    const DrillingRequest wants{.jobs = m_jobs};
     ProgressBar bar(static_cast<std::uint64_t>(foreseenBlows(*m_drilling, wants)), translatable("blows"),
                     m_style);
     std::uint64_t done = 0;

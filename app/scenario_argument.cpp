@@ -165,7 +165,7 @@ ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& styl
     return parsedInput(inputBytes(path, style), path);
 }
 
-void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs) {
+void checkNotInputFile(const std::string& output, const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         std::error_code error;
         if (std::filesystem::equivalent(output, input, error) && !error)
@@ -187,7 +187,7 @@ std::vector<std::string> inputsOf(const Arguments& arguments, const ScenarioDocu
 
 void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
                           const ScenarioDocument& document) {
-    checkOutputIsNone(output, inputsOf(arguments, document));
+    checkNotInputFile(output, inputsOf(arguments, document));
 }
 
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {

@@ -45,7 +45,7 @@ void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
                           const ScenarioDocument& document);
 
 /// Throws CommandError (usage) if `output` is one of the `inputs`.
-void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs);
+void checkNotInputFile(const std::string& output, const std::vector<std::string>& inputs);
 
 /// Throws CommandError (usage) if a --set sets a parameter of an axis, which the word in `words` quotes: one
 /// would silently undo the other. `scenario` is the result of loadScenarioInput().

@@ -30,7 +30,7 @@ ExitCode worseOf(ExitCode a, ExitCode b) {
 
 void writeSignal(const Arguments& arguments, const NamedReading& record, Overwrite overwrite) {
     const std::string path = *arguments.value("o");
-    checkOutputIsNone(path, arguments.operands());
+    checkNotInputFile(path, arguments.operands());
     OutputFile file(path, overwrite);
     file.write(signalCsv(record.reading));
     file.commit();
@@ -48,7 +48,7 @@ ExitCode runSignal(const Arguments& arguments, const Drawing*) {
     const SignalOptions options = signalOptionsOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (const auto path = arguments.value("o")) {
-        checkOutputIsNone(*path, arguments.operands());
+        checkNotInputFile(*path, arguments.operands());
         checkOutput(*path, overwrite);
     }
     std::vector<NamedReading> records;

@@ -25,7 +25,7 @@ begin_work() {
     trap 'exit 130' INT TERM
 }
 
-# What is mounted inside goes first: nothing of the machine may be removed with it.
+# Unmounts everything inside first: nothing of the machine may be removed with it.
 clean_up() {
     ! mountpoint -q "$root/proc" || umount "$root/proc" || refuse "$root/proc is still in use; unmount it and remove $work"
     rm -rf --one-file-system "$work"

@@ -16,7 +16,7 @@ require_proc() {
     exit 1
 }
 
-# Those of the packages that are not installed.
+# Prints the packages that are not installed.
 missing_of() {
     local package
     for package in "$@"; do
@@ -54,7 +54,7 @@ require_packages() {
     rm -f "$log"
 }
 
-# What apt-get prints goes to $log, and its progress to the screen. The archives are fetched into a folder of their own,
+# The output of apt-get goes to $log, and its progress to the screen. The archives are fetched into a folder of their own,
 # which is removed afterwards: those that were there before stay.
 install_packages() {
     local archives plan
@@ -88,7 +88,7 @@ progress_line() {
 }
 
 # Builds a preset: `build PRESET OPTION…`. Ninja tells how far it is: one line on a terminal, a line for every tenth of
-# the work elsewhere. What the compiler says of an error is shown in full.
+# the work elsewhere. Errors of the compiler are shown in full.
 build() {
     local log status=0
     cmake --preset "$1" >/dev/null || return 1
@@ -103,7 +103,7 @@ build() {
     return $status
 }
 
-# Of lines that begin with "[17/190]" the first of every tenth.
+# Prints the first of every ten lines that begin with "[17/190]".
 tenths() {
     local line tenth last=0
     while IFS= read -r line; do

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is installed, in two components, and the packages for Debian that CPack makes of them:
+# Installed files, in two components, and the packages for Debian that CPack makes of them:
 # drillwave-cli, the commands for machines without a desktop, and drillwave, the window. In build/release: cpack -G DEB
 set(DRILLWAVE_DEBIAN_REVISION 1 CACHE STRING "Revision of the packages for Debian")
 if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
@@ -35,7 +35,7 @@ macro(install_packed file name folder component)
   install(FILES ${gz} DESTINATION ${folder} COMPONENT ${component})
 endmacro()
 
-# What both packages must say of themselves.
+# Description of both packages.
 macro(install_papers folder component)
   install_packed(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog ${folder} ${component})
   install_packed(${made}/changelog.Debian changelog.Debian ${folder} ${component})

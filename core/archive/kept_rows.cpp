@@ -83,7 +83,7 @@ void KeptRows::open(const std::string& entries, Other other) {
         m_problem = notWritten(m_notes, writeFailure(errno));
         return;
     }
-    if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && !areLocksUnknown(errno)) {
+    if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && !isLockingUnsupported(errno)) {
         m_problem = {translatable("%1: another process writes these rows; wait for it, or end it"),
                      {m_notes}};
         return;

@@ -35,7 +35,7 @@ struct DrillNumbers {
 };
 
 /// Which of them take marches of their own.
-struct DrillWishes {
+struct RequiredMarches {
     bool any = false;
     bool lyapunov = false;
     bool penetrationError = false;

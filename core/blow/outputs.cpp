@@ -380,7 +380,7 @@ std::span<const Output> drillOutputs() {
     return drillTable;
 }
 
-DrillWishes drillWishesOf(const Output& output) {
+RequiredMarches drillWishesOf(const Output& output) {
     return {.any = output.needsDrilling(),
             .lyapunov = output.name == lyapunovName,
             .penetrationError = output.name == errorName};

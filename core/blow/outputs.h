@@ -109,7 +109,7 @@ std::span<const Output> outputs();
 std::span<const Output> drillOutputs();
 
 /// Returns what an output of drillOutputs() requires to be computed.
-DrillWishes drillWishesOf(const Output& output);
+RequiredMarches drillWishesOf(const Output& output);
 
 /// Returns why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …"
 /// if an output, or its number in SI, is infinite or NaN. Empty otherwise; times of what never happens may be

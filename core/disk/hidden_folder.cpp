@@ -105,7 +105,7 @@ int makeLocked(const std::string& path, std::unique_ptr<FolderLock>& lock) {
     lock = std::make_unique<FolderLock>(path);
     int error = lock->tryLock();
     // On a disk without locks it also works, but is not repaired after a failure.
-    if (areLocksUnknown(error)) error = 0;
+    if (isLockingUnsupported(error)) error = 0;
     for (const char* part : {"/new", "/old"}) {
         std::error_code problem;
         if (error == 0 && !fs::create_directory(path + part, problem)) error = problem.value();
@@ -115,7 +115,7 @@ int makeLocked(const std::string& path, std::unique_ptr<FolderLock>& lock) {
 
 }  // namespace
 
-bool areLocksUnknown(int error) {
+bool isLockingUnsupported(int error) {
     return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP;
 }
 
@@ -140,7 +140,7 @@ int FolderLock::tryLock() {
     int error = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == 0 && !isStill(descriptor, m_path)) error = EWOULDBLOCK;
     // On a disk without locks nobody holds this one: it would be left there.
-    if (areLocksUnknown(error) && isStill(descriptor, m_path)) ::unlink(m_path.c_str());
+    if (isLockingUnsupported(error) && isStill(descriptor, m_path)) ::unlink(m_path.c_str());
     if (error == 0)
         m_descriptor = descriptor;
     else

@@ -35,7 +35,7 @@ class FolderLock {
 };
 
 /// Returns whether an error of tryLock() means that the disk has no locks, not that one is held.
-bool areLocksUnknown(int error);
+bool isLockingUnsupported(int error);
 
 /// A folder with an unused name in another one: `new` holds new files, `old` the replaced ones. It is removed
 /// with all that is still in it. Its run holds a lock while it lives; a folder left by a run that died is

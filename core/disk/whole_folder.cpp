@@ -215,7 +215,7 @@ class Delivery {
         bool isNotified = !m_onLongWait;
         while (const int error = lock.tryLock()) {
             if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
-            if (areLocksUnknown(error)) break;
+            if (isLockingUnsupported(error)) break;
             if (error != EWOULDBLOCK)
                 return failed(isThere(lock.path()) ? notLocked(lock.path(), error)
                                                    : notWritten(m_folder, {reasonOf(error), false}));
@@ -318,8 +318,8 @@ Message lockProblem(const std::string& folder) {
     FolderLock lock(folder);
     if (!isThere(lock.path())) return {};
     const int error = lock.tryLock();
-    return error == 0 || error == EWOULDBLOCK || areLocksUnknown(error) ? Message()
-                                                                        : notLocked(lock.path(), error);
+    return error == 0 || error == EWOULDBLOCK || isLockingUnsupported(error) ? Message()
+                                                                             : notLocked(lock.path(), error);
 }
 
 Message folderProblem(const std::string& folder, const std::vector<std::string>& names,

@@ -44,7 +44,7 @@ Message agreement(const Accuracy& accuracy) {
     return translatable("The ring buffer gives the same numbers as the moved waves, to the last bit.");
 }
 
-/// What the columns of the table are.
+/// Columns of the table.
 std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
     const auto isShort = [](const AccuracyRow& row) {
         return row.outcome == Outcome::rebounded && row.time.runs < wantedRuns;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view frequencyKey = "drill.blow_frequency";
 
-/// Shares of the progress: two curves of e alone, and one of all outputs, which takes about as long.
+/// Shares of the progress: two curves of e, and one of all outputs, which takes about as long.
 constexpr double shareOfThrust = 0.5;
 
 /// A reason of a study, in a sentence; where the study was given up, how to have it all the same.

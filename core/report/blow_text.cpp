@@ -35,11 +35,11 @@ struct SummaryLine {
     const char* label;
     OutputOf of = OutputOf::anyBlow;
     LineKind kind = LineKind::plain;
-    const char* remark = nullptr;  ///< in place of the number %1, or behind it
+    const char* remark = nullptr;  ///< replaces the number %1, or follows it
 };
 
-/// Of uniform rods as multiples and in SI, of drill strings in SI alone; what comes before and behind them is
-/// added by hand.
+/// Lines of the summary: multiples and SI for uniform rods, SI for drill strings. Lines before and after them
+/// are added separately.
 constexpr auto summaryLines = std::to_array<SummaryLine>({
     {"efficiency_recovered", translatable("and returned with the hammer"), OutputOf::hammer, LineKind::part},
     {"rock_work", translatable("work on the rock"), OutputOf::drillString},
@@ -125,7 +125,7 @@ void addSummary(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
     }
 }
 
-/// Of the margin over the largest of the four needs.
+/// Returns the text of the margin over the largest of the four required feeds.
 Message marginMessage(double margin, double effective, const ReadingStyle& style) {
     const auto newton = [&](double force) { return style.quantity(force, Quantity::force, 4); };
     const double need = effective / (1 + margin);
@@ -158,7 +158,7 @@ void addFeed(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
         add("  ", translatable("at every gap"), marginMessage(*margin, force->effective(), style));
 }
 
-/// What a blow is judged by first, with its error.
+/// Returns the main output of a blow with its error.
 void addMain(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
     const OutputSource numbers{blow.summary, blow.scenario};
     const MainOutput main = mainOutput(blow.scenario);

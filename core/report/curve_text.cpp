@@ -12,7 +12,7 @@ namespace drillwave {
 namespace {
 
 constexpr int curveDigits = 8;
-/// Features of an output of a line that are told one by one; JSON has all of them.
+/// Maximum number of features printed for each output; JSON has all of them.
 constexpr std::size_t mostFeatures = 40;
 constexpr std::size_t mostStretches = 5;
 

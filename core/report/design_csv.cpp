@@ -39,8 +39,8 @@ Cell presetCell(const Preset& preset, std::string_view key) {
     return value == preset.values.end() ? Cell() : Cell(value->si);
 }
 
-/// What sets a design: its choices, and the parameter that keeps the energy. The keys of `without` are left
-/// out, to be set otherwise.
+/// Parameters that set a design: its choices, and the parameter that keeps the energy. The keys of `without`
+/// are left out, to be set otherwise.
 std::vector<std::string> designHeadings(const DesignStudy& study, const std::vector<std::string>& without) {
     std::vector<std::string> headings;
     const auto isOut = [&](std::string_view key) { return std::ranges::find(without, key) != without.end(); };

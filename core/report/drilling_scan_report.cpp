@@ -22,14 +22,14 @@ namespace {
 constexpr std::size_t gapPlace = quantityPlace(&DrillingBlow::gap);
 constexpr std::size_t penetrationPlace = quantityPlace(&DrillingBlow::penetration);
 
-/// Of one point, of each column.
+/// Returns the values of one point, one for each column.
 std::vector<std::optional<double>> valuesOf(const std::vector<OutputColumn>& columns,
                                             const DrillingResult& result) {
     const DrillNumbers numbers = drillNumbersOf(result);
-    const ImpactSummary ofNoBlow;
+    const ImpactSummary emptySummary;
     std::vector<std::optional<double>> values;
     for (const OutputColumn& column : columns)
-        values.push_back(column.value({ofNoBlow, result.scenario, {}, &numbers}, result.scales));
+        values.push_back(column.value({emptySummary, result.scenario, {}, &numbers}, result.scales));
     return values;
 }
 
@@ -67,17 +67,18 @@ std::string scanTable(const DrillingScan& scan, OutputUnits units, const Reading
             grid.add(cells);
             continue;
         }
-        const auto told = [&](double number, int digits) {
+        const auto formatted = [&](double number, int digits) {
             const double shown = scaleOf(DrillingMeasure::length, result).value(number, units);
             return units == OutputUnits::si ? style.quantity(shown, Quantity::length, digits)
                                             : style.number(shown, digits);
         };
         const BlowSpread &gaps = result.spread(gapPlace), &depths = result.spread(penetrationPlace);
         const std::optional<double> error = result.meanError(penetrationPlace);
-        cells.insert(cells.end(), {told(gaps.mean, 4), told(gaps.q05, 3), told(gaps.q95, 3),
-                                   told(depths.mean, 4), error ? told(withoutRounding(*error), 2) : "",
-                                   style.number(100 * result.statistics->contactShare, 3) + " %",
-                                   style.said(motionWord(*result.statistics))});
+        cells.insert(cells.end(),
+                     {formatted(gaps.mean, 4), formatted(gaps.q05, 3), formatted(gaps.q95, 3),
+                      formatted(depths.mean, 4), error ? formatted(withoutRounding(*error), 2) : "",
+                      style.number(100 * result.statistics->contactShare, 3) + " %",
+                      style.said(motionWord(*result.statistics))});
         grid.add(cells);
     }
     return grid.text();

@@ -14,7 +14,7 @@ namespace drillwave {
 
 namespace {
 
-/// Contacts of a blow are told to a hundredth.
+/// Decimals of the mean number of contacts of a blow.
 constexpr int statisticDigits = 5;
 
 constexpr const char* rateLabel = translatable("penetration rate");
@@ -95,7 +95,7 @@ TextGrid sequenceGrid(const DrillingResult& result, OutputUnits units, const Rea
         const BlowQuantity& quantity = blowQuantities[q];
         if (!quantity.title) continue;
         const DrillingScale scale = scaleOf(quantity.measure, result);
-        const auto told = [&](double number, int digits) {
+        const auto formatted = [&](double number, int digits) {
             const double shown = scale.value(number, units);
             return units == OutputUnits::si && quantity.measure != DrillingMeasure::count
                        ? style.quantity(shown, scale.quantity, digits)
@@ -103,9 +103,10 @@ TextGrid sequenceGrid(const DrillingResult& result, OutputUnits units, const Rea
         };
         const BlowSpread& spread = result.spread(q);
         const std::optional<double> error = result.meanError(q);
-        grid.add({style.said(quantity.title), told(spread.mean, statisticDigits),
-                  error ? told(withoutRounding(*error), 2) : "", told(withoutRounding(spread.deviation), 3),
-                  told(spread.q05, 4), told(spread.q50, 4), told(spread.q95, 4)});
+        grid.add({style.said(quantity.title), formatted(spread.mean, statisticDigits),
+                  error ? formatted(withoutRounding(*error), 2) : "",
+                  formatted(withoutRounding(spread.deviation), 3), formatted(spread.q05, 4),
+                  formatted(spread.q50, 4), formatted(spread.q95, 4)});
     }
     return grid;
 }

@@ -16,7 +16,7 @@ namespace {
 using GoalKind = GoalPlace::Kind;
 
 constexpr int goalDigits = 8;
-/// Told one by one; JSON and CSV have all of them.
+/// Maximum number of printed solutions; JSON and CSV have all of them.
 constexpr std::size_t mostPlaces = 40;
 
 const char* what(const GoalPlace& place) {
@@ -36,7 +36,7 @@ const char* what(const GoalPlace& place) {
     return "";
 }
 
-/// Of the output, in its unit.
+/// Returns a value of the output in its unit.
 std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style) {
     const OutputColumn& column = question.columns.front();
     return style.quantity(value, column.hasUnit() ? column.output->quantity() : Quantity::ratio, goalDigits);

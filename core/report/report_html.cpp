@@ -40,7 +40,7 @@ constexpr std::string_view screenStyle =
     "@media print{body{margin:0;max-width:none;font-size:9.5pt}h2{break-after:avoid}"
     "tr{break-inside:avoid}pre{white-space:pre-wrap}}@page{size:A4;margin:15mm}";
 
-// Of lengths QTextDocument knows pixels alone.
+// QTextDocument knows lengths only in pixels.
 constexpr std::string_view paperStyle =
     "h1{font-size:15pt;margin-top:0;margin-bottom:3px}h2{font-size:10pt;margin-top:10px;margin-bottom:3px}"
     "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
@@ -53,8 +53,7 @@ constexpr std::string_view paperStyle =
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
 
-/// What paper shows of texts that may be of any length, so that they do not fill it: of a line of the
-/// scenario as many columns as 180 mm have of 6.5 pt; of a title, of a cell, and of a list of gaps.
+/// Longest texts on paper: lines of the scenario (180 mm at 6.5 pt), titles, cells and lists of gaps.
 constexpr std::size_t paperColumns = 120;
 constexpr std::size_t mostSectionsOnPaper = 24;
 constexpr std::size_t mostTitleColumns = 160, mostCellColumns = 120, mostListColumns = 800;
@@ -84,7 +83,7 @@ class Page {
         return isScreen() ? std::string(text) : cellOnPaper(text, mostColumns);
     }
 
-    /// Whose report it is: names over what they are.
+    /// Returns the names on the title page, each over its description.
     std::string head() const {
         const ReportHead& head = m_report.head;
         std::string names, values;
@@ -131,13 +130,13 @@ class Page {
                                          "modelled.")}});
     }
 
-    /// By the study of the thrust, or else by the blow alone.
+    /// Returns the required feed by the study of the feed, or otherwise by the single blow.
     std::string decision() const {
         const std::string words = estimateText(blow().scenario, blow().feed, m_style);
         return "<p class=\"decision\">" + escapedHtml(words) + "</p>\n";
     }
 
-    /// What stands behind the decision at the top.
+    /// Returns the numbers that support the statement at the top.
     std::string feed() const {
         std::string html = heading(translatable("Required feed"));
         if (m_report.thrust) {
@@ -310,7 +309,7 @@ class Page {
         return table(key, titles, rows);
     }
 
-    /// What the numbers are worth, which is no result.
+    /// Returns the errors of the numbers; none of them is a result.
     std::string solver() const {
         const bool ofString = hasSections(blow().scenario);
         return heading(translatable("Numerical error")) + paragraph(about()) +

@@ -72,7 +72,7 @@ ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle&
     return {stringPlaceText(largestStress(stresses, *output.load), blow, style), {}};
 }
 
-/// Of the outputs that are wanted and that the scenario has.
+/// Returns the requested outputs that the scenario has.
 template <class IsWanted>
 std::vector<ReportRow> rowsOf(const Blow& blow, const ReadingStyle& style, const IsWanted& isWanted) {
     std::vector<ReportRow> rows;

@@ -78,12 +78,12 @@ std::string twoDigits(double value, const ReadingStyle& style) {
     return style.number(value, 2);
 }
 
-/// Of a number that is whole.
+/// Returns a column of integers.
 std::string wholeText(double value, const ReadingStyle&) {
     return std::to_string(std::llround(value));
 }
 
-/// What the cases of one kind came to.
+/// Result of the cases of one kind.
 struct KindOfCase {
     std::string name;  ///< that of the cases up to its first comma
     int cases = 0, passed = 0;
@@ -135,7 +135,7 @@ std::string kindsText(const StabilityReport& report, const ReadingStyle& style) 
     return text;
 }
 
-/// A measure: its worst value is told.
+/// A measure, of which the worst value is printed.
 struct Measured {
     const char* title;
     std::optional<double> (*value)(const StabilityRow&);

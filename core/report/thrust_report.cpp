@@ -21,7 +21,7 @@ namespace drillwave {
 
 namespace {
 
-/// What the hammer hands on with a blow [N s].
+/// Impulse transferred by the hammer in one blow [N s].
 double impulseOf(const ThrustReport& report) {
     return pulseImpulse(report.scenario) * report.study.transferred;
 }
@@ -47,7 +47,7 @@ Message marginSentence(const FeedEstimate& feed, const ReadingStyle& style) {
             {labelOf(feed.largestCase()), style.signedPercent(*feed.largest().margin)}};
 }
 
-/// Those that a point knows; all four where none is solved.
+/// Required feeds that a point has; all four where none is solved.
 std::vector<ThrustCase> knownCases(const ThrustAlong& along) {
     std::vector<ThrustCase> cases(thrustCases.begin(), thrustCases.end());
     for (const ThrustPoint& point : along.curve.points) {
@@ -58,7 +58,7 @@ std::vector<ThrustCase> knownCases(const ThrustAlong& along) {
     return cases;
 }
 
-/// What comes how often, and what presses against it.
+/// Blow frequency and installed feed force.
 std::string blowsText(const ThrustReport& report, const ReadingStyle& style) {
     std::string text = style.said({translatable("%1 of %2, n_b = %3"),
                                    {hertz(*report.scenario.drill.blowFrequency, style),
@@ -161,7 +161,7 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
                                      const std::optional<double>& shareCovered, const ReadingStyle& style) {
     std::vector<Message> sentences = estimateSentences(scenario, feed, style);
     const std::optional<FeedState> state = feed.state();
-    // What covers every gap covers each in this rock.
+    // A feed that is enough for every gap is enough for each one in this rock.
     if (shareCovered && (state == FeedState::belowRequired || state == FeedState::requiredAtThisGap))
         sentences.push_back(
             {translatable("It covers %1 of all gaps in this rock."), {shareText(*shareCovered, style)}});

@@ -11,7 +11,7 @@ namespace drillwave {
 
 struct ScriptedAnswers {
     Questions::Unsaved unsaved = Questions::Unsaved::cancel;
-    bool closeAllTheSame = true;
+    bool confirmClose = true;
     QString open;
     QString import;
     QString save;
@@ -39,9 +39,9 @@ class ScriptedQuestions : public Questions {
         ++m_answers.unsavedAsked;
         return m_answers.unsaved;
     }
-    bool closeAllTheSame(QWidget* /*parent*/, const QString& what, const QString& details) override {
+    bool confirmClose(QWidget* /*parent*/, const QString& what, const QString& details) override {
         m_answers.unwritten.append(what + QLatin1Char('\n') + details);
-        return m_answers.closeAllTheSame;
+        return m_answers.confirmClose;
     }
     QString fileToOpen(QWidget* /*parent*/, const QString& /*folder*/) override { return m_answers.open; }
     QString fileToImport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*folder*/,

@@ -65,7 +65,7 @@ void FileWatch::follow() {
 }
 
 void FileWatch::forget() {
-    m_told.reset();
+    m_reported.reset();
     m_accepted.reset();
     emit agrees();
 }
@@ -82,14 +82,14 @@ void FileWatch::check() {
     const State now = compared(bytes, m_document);
     if (now == State::same) {
         forget();
-    } else if (!isThat(m_told, bytes)) {
-        m_told = bytes;
+    } else if (!isThat(m_reported, bytes)) {
+        m_reported = bytes;
         emit differs(now);
     }
 }
 
 void FileWatch::accept() {
-    m_told = m_accepted = bytesNow(m_path);
+    m_reported = m_accepted = bytesNow(m_path);
 }
 
 bool FileWatch::savingNeedsConsent() const {
@@ -145,7 +145,7 @@ void TableWatch::follow() {
     m_path = path;
     m_points = path.isEmpty() ? TablePoints() : pulse.tablePoints;
     m_read = stampOfPoints();
-    m_told.reset();
+    m_reported.reset();
     if (elsewhere) {
         const QStringList before = m_watcher.files() + m_watcher.directories();
         if (!before.isEmpty()) m_watcher.removePaths(before);
@@ -159,7 +159,7 @@ void TableWatch::follow() {
 
 void TableWatch::remember() {
     if (m_path.isEmpty()) return;
-    m_read = m_told = stampOf(m_path, {});
+    m_read = m_reported = stampOf(m_path, {});
     std::erase_if(m_readings, [this](const Reading& reading) {
         return reading.path == m_path && reading.points == m_points;
     });
@@ -185,9 +185,9 @@ void TableWatch::watch() {
 void TableWatch::check() {
     watch();
     if (m_path.isEmpty()) return;
-    const Stamp now = stampOf(m_path, m_told.value_or(Stamp()));
-    if (m_told && isSame(now, *m_told)) return;
-    m_told = now;
+    const Stamp now = stampOf(m_path, m_reported.value_or(Stamp()));
+    if (m_reported && isSame(now, *m_reported)) return;
+    m_reported = now;
     if (m_read && isSame(now, *m_read))
         emit agrees();
     else

@@ -53,7 +53,7 @@ class FileWatch : public QObject {
     QFileSystemWatcher m_watcher;
     QTimer m_settle;  // editors write in several steps
     QString m_path;
-    std::optional<QByteArray> m_told;      // bytes of the difference reported last; null when missing
+    std::optional<QByteArray> m_reported;  // bytes of the difference reported last; null when missing
     std::optional<QByteArray> m_accepted;  // bytes of the difference accepted last; null when missing
 };
 
@@ -109,7 +109,7 @@ class TableWatch : public QObject {
     TablePoints m_points;
     std::vector<Reading> m_readings;  // of the present history, to which points may come back
     std::optional<Stamp> m_read;      // of the file m_points are from, where that is known
-    std::optional<Stamp> m_told;
+    std::optional<Stamp> m_reported;
 };
 
 }  // namespace drillwave

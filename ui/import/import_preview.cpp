@@ -24,7 +24,7 @@ namespace drillwave {
 
 namespace {
 
-// Of a record with more samples than pixels the lowest and the highest of each bunch.
+// A record with more samples than pixels shows the lowest and the highest of each bunch.
 QPolygonF visibleRecord(const Samples& samples, const SignalRecipe& recipe, double zero) {
     constexpr std::size_t bunches = 2000;
     const std::size_t count = samples.time.size();
@@ -90,7 +90,7 @@ QString sentence(QString text) {
     return text.endsWith(u'?') || text.endsWith(u'.') ? text : text + u'.';
 }
 
-// Of the rod and the rock on show.
+// Effect of thinning on the blow of the present rod and rock.
 QString effectText(const ThinningEffect& effect) {
     const double change = std::abs(effect.change);
     const QString by = change > effect.error

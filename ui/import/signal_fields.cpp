@@ -19,12 +19,12 @@
 namespace drillwave {
 namespace {
 
-/// Of a blow a scenario file has room for so many points in its own text.
+/// Maximum number of points of a blow in the text of a scenario file.
 constexpr int mostBlowPoints = 10'000;
 constexpr int mostCurvePoints = 100'000;
 constexpr int usualPoints = 1000;
 
-/// Of a record, from its beginning, in which nothing has happened yet, probably.
+/// Share of a record, from its beginning, that is probably quiet.
 constexpr double restShare = 0.03;
 
 constexpr int noUnit = -1;  // is chosen
@@ -212,7 +212,7 @@ void SignalFields::proposeChoice(ChoiceBox& box, int choice) const {
     if (!m_touched.contains(&box)) choose(box, choice);
 }
 
-// A strain has a zero line to be found; a force has been given one. What the user has chosen already stays.
+// A strain has a zero line to be found; a force has been given one. A choice of the user stays.
 void SignalFields::proposeZero(RecordSpan record) {
     const bool isForce = chosenValue(*m_kind) == value(SignalKind::force);
     proposeChoice(*m_zero, value(isForce ? ZeroLine::asRecorded : ZeroLine::ofFirstSamples));

@@ -137,7 +137,7 @@ std::optional<TableColumn> TableFields::valueColumn() const {
     return column < m_table.columns.size() ? std::optional(m_table.columns[column]) : std::nullopt;
 }
 
-// What the user has chosen stays while the columns do, and names where no others are found.
+// Choices of the user stay while the columns do, and names where no others are found.
 void TableFields::takeTable(DetectedTable table) {
     const bool sameColumns = table.columns.size() == m_table.columns.size() && table.hasSamples();
     const auto isNameless = [](const TableColumn& column) {

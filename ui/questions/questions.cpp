@@ -53,7 +53,7 @@ Questions::Unsaved DialogQuestions::unsavedChanges(QWidget* parent, const QStrin
     }
 }
 
-bool DialogQuestions::closeAllTheSame(QWidget* parent, const QString& what, const QString& details) {
+bool DialogQuestions::confirmClose(QWidget* parent, const QString& what, const QString& details) {
     if (!someoneIsThere()) {
         printOut(what, details);
         return true;

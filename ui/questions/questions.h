@@ -23,7 +23,7 @@ class Questions {
     /// Asks whether to save or drop changes that would be lost.
     virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
     /// Whether to close the window although something has not been written: what, and why.
-    virtual bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) = 0;
+    virtual bool confirmClose(QWidget* parent, const QString& what, const QString& details) = 0;
     /// The file to open; empty when the user gave up.
     virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
     /// A file to take something from, other than a scenario; empty when the user gave up.
@@ -58,7 +58,7 @@ class Questions {
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;
-    bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) override;
+    bool confirmClose(QWidget* parent, const QString& what, const QString& details) override;
     QString fileToOpen(QWidget* parent, const QString& folder) override;
     QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                          const QString& filter) override;

@@ -146,7 +146,7 @@ void PinnedRuns::askAboutOthers() {
 bool PinnedRuns::mayClose() {
     askAboutOthers();
     const QString problem = m_keeper.finish();
-    return problem.isEmpty() || m_questions.closeAllTheSame(m_window, tr("The runs are not kept."), problem);
+    return problem.isEmpty() || m_questions.confirmClose(m_window, tr("The runs are not kept."), problem);
 }
 
 void PinnedRuns::fail(const QString& what, const QString& problem) {

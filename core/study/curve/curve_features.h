@@ -13,7 +13,7 @@ namespace drillwave {
 
 /// Returns the pieces with values of slivers limited by their neighbours: within a jump any value is
 /// possible, but none beyond its ends.
-std::vector<FitPiece> withQuietSlivers(std::span<const FitPiece> pieces);
+std::vector<FitPiece> mergeSlivers(std::span<const FitPiece> pieces);
 
 /// Features by place, of the first function of pieces over shares of the range: the least and the largest and
 /// all local ones, kinks, jumps, and where the levels are crossed. None where there is no answer at all.

@@ -54,8 +54,8 @@ class Closing {
             if (!isSolved) return 0.0;  // ends the search
             const double own = missOf(sample);
             ((own < 0) == isRising ? m_left : m_right) = sample;
-            const bool isEnough = std::abs(own) <= goalAccuracy * m_size || width() <= jumpWidth;
-            return isEnough ? 0.0 : own;
+            const bool isFound = std::abs(own) <= goalAccuracy * m_size || width() <= jumpWidth;
+            return isFound ? 0.0 : own;
         };
         if (width() > jumpWidth && std::abs(missOf(best())) > goalAccuracy * m_size)
             brentRoot(miss, m_left.x, from, m_right.x, to);
@@ -248,7 +248,7 @@ class Search {
         const CurveOutput& output = line.outputs.front();
         GoalAnswer& answer = line.goal.emplace();
         answer.isComplete = output.grid.empty() && output.unsolved.empty();
-        const std::vector<FitPiece> pieces = withQuietSlivers(output.pieces);
+        const std::vector<FitPiece> pieces = mergeSlivers(output.pieces);
         const std::vector<MonotoneSegment> segments = segmentsOf(pieces, 0);
         if (segments.empty()) return;
         m_sizes[number] = sizeOf(segments, *m_question.goal);

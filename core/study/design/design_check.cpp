@@ -20,7 +20,7 @@ class Lines {
   public:
     void add(bool isUsage, const Message& text) {
         constexpr std::size_t enough = 20;
-        if (text.isEmpty() || m_lines.size() == enough || !m_told.insert(text.text()).second) return;
+        if (text.isEmpty() || m_lines.size() == enough || !m_reported.insert(text.text()).second) return;
         m_lines.push_back({isUsage, text});
     }
     void usage(const Message& text) { add(true, text); }
@@ -30,7 +30,7 @@ class Lines {
 
   private:
     std::vector<DesignProblemLine> m_lines;
-    std::set<std::string> m_told;
+    std::set<std::string> m_reported;
 };
 
 void checkCounts(const DesignStudy& study, Lines& lines) {

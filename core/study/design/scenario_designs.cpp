@@ -44,7 +44,7 @@ class ScenarioSolver : public DesignSolver {
         if (m_scene->obstacle()) return m_scene->obstacle()->reason;
         if (!m_hasPulse || m_scene->movesPulse(0)) m_solver.setPulse(m_scene->scenario());
         m_hasPulse = !m_scene->movesPulse(0);
-        return told(m_solver.solve(m_scene->scenario(), outputs, stop), outputs);
+        return checked(m_solver.solve(m_scene->scenario(), outputs, stop), outputs);
     }
 
     Message solveNominal(std::uint64_t design, std::span<double> outputs,
@@ -52,7 +52,7 @@ class ScenarioSolver : public DesignSolver {
         moveTo(design);
         m_solver.setPulse(*m_scenario);
         m_hasPulse = false;
-        return told(m_solver.solve(*m_scenario, outputs, stop), outputs);
+        return checked(m_solver.solve(*m_scenario, outputs, stop), outputs);
     }
 
   private:
@@ -68,7 +68,7 @@ class ScenarioSolver : public DesignSolver {
     }
 
     /// A blow without a number that is asked for counts as not solved.
-    static Message told(Message reason, std::span<const double> outputs) {
+    static Message checked(Message reason, std::span<const double> outputs) {
         if (!reason.isEmpty()) return reason;
         return std::ranges::any_of(outputs, [](double value) { return std::isnan(value); })
                    ? Message(translatable("some output has no value"))

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// Returns the available outputs. Penetration error needs `cellError`, λ `lyapunov` of DrillingWants.
+/// Returns the available outputs. Penetration error needs `cellError`, λ `lyapunov` of DrillingRequest.
 DrillNumbers drillNumbersOf(const DrillingResult& result);
 
 /// Returns why there are no statistics: pushed back, stopped, or not solved; empty if there are.

@@ -146,9 +146,9 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         return result;
     }
     DrillingMarch main(problem, grid);
-    if (!main.trouble().empty()) {
+    if (!main.failureReason().empty()) {
         result.outcome = DrillingOutcome::notSolved;
-        result.reason = Message::ofTable(main.trouble());
+        result.reason = Message::ofTable(main.failureReason());
         return result;
     }
     std::optional<DrillingMarch> beside;
@@ -182,10 +182,10 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
                                                                                              : nullptr);
         }
         if (!takeBlow()) {
-            const std::string_view trouble =
-                main.trouble().empty() && beside ? beside->trouble() : main.trouble();
-            result.outcome = trouble.empty() ? DrillingOutcome::stopped : DrillingOutcome::notSolved;
-            result.reason = Message::ofTable(trouble);
+            const std::string_view failure =
+                main.failureReason().empty() && beside ? beside->failureReason() : main.failureReason();
+            result.outcome = failure.empty() ? DrillingOutcome::stopped : DrillingOutcome::notSolved;
+            result.reason = Message::ofTable(failure);
             break;
         }
         if (beside) {
@@ -204,7 +204,7 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         if (progress) progress(beside ? 2 : 1);
         if (length.histories && main.blows() == length.histories->last && !samples.rear.empty())
             historyEnd = samples.rear.back().time;
-        if (length.isEnough && length.isEnough(result.blows)) break;
+        if (length.stopEarly && length.stopEarly(result.blows)) break;
     }
     if (length.histories && static_cast<std::size_t>(length.histories->first) <= result.blows.size())
         result.instants =

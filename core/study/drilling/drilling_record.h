@@ -62,7 +62,7 @@ struct RecordLength {
     int jobs = 1;  ///< the march of λ has a thread of its own where they are more
     std::function<void(const DrillingBlow&)> onBlow = {};
     /// Called after every blow: true ends the march there because what follows is known.
-    std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
+    std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 
 /// Number of blows with a growing gap, of a machine that is pushed back on their mean, after which the bit is

@@ -30,7 +30,7 @@ constexpr double motionTolerance = 1e-3;
 /// Everything of a study but its numbers of the marches.
 class MarchStudy {
   public:
-    MarchStudy(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants,
+    MarchStudy(const Scenario& scenario, const DrillingSettings& settings, const DrillingRequest& wants,
                const std::stop_token& stop, const DrillingProgress& progress)
         : m_wants(wants), m_stop(stop), m_progress(progress) {
         m_result.scenario = scenario;
@@ -45,7 +45,7 @@ class MarchStudy {
         takeGrid(grid);
         DrillingRecord main = recordOf(m_mesh.problem, grid,
                                        {m_result.settings.blows, m_wants.mostWork, m_wants.lyapunov,
-                                        m_wants.histories, m_wants.jobs, m_wants.onBlow, m_wants.isEnough},
+                                        m_wants.histories, m_wants.jobs, m_wants.onBlow, m_wants.stopEarly},
                                        m_stop, m_progress);
         m_result.outcome = main.outcome;
         m_result.reason = main.reason;
@@ -186,7 +186,7 @@ class MarchStudy {
         groups.kappa = m_mesh.problem.machine->stiffness / m_mesh.problem.blow.sections[first].impedance;
     }
 
-    DrillingWants m_wants;
+    DrillingRequest m_wants;
     const std::stop_token& m_stop;
     const DrillingProgress& m_progress;
     DrillingMesh m_mesh;
@@ -201,7 +201,7 @@ std::optional<double> DrillingResult::meanError(std::size_t quantity) const {
     return *batches + cellErrors[quantity] + settlingShare * std::abs(spread(quantity).mean);
 }
 
-long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants) {
+long foreseenBlows(const DrillingSettings& settings, const DrillingRequest& wants) {
     return settings.blows * (1 + wants.lyapunov + wants.cellError);
 }
 
@@ -211,7 +211,8 @@ double foreseenInstants(const Scenario& scenario, const DrillingSettings& settin
            static_cast<double>(grid.cuts.count());
 }
 
-double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants) {
+double drillingWork(const Scenario& scenario, const DrillingSettings& settings,
+                    const DrillingRequest& wants) {
     const auto workOf = [](const DrillingMesh& mesh, long blows) {
         return mesh.grid.work(mesh.problem) * static_cast<double>(blows);
     };
@@ -221,7 +222,7 @@ double drillingWork(const Scenario& scenario, const DrillingSettings& settings, 
 }
 
 DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& settings,
-                             const DrillingWants& wants, const std::stop_token& stop,
+                             const DrillingRequest& wants, const std::stop_token& stop,
                              const DrillingProgress& progress) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();

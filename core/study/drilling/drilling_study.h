@@ -40,7 +40,7 @@ inline constexpr double coveringCells = 3;
 inline constexpr double coveringRounding = 300;
 
 /// Requested results besides the blows: each march costs one of its own.
-struct DrillingWants {
+struct DrillingRequest {
     bool cellError = true;  ///< from other cells, see comparedDrillingGridOf()
     bool lyapunov = true;
     bool blowAlone = true;  ///< the single blow for comparison
@@ -51,7 +51,7 @@ struct DrillingWants {
     std::function<void(const DrillingBlow&)> onBlow = {};
     /// Called after every blow of the march itself; true ends the march there because what follows is known.
     /// Then there are no statistics.
-    std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
+    std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 
 struct DrillingResult {
@@ -89,17 +89,17 @@ struct DrillingResult {
 };
 
 /// Blows of all marches of a study.
-long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);
+long foreseenBlows(const DrillingSettings& settings, const DrillingRequest& wants);
 
 /// Returns the number of instants of that many blows.
 double foreseenInstants(const Scenario& scenario, const DrillingSettings& settings, const BlowRange& range);
 
 /// Returns the estimated work [cells × nodes].
-double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants);
+double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingRequest& wants);
 
 /// Returns no solution if there are drillingRefusals(), which are the reason.
 DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& settings,
-                             const DrillingWants& wants = {}, const std::stop_token& stop = {},
+                             const DrillingRequest& wants = {}, const std::stop_token& stop = {},
                              const DrillingProgress& progress = {});
 
 }  // namespace drillwave

@@ -131,9 +131,9 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
         return blow;
     }
     const MarchedWaves kept = march.blows() + 2 >= number ? march.takeBlowWithWaves(stop) : MarchedWaves{};
-    if (!march.trouble().empty() || stop.stop_requested()) {
-        blow.impact =
-            Impact::unsolved(Message::ofTable(march.trouble().empty() ? "stopped" : march.trouble()));
+    if (!march.failureReason().empty() || stop.stop_requested()) {
+        blow.impact = Impact::unsolved(
+            Message::ofTable(march.failureReason().empty() ? "stopped" : march.failureReason()));
     } else if (!kept.waves) {
         blow.impact = Impact::unsolved(translatable("it has too many waves to keep"), Hindrance::histories);
     } else {

@@ -21,7 +21,7 @@ DrillingSettings windowSettingsOf(const Scenario& scenario) {
     return settings;
 }
 
-DrillingWants quickWants() {
+DrillingRequest quickWants() {
     return {.lyapunov = false};
 }
 

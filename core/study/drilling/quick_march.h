@@ -14,7 +14,7 @@ inline constexpr double workOfSecond = 2e7;
 DrillingSettings windowSettingsOf(const Scenario& scenario);
 
 /// Returns a request for penetration and gap of a sequence, with errors, and nothing else.
-DrillingWants quickWants();
+DrillingRequest quickWants();
 
 /// Way of following a sequence that was not requested.
 struct QuickMarch {

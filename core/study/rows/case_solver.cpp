@@ -91,10 +91,10 @@ Message CaseSolver::march(const Scenario& scenario, const std::stop_token& stop)
     m_lack = {};
     if (!m_drillWishes.any || !drillProblem(scenario).isEmpty()) return {};
     const DrillingSettings settings = scanSettingsOf(scenario);
-    const DrillingWants wants{.cellError = m_drillWishes.penetrationError,
-                              .lyapunov = m_drillWishes.lyapunov,
-                              .blowAlone = false,
-                              .mostWork = workWithEvents * static_cast<double>(m_solver.mostCells())};
+    const DrillingRequest wants{.cellError = m_drillWishes.penetrationError,
+                                .lyapunov = m_drillWishes.lyapunov,
+                                .blowAlone = false,
+                                .mostWork = workWithEvents * static_cast<double>(m_solver.mostCells())};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
         return translatable("its sequence of blows needs more wave cells than permitted");
     const DrillingResult result = studyDrilling(scenario, settings, wants, stop);

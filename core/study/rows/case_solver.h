@@ -63,7 +63,7 @@ class CaseSolver {
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
     bool m_needsMargin;  ///< of the thrust: a study of all gaps
-    DrillWishes m_drillWishes;
+    RequiredMarches m_drillWishes;
     WaveNumbers m_waveNumbers;
     MethodChoice m_method;
     MethodSolver m_solver;

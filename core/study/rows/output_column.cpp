@@ -87,10 +87,10 @@ WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns) {
     return wanted;
 }
 
-DrillWishes drillWishesFor(std::span<const OutputColumn> columns) {
-    DrillWishes wished;
+RequiredMarches drillWishesFor(std::span<const OutputColumn> columns) {
+    RequiredMarches wished;
     for (const OutputColumn& column : columns) {
-        const DrillWishes own = drillWishesOf(*column.output);
+        const RequiredMarches own = drillWishesOf(*column.output);
         wished.any |= own.any;
         wished.lyapunov |= own.lyapunov;
         wished.penetrationError |= own.penetrationError;

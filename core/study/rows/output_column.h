@@ -54,7 +54,7 @@ Detail detailFor(std::span<const OutputColumn> columns);
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
 
 /// Returns the numbers required from a march.
-DrillWishes drillWishesFor(std::span<const OutputColumn> columns);
+RequiredMarches drillWishesFor(std::span<const OutputColumn> columns);
 
 /// Returns why a column would be empty for every such scenario and what to do; empty if none would be.
 Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);

@@ -111,18 +111,18 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     const auto makeWorker = [&] {
         return [&](ValueWork& chunk, const std::stop_token& stop) {
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
-            DrillingWants wants{.lyapunov = work.lyapunov, .mostWork = work.mostWork};
+            DrillingRequest wants{.lyapunov = work.lyapunov, .mostWork = work.mostWork};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
             wants.cellError = wants.lyapunov = wants.blowAlone = false;
             from.start = DrillingStart::bouncing;
             bool isMet = false;
-            wants.isEnough = [&](const std::vector<DrillingBlow>& blows) {
+            wants.stopEarly = [&](const std::vector<DrillingBlow>& blows) {
                 return isMet = hasMet(blows, chunk.rest.blows);
             };
             chunk.bouncing = studyDrilling(scenario, from, wants, stop);
             chunk.differs = !isMet && !isSameMotion(chunk.rest, chunk.bouncing);
-            wants.isEnough = {};
+            wants.stopEarly = {};
             wants.lyapunov = work.lyapunov;
             wants.cellError = true;
             if (chunk.differs)  // its error is stated, and its λ

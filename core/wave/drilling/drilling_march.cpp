@@ -62,7 +62,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     m_lines.resize(count);
     m_arriving.resize(count);
     if (grid.shortSection()) {
-        m_trouble = translatable(
+        m_failureReason = translatable(
             "a section is shorter than a time step: take more (--cells), or leave the section out and add "
             "its mass to the section before it");
         return;
@@ -126,7 +126,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     m_nextInterval = cellsOfNextInterval();
     m_startMomentum = momentum();
     m_storedBefore = storedEnergy();
-    m_trouble = m_rear.trouble();
+    m_failureReason = m_rear.failureReason();
 }
 
 double DrillingMarch::work() const {
@@ -216,23 +216,23 @@ void DrillingMarch::noteGap(const WaveCell& arriving) {
 }
 
 bool DrillingMarch::takeBlow(const std::stop_token& stop) {
-    if (!m_trouble.empty()) return false;
+    if (!m_failureReason.empty()) return false;
     beginBlow();
     const double worked = m_bit.state().law.worked(m_bit.state().force);
     const std::size_t parts = m_grid.cuts.count();
     const bool canFly = m_lines.size() == 1 && !m_problem.machine && !m_kept;
     const auto* const forceEnd = m_force.data() + m_force.size();
     const WaveCell* force = m_force.data();
-    for (m_cell = 0; m_cell < m_nextInterval && m_trouble.empty(); ++m_cell) {
+    for (m_cell = 0; m_cell < m_nextInterval && m_failureReason.empty(); ++m_cell) {
         if (m_cell % cellsBetweenStops == 0 && stop.stop_requested()) return false;
         for (std::size_t part = 0; part < parts; ++part) {
             const WaveCell* const acting = force < forceEnd ? force++ : nullptr;
             if (!canFly || acting || m_cell == m_gapCell || !flyStep(part)) step(part, acting);
         }
     }
-    if (m_trouble.empty() && !m_bit.trouble().empty()) m_trouble = m_bit.trouble();
-    if (m_trouble.empty() && !m_rear.trouble().empty()) m_trouble = m_rear.trouble();
-    if (!m_trouble.empty()) return false;
+    if (m_failureReason.empty() && !m_bit.failureReason().empty()) m_failureReason = m_bit.failureReason();
+    if (m_failureReason.empty() && !m_rear.failureReason().empty()) m_failureReason = m_rear.failureReason();
+    if (!m_failureReason.empty()) return false;
     m_ledger.rock += m_bit.state().law.worked(m_bit.state().force) - worked;
     endBlow();
     return true;
@@ -397,8 +397,8 @@ void DrillingMarch::endBlow() {
     m_blow.hammerRebound =
         m_hammer > 0 ? sums.faceImpulse / m_hammerMass - m_problem.blow.hammer().velocity : nothing;
     m_lateShare = sums.lateImpulse / m_hammerMomentum;
-    m_momentumAtBlow += sums.faceImpulse + sums.damperImpulse - m_owed - m_impulseToGap;
-    m_owed = bit.record.impulse - m_impulseToGap;
+    m_momentumAtBlow += sums.faceImpulse + sums.damperImpulse - m_impulseCarriedOver - m_impulseToGap;
+    m_impulseCarriedOver = bit.record.impulse - m_impulseToGap;
     m_rockImpulse += bit.record.impulse;
     // what the machine was given, and what has gone into rod or string
     m_fed += m_rear.meanForce() * duration + sums.faceImpulse;

@@ -100,7 +100,8 @@ class DrillingMarch {
     /// The problem must outlive it.
     DrillingMarch(const DrillingProblem& problem, const DrillingGrid& grid);
 
-    /// Follows one blow and the cycle after it. False after a stop, or if it cannot go on: see trouble().
+    /// Follows one blow and the cycle after it. False after a stop, or if it cannot go on: see
+    /// failureReason().
     bool takeBlow(const std::stop_token& stop);
     /// Returns the last blow.
     const DrillingBlow& blow() const { return m_blow; }
@@ -114,7 +115,7 @@ class DrillingMarch {
     /// Returns the work of all blows so far [cells × nodes], including events at the bit.
     double work() const;
     /// Returns why it could not go on; empty if it could.
-    std::string_view trouble() const { return m_trouble; }
+    std::string_view failureReason() const { return m_failureReason; }
     /// Returns m_h v0; 1 under a prescribed force.
     double hammerMomentum() const { return m_hammerMomentum; }
 
@@ -171,10 +172,10 @@ class DrillingMarch {
     double m_gapShare = 0;      ///< of that part
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
-    double m_impulseToGap = 0;    ///< of the rock, in the cycle, until the next blow at the rear end
-    double m_momentumAtBlow = 0;  ///< of the string, at the physical time of the blow
-    double m_owed = 0;            ///< impulse of the rock after that time, in the cycle before
-    double m_lastImpulse = 0;     ///< J of the cycle before
+    double m_impulseToGap = 0;        ///< of the rock, in the cycle, until the next blow at the rear end
+    double m_momentumAtBlow = 0;      ///< of the string, at the physical time of the blow
+    double m_impulseCarriedOver = 0;  ///< impulse of the rock after that time, in the cycle before
+    double m_lastImpulse = 0;         ///< J of the cycle before
     double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
     double m_storedBefore = 0;
     double m_hammerLost = 0;  ///< by the waves of all pistons
@@ -184,7 +185,7 @@ class DrillingMarch {
     double m_rearMoved = 0;  ///< since then
     double m_stringTransit = 0;
     long m_cell = 0;  ///< of the cycle
-    std::string_view m_trouble;
+    std::string_view m_failureReason;
     DrillingSamples* m_samples = nullptr;
     MarchedWaves* m_kept = nullptr;
     long m_keptCell = 0;                     ///< since the first blow: where their clock is at 0

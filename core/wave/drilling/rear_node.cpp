@@ -57,8 +57,9 @@ RearNode::RearNode(const Parts& parts, std::span<const double> widths)
         m_machine->damping * body + std::sqrt(m_machine->stiffness * body) + m_machine->stiffness * mobility;
     for (const double width : m_widths)
         if (m_fastest * width / mostOfRate > mostStretches)
-            m_trouble = translatable("the damper, or the face of the hammer, is too stiff for the time step");
-    if (!m_trouble.empty()) return;
+            m_failureReason =
+                translatable("the damper, or the face of the hammer, is too stiff for the time step");
+    if (!m_failureReason.empty()) return;
     for (const double width : m_widths) m_maps.push_back(pressingMap(width));
 }
 
@@ -314,9 +315,10 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
     int standing = 0;
     bool touches = false;  // for a while in this cell
     SearchCount uncounted;
-    for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces) {
+    for (int pieces = 0; from < 1 && m_failureReason.empty(); ++pieces) {
         if (pieces == mostStretches) {
-            m_trouble = translatable("the contact of damper or hammer with the rear end changes without end");
+            m_failureReason =
+                translatable("the contact of damper or hammer with the rear end changes without end");
             break;
         }
         const Piece piece = nextPiece(in, from, 1);
@@ -324,7 +326,7 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
         Event event = Event::none;
         const auto meet = [&](Event kind, const Series& c, int count) {
             const auto zero = firstZero(c.data(), count, end, uncounted);
-            if (zero.undecided) m_trouble = translatable("an event at the rear end cannot be placed");
+            if (zero.undecided) m_failureReason = translatable("an event at the rear end cannot be placed");
             if (zero.found && (zero.u < end || event == Event::none)) end = zero.u, event = kind;
         };
         if (standing <= mostStanding) {

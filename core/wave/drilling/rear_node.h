@@ -87,7 +87,7 @@ class RearNode {
     /// Whether the waves of the hammer still matter.
     bool hasHammer() const { return m_parts.hammerImpedance > 0 && !m_now.released; }
     /// Why it cannot go on; empty when it can.
-    std::string_view trouble() const { return m_trouble; }
+    std::string_view failureReason() const { return m_failureReason; }
 
   private:
     static constexpr int capacity = 16;
@@ -143,7 +143,7 @@ class RearNode {
     double m_meanForce = 0;
     RearState m_now, m_before;  ///< at the blow
     RearSums m_sums;
-    std::string_view m_trouble;
+    std::string_view m_failureReason;
 };
 
 }  // namespace drillwave

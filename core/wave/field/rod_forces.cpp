@@ -55,7 +55,7 @@ class LargestMeeting {
     double rounding(const WaveSpan& span) const;
     std::size_t firstEndingAt(double time) const;
     std::size_t firstBeginningAfter(double time) const;
-    std::size_t behindMet(std::size_t i) const;
+    std::size_t lastOverlappingSpan(std::size_t i) const;
     double lastToMeet(const WaveSpan& span) const;
 
     const Impact& m_impact;
@@ -186,7 +186,7 @@ void LargestMeeting::keep(const std::vector<WaveSpan>& spans, double least) {
     for (std::size_t i = 0; i < m_some.size(); ++i) {
         const WaveSpan& span = *m_some[i];
         const double oldest = span.begin.time - m_impact.roundTrip - rounding(span);
-        double met = m_mostReflected.over(firstEndingAt(oldest), behindMet(i));
+        double met = m_mostReflected.over(firstEndingAt(oldest), lastOverlappingSpan(i));
         if (oldest <= 0) met = std::max(met, m_sign * m_before.reflected);
         const bool comesIn = suffices(m_incident[i] + met, least);
         const bool goesBack =
@@ -237,7 +237,7 @@ std::size_t LargestMeeting::firstBeginningAfter(double time) const {
 }
 
 /// Behind the last span of which span number i may meet anything.
-std::size_t LargestMeeting::behindMet(std::size_t i) const {
+std::size_t LargestMeeting::lastOverlappingSpan(std::size_t i) const {
     const WaveSpan& span = *m_some[i];
     if (span.begin.time <= m_end) return i + 1;
     return std::min(i + 1, firstBeginningAfter(2 * m_end - span.begin.time + rounding(span)));

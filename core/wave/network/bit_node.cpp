@@ -307,7 +307,7 @@ BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
     SearchCount uncounted;
     const auto meet = [&](const double* c, int count, ContactLine line, bool isCorner = false) {
         const auto zero = firstZero(c, count, event.zero.found ? event.zero.u : 1.0, uncounted);
-        if (zero.undecided) m_trouble = translatable("an event at the rock cannot be placed");
+        if (zero.undecided) m_failureReason = translatable("an event at the rock cannot be placed");
         if (zero.found && (!event.zero.found || zero.u < event.zero.u)) event = {zero, line, isCorner};
     };
     const auto meetForce = [&](double force, bool isCorner) {
@@ -374,9 +374,9 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
     CellProjection leaving, forces;
     double from = 0;
     int standing = 0;  // events at one point
-    for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces, ++m_pieces) {
+    for (int pieces = 0; from < 1 && m_failureReason.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
-            m_trouble = translatable(
+            m_failureReason = translatable(
                 "bit and rock change contact, or a small bit mass oscillates, faster than can be computed");
             break;
         }

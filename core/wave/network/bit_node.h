@@ -111,7 +111,7 @@ class BitNode {
     /// Returns the number of pieces in cells with events.
     long pieces() const { return m_pieces; }
     /// Returns why the node could not go on; empty if it could.
-    std::string_view trouble() const { return m_trouble; }
+    std::string_view failureReason() const { return m_failureReason; }
 
   private:
     struct CellMaps;
@@ -168,7 +168,7 @@ class BitNode {
     WaveCell m_cellForce;
     std::vector<ImpactEvent>* m_events = nullptr;
     long m_pieces = 0;
-    std::string_view m_trouble;
+    std::string_view m_failureReason;
 };
 
 }  // namespace drillwave

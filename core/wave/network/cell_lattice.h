@@ -57,7 +57,9 @@ class CellLattice {
     long work() const { return m_recut + workOfEvents(); }
     long workOfEvents() const;
     /// Returns why it cannot go on; empty if it can.
-    std::string_view trouble() const { return m_bit.trouble().empty() ? m_face.trouble() : m_bit.trouble(); }
+    std::string_view failureReason() const {
+        return m_bit.failureReason().empty() ? m_face.failureReason() : m_bit.failureReason();
+    }
 
   private:
     /// All that a block of steps changes beside the lines.

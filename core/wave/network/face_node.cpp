@@ -223,15 +223,16 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double time, CutAt cu
     double from = 0;
     int standing = 0;  // events at one point
     if (!m_now.apart && !m_stiffness && isStill(w)) separate(time);
-    for (int pieces = 0; from < 1 && !m_now.released && m_trouble.empty(); ++pieces, ++m_pieces) {
+    for (int pieces = 0; from < 1 && !m_now.released && m_failureReason.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
-            m_trouble = translatable("the contact of hammer and string changes without end");
+            m_failureReason = translatable("the contact of hammer and string changes without end");
             break;
         }
         const EventPiece piece = nextPiece(powers, width, from, 1);
         Zero<double> event;
         if (standing <= mostStanding) event = firstZero(piece.c.data(), piece.count, 1.0, uncounted);
-        if (event.undecided) m_trouble = translatable("a contact of hammer and string cannot be placed");
+        if (event.undecided)
+            m_failureReason = translatable("a contact of hammer and string cannot be placed");
         const double end = event.found ? event.u : 1;
         const double to = event.found || from + piece.width < 1 ? from + end * piece.width : 1;
         if (m_now.apart) {

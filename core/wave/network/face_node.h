@@ -63,7 +63,7 @@ class FaceNode {
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
     /// Pieces that cells with events took.
     long pieces() const { return m_pieces; }
-    std::string_view trouble() const { return m_trouble; }
+    std::string_view failureReason() const { return m_failureReason; }
 
   private:
     struct EventPiece;
@@ -88,7 +88,7 @@ class FaceNode {
 
     FaceNodeState m_now;
     long m_pieces = 0;
-    std::string_view m_trouble;
+    std::string_view m_failureReason;
 };
 
 // A force on the rear end of a string, which does not feel what comes back (strings §4).

@@ -98,11 +98,11 @@ Impact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     begin(mostCells);
     while (true) {
         if (m_plan.wants().forcesIfTheyFit && work() > mostCells) m_recorder.leaveOutForces();
-        if (work() > mostCells) return notSolved(Message::ofTable(overspent()), Hindrance::workLimit);
+        if (work() > mostCells) return notSolved(Message::ofTable(workLimitReason()), Hindrance::workLimit);
         if (!m_census.isUnderWay()) scheduleCensus();
         m_lattice.takeBlock(m_census, static_cast<double>(mostCells - flownCells() - m_cells), stop);
-        if (!m_lattice.trouble().empty())
-            return notSolved(Message::ofTable(m_lattice.trouble()), Hindrance::other);
+        if (!m_lattice.failureReason().empty())
+            return notSolved(Message::ofTable(m_lattice.failureReason()), Hindrance::other);
         m_cells += static_cast<long>(stepsOfBlock * (m_plan.sections() + 1));
         if (m_census.isUnderWay()) countBlock(stop);
         m_recorder.add(stop);
@@ -231,7 +231,7 @@ Impact NetworkMarch::notSolved(Message reason, Hindrance hindrance) {
 }
 
 /// Returns the cause of most of the work, and how to reduce it.
-std::string_view NetworkMarch::overspent() const {
+std::string_view NetworkMarch::workLimitReason() const {
     if (m_lattice.workOfEvents() > work() / 2)
         return translatable(
             "contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, "

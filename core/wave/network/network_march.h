@@ -44,7 +44,7 @@ class NetworkMarch {
     bool fliesUntil(double time, const std::stop_token& stop);
     Impact result(const CensusResult& census, Outcome outcome);
     Impact notSolved(Message reason, Hindrance hindrance);
-    std::string_view overspent() const;
+    std::string_view workLimitReason() const;
     long flownCells() const;
     long work() const;
 

@@ -298,7 +298,7 @@ void TestPinnedRuns::closingWaitsForTheRunsAndTellsWhyTheyAreNotKept() {
     window().show();
     write(m_folder.filePath("closed.runs/A.yaml"), "mine");
     runs().rename(1, "renamed");
-    m_answers.closeAllTheSame = false;
+    m_answers.confirmClose = false;
     QVERIFY(!window().close());
     QVERIFY(window().isVisible());
     QCOMPARE(m_answers.unwritten.size(), 1);

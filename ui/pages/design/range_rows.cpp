@@ -34,7 +34,7 @@ constexpr int nameLength = 10, kindLength = 6;  // in their boxes
 /// A gap that is not known at all, of d0: so far the bit may hang back.
 constexpr double unknownGap = 0.4;
 
-/// Keys in the order in which they are proposed: of scenarios with units, and of groups alone.
+/// Keys in the order in which they are proposed: of scenarios with units, and of groups only.
 std::vector<std::string_view> usualKeys(RangeUse use, const Scenario& scenario) {
     const bool isUncertain = use == RangeUse::uncertain;
     if (!hasUnits(scenario))
@@ -44,14 +44,14 @@ std::vector<std::string_view> usualKeys(RangeUse use, const Scenario& scenario) 
     return {"pulse.duration", "hammer.1.length", "rod.length", "hammer.velocity"};
 }
 
-/// What a designer chooses: neither the rock nor constants of steel.
+/// Design variables that are proposed: neither the rock nor constants of steel.
 bool isOfDesign(const Parameter& parameter) {
     if (parameter.section() == "bit_rock") return false;
     return std::ranges::none_of(std::array{"youngs_modulus", "density", "yield_strength", "fatigue_strength"},
                                 [&](std::string_view end) { return parameter.key.ends_with(end); });
 }
 
-/// What can stand in a row, in the order in which it is proposed.
+/// Parameters that a row can have, in the order in which they are proposed.
 std::vector<KeptParameter> proposable(RangeUse use, const Scenario& scenario) {
     std::vector<KeptParameter> found;
     for (const std::string_view key : usualKeys(use, scenario)) found.push_back(findParameter(key));

@@ -42,8 +42,8 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_missing(new MissingFields({"drill.blow_frequency", "drill.thrust"}, document.units(), this)),
       m_table(new DrillingTable(this)),
-      m_march([student = std::make_shared<DrillingStudent>()](const DrillingQuestion& question,
-                                                              const StudyFeed<DrillingAnswer>& feed) {
+      m_march([student = std::make_shared<DrillingCache>()](const DrillingQuestion& question,
+                                                            const StudyFeed<DrillingAnswer>& feed) {
           return student->answer(question, feed);
       }),
       m_scan(answerDrillingScan),

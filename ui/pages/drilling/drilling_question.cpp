@@ -59,8 +59,8 @@ DrillingQuestion drillingQuestion(const Scenario& scenario) {
     return {withoutWords(scenario), windowSettingsOf(scenario)};
 }
 
-DrillingAnswer DrillingStudent::answer(const DrillingQuestion& question,
-                                       const StudyFeed<DrillingAnswer>& feed) {
+DrillingAnswer DrillingCache::answer(const DrillingQuestion& question,
+                                     const StudyFeed<DrillingAnswer>& feed) {
     const auto known =
         std::ranges::find(m_known, question, [](const DrillingAnswer& each) { return each.question; });
     if (known != m_known.end()) {
@@ -73,7 +73,7 @@ DrillingAnswer DrillingStudent::answer(const DrillingQuestion& question,
                          .result = nullptr,
                          .corOverGap = {}};
     if (!found.refusals.empty()) return found;
-    DrillingWants wants;
+    DrillingRequest wants;
     const auto wanted = static_cast<std::size_t>(foreseenBlows(question.settings, wants));
     std::size_t done = 0, shown = 0;
     wants.onBlow = [&](const DrillingBlow& blow) {

@@ -45,7 +45,7 @@ struct DrillingAnswer {
 
 /// Answers one question after another and keeps the last answers, so that undo costs nothing. Use it on one
 /// thread at a time.
-class DrillingStudent {
+class DrillingCache {
   public:
     static constexpr std::size_t keptAnswers = 32;
     DrillingAnswer answer(const DrillingQuestion& question, const StudyFeed<DrillingAnswer>& feed);

@@ -49,9 +49,9 @@ class Growth {
     /// False to end.
     bool follow(const MapGrid& soFar) {
         const Clock::time_point now = Clock::now();
-        if (now - m_told > milliseconds(20)) {
+        if (now - m_reported > milliseconds(20)) {
             m_feed.tell({soFar.done(), soFar.size()});
-            m_told = now;
+            m_reported = now;
         }
         const double share = double(soFar.done()) / double(soFar.size());
         const bool isQuick = now - m_start < quick * share;
@@ -71,7 +71,7 @@ class Growth {
     const StudyFeed<MapReport>& m_feed;
     MapReport& m_report;
     Clock::time_point m_start = Clock::now();
-    Clock::time_point m_told = m_start;
+    Clock::time_point m_reported = m_start;
     Clock::time_point m_nextPicture = m_start + firstPicture;
 };
 

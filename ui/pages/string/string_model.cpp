@@ -332,35 +332,35 @@ bool StringModel::setData(const QModelIndex& index, const QVariant& value, int r
     const KeptParameter parameter = parameterAt(index);
     if (!value.isValid() && parameter && parameter->address->field->clear) {
         m_document.clear(*parameter, m_document.newGesture());
-        return told({});
+        return report({});
     }
     bool isNumber = false;
     const double number = value.toDouble(&isNumber);
     if (!isNumber) return false;
     if (index.column() == repeat) return setTimes(row, number);
-    return told(m_document.assign(*parameter, number, m_document.newGesture()));
+    return report(m_document.assign(*parameter, number, m_document.newGesture()));
 }
 
 bool StringModel::rename(const StringRow& row, const QString& name) {
     if (const Message problem = sectionNameProblem(name.toStdString()); !problem.isEmpty())
-        return told(tr("The name %1").arg(translated(problem)));
+        return report(tr("The name %1").arg(translated(problem)));
     Scenario changed = m_document.scenario();
     sectionAt(changed.drillString, row.spot).name = name.toStdString();
-    return told(m_document.useScenario(changed, tr("call %1 “%2”").arg(row.name(), name)));
+    return report(m_document.useScenario(changed, tr("call %1 “%2”").arg(row.name(), name)));
 }
 
 bool StringModel::setTimes(const StringRow& row, double times) {
     const bool isWhole = times == std::floor(times) && times >= 1 && times <= double(maximumSections);
-    if (!isWhole) return told(tr("A repeat is a whole number from 1 to %1").arg(maximumSections));
+    if (!isWhole) return report(tr("A repeat is a whole number from 1 to %1").arg(maximumSections));
     if (!row.repeat || times == row.repeat->times) return false;
     Scenario changed = m_document.scenario();
     setRepeat(changed.drillString, row.spot.part, static_cast<int>(times));
-    return told(m_document.useScenario(changed, times == 1
-                                                    ? tr("remove the repeat of %1").arg(row.name())
-                                                    : tr("repeat %1 %2 times").arg(row.name()).arg(times)));
+    return report(m_document.useScenario(changed, times == 1
+                                                      ? tr("remove the repeat of %1").arg(row.name())
+                                                      : tr("repeat %1 %2 times").arg(row.name()).arg(times)));
 }
 
-bool StringModel::told(const QString& problem) {
+bool StringModel::report(const QString& problem) {
     emit refused(problem);
     return problem.isEmpty();
 }

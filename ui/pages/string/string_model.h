@@ -85,7 +85,7 @@ class StringModel : public QAbstractTableModel {
     QString toolTip(const QModelIndex& index) const;
     bool rename(const StringRow& row, const QString& name);
     bool setTimes(const StringRow& row, double times);
-    bool told(const QString& problem);
+    bool report(const QString& problem);
 
     Document& m_document;
     SolvedBlowPtr m_blow;

@@ -114,7 +114,7 @@ void AxisFields::addFields() {
     setTabOrder(m_stop, m_logarithmic);
 }
 
-// In place of the one that is there.
+// Replaces the present one.
 QuantityField* AxisFields::addField(QWidget& part, const QString& words, const QString& name,
                                     double StudyRange::*end) {
     if (QLayoutItem* before = part.layout()->takeAt(0)) {

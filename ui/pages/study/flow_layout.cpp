@@ -46,7 +46,7 @@ QSize FlowLayout::sizeHint() const {
            QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
 }
 
-// Of an item in a line of that width.
+// Size of an item in a line of that width.
 QSize FlowLayout::sizeIn(const QLayoutItem& item, int width) const {
     const QSize size = item.sizeHint();
     if (size.width() <= width) return size;

@@ -19,7 +19,7 @@ OutputBox::OutputBox(QWidget* parent, OfferedOutputs offered) : ChoiceBox(parent
 }
 
 void OutputBox::present(const Scenario& scenario) {
-    // What a scenario is first asked for follows it, what the user has chosen does not.
+    // The first output follows the scenario; a choice of the user does not.
     const QString first = findOutput("efficiency_error")->concerns(scenario) ? QStringLiteral("efficiency")
                                                                              : QStringLiteral("cor");
     const QString before = m_isChosen ? m_shown : first;

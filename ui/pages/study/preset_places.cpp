@@ -21,7 +21,7 @@ bool sets(const Preset& preset, const Parameter& parameter) {
 }
 
 std::optional<Scenario> taken(const Preset& preset, const Scenario& scenario) {
-    // A string takes rocks alone.
+    // A string takes only rocks.
     const bool isTaken =
         preset.kind == PresetKind::rock ? hasUnits(scenario) : scenario.form == ScenarioForm::dimensional;
     if (!isTaken) return std::nullopt;

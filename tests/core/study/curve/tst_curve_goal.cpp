@@ -93,7 +93,7 @@ class TestCurveGoal : public QObject {
     void theLargestValueIsTouched();
     void theEndOfTheRangeCounts();
     void beyondWhatThereIsTheNearestIsTold();
-    void aJumpOverTheGoalGivesItNowhere();
+    void goalIsNotFoundAtJump();
     void everyLineOfAFamilyHasItsOwn();
     void goalsAreInTheUnitOfTheColumn();
     void ofErrorsNoPlaceIsClaimed();
@@ -222,7 +222,7 @@ void TestCurveGoal::beyondWhatThereIsTheNearestIsTold() {
 }
 
 // As in aSeparationTimeJumps() of the curve: another contact, a round trip later.
-void TestCurveGoal::aJumpOverTheGoalGivesItNowhere() {
+void TestCurveGoal::goalIsNotFoundAtJump() {
     CurveQuestion asked = question(dimensionless({0.5, 0.01, 10, 0}), "beta=0.3:1", "separation_time", 0);
     const CurveStudy study = studyCurve(asked, 1);
     CurveFeature jump;

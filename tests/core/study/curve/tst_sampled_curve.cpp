@@ -45,7 +45,7 @@ class TestSampledCurve : public QObject {
     void wholeNumbersAreGoneAlong();
     void coarseLinesComeFirstAndHaveTheSamePoints();
     void extremesAreThoseOfThePoints();
-    void whatIsTheSameEverywhereHasNoPlace();
+    void constantOutputHasNoExtremum();
     void aRangeThatIsNoneIsRefused();
     void aStopEndsIt();
 };
@@ -130,7 +130,7 @@ void TestSampledCurve::extremesAreThoseOfThePoints() {
 }
 
 // No ratio depends on the velocity of impact (strings §9).
-void TestSampledCurve::whatIsTheSameEverywhereHasNoPlace() {
+void TestSampledCurve::constantOutputHasNoExtremum() {
     const CurveStudy study = sampleCurve(question("hammer.velocity=5 m/s:15 m/s:5"), 1);
     const CurveOutput& efficiency = study.lines.front().outputs.front();
     QCOMPARE(efficiency.extreme(CurveFeature::Kind::maximum)->shape, CurveFeature::Shape::everywhere);

@@ -85,7 +85,7 @@ DrillingBlow firstBlow(const Scenario& scenario, int cells) {
     DrillingMesh mesh = drillingMeshOf(scenario, cells);
     DrillingMarch march(mesh.problem, mesh.grid);
     mesh.problem.feedForce = march.hammerMomentum() / mesh.grid.interval();
-    if (!march.takeBlow({})) qFatal("%s", std::string(march.trouble()).c_str());
+    if (!march.takeBlow({})) qFatal("%s", std::string(march.failureReason()).c_str());
     return march.blow();
 }
 

@@ -35,7 +35,7 @@ class TestDrillingScan : public QObject {
     Q_OBJECT
 
   private slots:
-    void whatIsTheSameIsNotMarchedTwice();
+    void identicalProblemsAreSolvedOnce();
     void theSentenceNamesTheBestAsFarAsTheErrorsTell();
     void anUncertainScanIsNotResolved();
     void sharesAreOfTheBestWhereBothAreResolved();
@@ -43,7 +43,7 @@ class TestDrillingScan : public QObject {
 };
 
 /// From 5 kN on the bit rests or repeats, from wherever it begins; at 3.2 kN it does neither.
-void TestDrillingScan::whatIsTheSameIsNotMarchedTwice() {
+void TestDrillingScan::identicalProblemsAreSolvedOnce() {
     const DrillingScan regular = scanOver("drill.thrust=5kN,6.5kN,8kN", exampleWithDashpot());
     QCOMPARE(regular.points.size(), 3UL);
     QVERIFY2(regular.bouncingBlows < 3 * 200 * 2 / 3, qPrintable(QString::number(regular.bouncingBlows)));

@@ -36,7 +36,7 @@ std::vector<DrillingBlow> march(const DrillingProblem& problem, int cells, long 
     DrillingMarch marching(problem, drillingGridOf(problem, cells));
     std::vector<DrillingBlow> taken;
     for (long i = 0; i < blows; ++i) {
-        if (!marching.takeBlow({})) qFatal("%s", std::string(marching.trouble()).c_str());
+        if (!marching.takeBlow({})) qFatal("%s", std::string(marching.failureReason()).c_str());
         taken.push_back(marching.blow());
     }
     return taken;

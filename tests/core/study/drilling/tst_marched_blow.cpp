@@ -47,7 +47,7 @@ DrillingSettings settingsOf(long blows) {
 }
 
 DrillingResult marchOf(const Scenario& scenario, const DrillingSettings& settings) {
-    DrillingWants wants;
+    DrillingRequest wants;
     wants.cellError = wants.lyapunov = wants.blowAlone = false;
     return studyDrilling(scenario, settings, wants);
 }

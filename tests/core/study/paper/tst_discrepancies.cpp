@@ -15,7 +15,7 @@ class TestDiscrepancies : public QObject {
     void initTestCase() { m_all = discrepancies(); }
     void ourNumbersAreThoseOfTheTheory_data();
     void ourNumbersAreThoseOfTheTheory();
-    void onlyWhatTheTheoryExplainsDisagrees();
+    void allDiscrepanciesAreExplained();
     void whatDisagreesIsExplained();
     void agreementIsHalfAUnitOfTheLastDigit_data();
     void agreementIsHalfAUnitOfTheLastDigit();
@@ -69,7 +69,7 @@ void TestDiscrepancies::ourNumbersAreThoseOfTheTheory() {
     QCOMPARE(found, 1);
 }
 
-void TestDiscrepancies::onlyWhatTheTheoryExplainsDisagrees() {
+void TestDiscrepancies::allDiscrepanciesAreExplained() {
     QStringList disagreeing;
     for (const Discrepancy& one : m_all)
         if (!one.agrees()) disagreeing << QString::fromStdString(one.place + ": " + one.quantity);

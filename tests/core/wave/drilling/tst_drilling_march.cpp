@@ -39,7 +39,7 @@ Marched march(const DrillingProblem& problem, int cells, long blows) {
     DrillingMarch marching(problem, drillingGridOf(problem, cells));
     Marched result;
     for (long i = 0; i < blows; ++i) {
-        if (!marching.takeBlow({})) qFatal("%s", std::string(marching.trouble()).c_str());
+        if (!marching.takeBlow({})) qFatal("%s", std::string(marching.failureReason()).c_str());
         result.blows.push_back(marching.blow());
     }
     result.ledger = marching.ledger();

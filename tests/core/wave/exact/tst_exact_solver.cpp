@@ -259,7 +259,7 @@ class TestExactSolver : public QObject {
         QVERIFY2(checked > 100, std::to_string(checked).c_str());
     }
 
-    void forcelessContactDoesNotChatter() {
+    void zeroForceContactDoesNotChatter() {
         // after the first peak F decays to 1e-300 before the next wave arrives
         const Impact impact = solve({PulseShape::rectangular, {50, 0.1, 30, 0}}, Detail::ledger);
         QCOMPARE(impact.contacts, 1);

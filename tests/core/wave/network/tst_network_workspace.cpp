@@ -139,7 +139,7 @@ class TestNetworkWorkspace : public QObject {
         QCOMPARE(allocations - before, 0);
     }
 
-    void nothingOfABlowIsLeftToTheNext() {
+    void solverStateIsResetBetweenBlows() {
         NetworkSolver solver;
         NetworkSettings everything;
         everything.accuracy = NetworkAccuracy::quick;
@@ -163,7 +163,7 @@ class TestNetworkWorkspace : public QObject {
         }
     }
 
-    void whatAVeryLongStringTookIsGivenBack() {
+    void memoryIsReleasedAfterLongString() {
         Problem problem = t38();
         problem.sections.back().transitTime *= 100'000;
         problem.law.beta = 1e-3;  // cells in one part

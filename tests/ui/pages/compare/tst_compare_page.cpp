@@ -411,13 +411,13 @@ void TestComparePage::marginsOfTheThrustAreCompared() {
         QVERIFY(isShown("feed force margin at every gap", installed - everywhere));
     }
     const CompareRow* margin = rowOf(m_page->table(), "feed force margin at every gap");
-    QVERIFY(*margin->numbers[1] > 0);  // and told with its sign
+    QVERIFY(*margin->numbers[1] > 0);  // and shown with its sign
     QCOMPARE(margin->text(1, QLocale::c()).front(), QChar('+'));
     m_page->setResult(solve(UnitSystem::dimensionless));
     QVERIFY(!rowOf(m_page->table(), "feed force margin, this blow"));
 }
 
-// Of a string only this blow and rigid rock are known, whatever its largest need is called elsewhere.
+// For a string only this blow and rigid rock are known, whatever its largest need is called elsewhere.
 void TestComparePage::stringsHaveNoMarginAtEveryGap() {
     m_document->startFrom(findExample("r32_string")->text, "example");
     const Blow blow = solveBlow(m_document->scenario(), {}, Detail::cor);
