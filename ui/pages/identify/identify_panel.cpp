@@ -173,34 +173,46 @@ void IdentifyPanel::clear() {
         part->hide();
 }
 
-void IdentifyPanel::present(const IdentifyReport& report, const ReadingStyle& style) {
-    const RecordAnswer& answer = report.findings.main();
-    showValues(report, style);
-    showLimits(report, style);
+void IdentifyPanel::present(const IdentifyReport& report, const RecordAnswer& answer,
+                            const ReadingStyle& style) {
+    showValues(report, answer, style);
+    showLimits(report, answer, style);
     m_next->setText(fromView(style.said(identifyNext(answer, report.question.scenario, style))));
     m_next->setVisible(!m_next->text().isEmpty());
-    showRemarks(report, style);
-    const bool isUsable = report.findings.saysSomething() && answer.law != "file";
+    showRemarks(report, answer, style);
+    const bool isUsable = report.findings.saysSomething() && report.findings.main().law != "file";
     for (QPushButton* button : {m_use, m_pin}) {
         button->setVisible(true);
         button->setEnabled(isUsable);
     }
 }
 
-void IdentifyPanel::showValues(const IdentifyReport& report, const ReadingStyle& style) {
-    const RecordAnswer& answer = report.findings.main();
+void IdentifyPanel::showValues(const IdentifyReport& report, const RecordAnswer& answer,
+                               const ReadingStyle& style) {
     const std::vector<IdentifyRow> rows = identifyRows(answer, report.findings.nextBlow, style);
     m_values->setRowCount(int(rows.size()));
     for (int row = 0; row < int(rows.size()); ++row) {
         const IdentifyRow& each = rows[static_cast<std::size_t>(row)];
-        const std::array<QTableWidgetItem*, 4> cells{
-            textCell(fromView(style.said(each.term))), textCell(fromView(each.value)),
-            textCell(fromView(each.interval)), textCell(fromView(style.said(each.verdict)))};
-        cells[0]->setToolTip(fromView(style.said(each.what)));
-        const IdentifiedParameter* parameter = answer.find(each.key);
-        if (!each.interval.empty() && parameter && parameter->value > 0)
-            cells[2]->setData(barRole, QPointF(intervalEdge(*parameter->low / parameter->value - 1),
-                                               intervalEdge(*parameter->high / parameter->value - 1)));
+        const auto ofRecord = answer.parameters.size();
+        const NextBlowParameter* next =
+            row < int(ofRecord) ? nullptr
+                                : &report.findings.nextBlow[static_cast<std::size_t>(row) - ofRecord];
+        QString term = fromView(style.said(each.term));
+        if (next) term = QStringLiteral("%1: %2").arg(fromView(style.said(each.what)), term);
+        const std::array<QTableWidgetItem*, 4> cells{textCell(term), textCell(fromView(each.value)),
+                                                     textCell(fromView(each.interval)),
+                                                     textCell(fromView(style.said(each.verdict)))};
+        if (!next) cells[0]->setToolTip(fromView(style.said(each.what)));
+        const auto addBar = [&](double low, double value, double high) {
+            if (value > 0)
+                cells[2]->setData(barRole,
+                                  QPointF(intervalEdge(low / value - 1), intervalEdge(high / value - 1)));
+        };
+        if (next)
+            addBar(next->low, next->value, next->high);
+        else if (const IdentifiedParameter* parameter = answer.find(each.key);
+                 parameter && !each.interval.empty())
+            addBar(*parameter->low, parameter->value, *parameter->high);
         for (int column = 0; column < int(cells.size()); ++column)
             m_values->setItem(row, column, cells[static_cast<std::size_t>(column)]);
     }
@@ -210,9 +222,9 @@ void IdentifyPanel::showValues(const IdentifyReport& report, const ReadingStyle&
     fitHeight(*m_values);
 }
 
-void IdentifyPanel::showLimits(const IdentifyReport& report, const ReadingStyle& style) {
-    const std::vector<IdentifyLimit> limits =
-        identifyLimits(report.findings.main(), report.question.scenario, style);
+void IdentifyPanel::showLimits(const IdentifyReport& report, const RecordAnswer& answer,
+                               const ReadingStyle& style) {
+    const std::vector<IdentifyLimit> limits = identifyLimits(answer, report.question.scenario, style);
     m_keys.clear();
     double largest = 0;
     for (const IdentifyLimit& limit : limits) largest = std::max({largest, limit.onStiffness, limit.onGamma});
@@ -239,10 +251,12 @@ void IdentifyPanel::showLimits(const IdentifyReport& report, const ReadingStyle&
     fitHeight(*m_limits);
 }
 
-void IdentifyPanel::showRemarks(const IdentifyReport& report, const ReadingStyle& style) {
-    const RecordAnswer& answer = report.findings.main();
+void IdentifyPanel::showRemarks(const IdentifyReport& report, const RecordAnswer& answer,
+                                const ReadingStyle& style) {
+    std::vector<std::string> codes = answer.remarks;
+    codes.insert(codes.end(), report.findings.remarks.begin(), report.findings.remarks.end());
     QStringList lines;
-    for (const std::string& code : answer.remarks)
+    for (const std::string& code : codes)
         if (isRemarkShown(code))
             lines << QStringLiteral("▲ ") +
                          fromView(style.said(identifyRemark(code, answer, report.question.scenario, style)));

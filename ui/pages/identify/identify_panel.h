@@ -20,8 +20,9 @@ class IdentifyPanel : public QScrollArea {
   public:
     explicit IdentifyPanel(QWidget* parent = nullptr);
 
-    /// Shows an answer that is not refused; a rejected one greyed and without intervals.
-    void present(const IdentifyReport& report, const ReadingStyle& style);
+    /// Shows the answer of a record that is not refused, and the next blow of several; a rejected one greyed
+    /// and without intervals.
+    void present(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
     void clear();
 
   signals:
@@ -35,9 +36,9 @@ class IdentifyPanel : public QScrollArea {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    void showValues(const IdentifyReport& report, const ReadingStyle& style);
-    void showLimits(const IdentifyReport& report, const ReadingStyle& style);
-    void showRemarks(const IdentifyReport& report, const ReadingStyle& style);
+    void showValues(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
+    void showLimits(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
+    void showRemarks(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
 
     QTableWidget* m_values;
     QLabel* m_limitsTitle;
