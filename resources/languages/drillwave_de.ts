@@ -4546,6 +4546,30 @@ Gezeigt wird der Wert davor.</translation>
         <source>Refine (%1)</source>
         <translation>Verfeinern (%1)</translation>
     </message>
+    <message>
+        <source>Save draws…</source>
+        <translation>Ziehungen speichern…</translation>
+    </message>
+    <message>
+        <source>Writes the table that design --draws reads</source>
+        <translation>Schreibt die Tabelle, die design --draws liest</translation>
+    </message>
+    <message>
+        <source>Remove the draws</source>
+        <translation>Die Ziehungen entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the draws: the uncertain rows of the settings are used again</source>
+        <translation>Entfernt die Ziehungen: Die unsicheren Zeilen der Einstellungen gelten wieder</translation>
+    </message>
+    <message>
+        <source>draws of %1: %2 rows of %3</source>
+        <translation>Ziehungen aus %1: %2 Zeilen von %3</translation>
+    </message>
+    <message>
+        <source>The copied command reads the draws from %1: save them there first.</source>
+        <translation>Der kopierte Befehl liest die Ziehungen aus %1: Speichern Sie sie zuerst dort.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPlot</name>
@@ -5768,6 +5792,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Pins the scenario with this rock as a run; the scenario stays as it is</source>
         <translation>Heftet das Szenario mit diesem Gestein als Lauf an; das Szenario bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Design with these draws</source>
+        <translation>Mit diesen Ziehungen auslegen</translation>
+    </message>
+    <message>
+        <source>Takes the rock into the scenario, and opens Design with rows of values that the record allows as its uncertain inputs</source>
+        <translation>Übernimmt das Gestein in das Szenario und öffnet Auslegung mit Zeilen von Werten, die die Aufzeichnung zulässt, als unsichere Eingaben</translation>
+    </message>
+    <message>
+        <source>There are no draws: no record fixes the rock well enough.</source>
+        <translation>Es gibt keine Ziehungen: Keine Aufzeichnung legt das Gestein genau genug fest.</translation>
     </message>
 </context>
 <context>

@@ -4546,6 +4546,30 @@ Det som visas gäller värdet dessförinnan.</translation>
         <source>Refine (%1)</source>
         <translation>Förfina (%1)</translation>
     </message>
+    <message>
+        <source>Save draws…</source>
+        <translation>Spara dragningar…</translation>
+    </message>
+    <message>
+        <source>Writes the table that design --draws reads</source>
+        <translation>Skriver tabellen som design --draws läser</translation>
+    </message>
+    <message>
+        <source>Remove the draws</source>
+        <translation>Ta bort dragningarna</translation>
+    </message>
+    <message>
+        <source>Removes the draws: the uncertain rows of the settings are used again</source>
+        <translation>Tar bort dragningarna: inställningarnas osäkra rader gäller igen</translation>
+    </message>
+    <message>
+        <source>draws of %1: %2 rows of %3</source>
+        <translation>dragningar ur %1: %2 rader med %3</translation>
+    </message>
+    <message>
+        <source>The copied command reads the draws from %1: save them there first.</source>
+        <translation>Det kopierade kommandot läser dragningarna ur %1: spara dem där först.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPlot</name>
@@ -5768,6 +5792,18 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>Pins the scenario with this rock as a run; the scenario stays as it is</source>
         <translation>Fäster scenariot med detta berg som en körning; scenariot förblir som det är</translation>
+    </message>
+    <message>
+        <source>Design with these draws</source>
+        <translation>Konstruera med dessa dragningar</translation>
+    </message>
+    <message>
+        <source>Takes the rock into the scenario, and opens Design with rows of values that the record allows as its uncertain inputs</source>
+        <translation>Tar in berget i scenariot och öppnar Konstruktion med rader av värden som inspelningen tillåter som osäkra indata</translation>
+    </message>
+    <message>
+        <source>There are no draws: no record fixes the rock well enough.</source>
+        <translation>Det finns inga dragningar: ingen inspelning bestämmer berget tillräckligt väl.</translation>
     </message>
 </context>
 <context>

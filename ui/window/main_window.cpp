@@ -144,7 +144,13 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
                 m_marchedNotice->open(opened, what);
                 m_pages->setCurrentWidget(blow);
             });
-    m_pages->add(new DesignPage(m_document), PageGroup::studies);
+    auto* design = new DesignPage(m_document);
+    m_pages->add(design, PageGroup::studies);
+    connect(m_identifyPage, &IdentifyPage::drawsWanted, this,
+            [this, design](const QString& source, const QByteArray& table) {
+                design->takeDraws(source, table);
+                m_pages->setCurrentWidget(design);
+            });
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);
     m_takenNotice->follow(*m_pages);

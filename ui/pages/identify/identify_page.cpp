@@ -84,6 +84,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     });
     connect(m_panel, &IdentifyPanel::useWanted, this, &IdentifyPage::useRock);
     connect(m_panel, &IdentifyPanel::pinWanted, this, &IdentifyPage::pinRock);
+    connect(m_panel, &IdentifyPanel::designWanted, this, &IdentifyPage::designDraws);
     connect(m_panel, &IdentifyPanel::toleranceWanted, this, &IdentifyPage::goToTolerance);
     connect(m_frame, &FigureFrame::handleMoved, this, &IdentifyPage::moveArrival);
     connect(m_frame, &FigureFrame::handleReleased, this, [this](double time) {
@@ -359,6 +360,15 @@ void IdentifyPage::useRock() {
 
 void IdentifyPage::pinRock() {
     if (m_shown) pin(identifiedScenario(scenario(), m_shown->report.findings));
+}
+
+// The file of the command is the scenario with this rock.
+void IdentifyPage::designDraws() {
+    if (!m_shown) return;
+    const IdentifiedRecordPtr answer = m_shown;
+    const auto isUsed = [&] { return identifiedScenario(scenario(), answer->report.findings) == scenario(); };
+    if (!isUsed()) useRock();
+    if (isUsed()) emit drawsWanted(sourceWords(), QByteArray::fromStdString(posteriorCsv(answer->report)));
 }
 
 void IdentifyPage::goToTolerance(const QString& key) {

@@ -56,6 +56,9 @@ class IdentifyPage : public StudyPage {
     /// The user wants to choose records, or further ones.
     void recordWanted();
     void moreRecordsWanted();
+    /// The user wants Design with this table of draws, whose rock is in the scenario now; `source` names the
+    /// records.
+    void drawsWanted(const QString& source, const QByteArray& table);
 
   protected:
     void ask() override;
@@ -82,6 +85,7 @@ class IdentifyPage : public StudyPage {
     void moveArrival(double time);
     void useRock();
     void pinRock();
+    void designDraws();
     void goToTolerance(const QString& key);
 
     QStringList m_paths;

@@ -134,10 +134,14 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     m_pin->setObjectName(QStringLiteral("pinRock"));
     m_pin->setToolTip(tr("Pins the scenario with this rock as a run; the scenario stays as it is"));
     connect(m_use, &QPushButton::clicked, this, &IdentifyPanel::useWanted);
+    m_design = new QPushButton(tr("Design with these draws"), content);
+    m_design->setObjectName(QStringLiteral("designDraws"));
     connect(m_pin, &QPushButton::clicked, this, &IdentifyPanel::pinWanted);
+    connect(m_design, &QPushButton::clicked, this, &IdentifyPanel::designWanted);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_use);
     buttons->addWidget(m_pin);
+    buttons->addWidget(m_design);
     buttons->addStretch();
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 2, 4, 2);
@@ -168,8 +172,8 @@ void IdentifyPanel::clear() {
     m_remarks->clear();
     for (QWidget* part :
          {static_cast<QWidget*>(m_values), static_cast<QWidget*>(m_use), static_cast<QWidget*>(m_pin),
-          static_cast<QWidget*>(m_limitsTitle), static_cast<QWidget*>(m_limits),
-          static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_remarks)})
+          static_cast<QWidget*>(m_design), static_cast<QWidget*>(m_limitsTitle),
+          static_cast<QWidget*>(m_limits), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_remarks)})
         part->hide();
 }
 
@@ -185,6 +189,13 @@ void IdentifyPanel::present(const IdentifyReport& report, const RecordAnswer& an
         button->setVisible(true);
         button->setEnabled(isUsable);
     }
+    const bool hasDraws = !posteriorDraws(report.findings, 1, report.question.seed).rows.empty();
+    m_design->setVisible(true);
+    m_design->setEnabled(hasDraws);
+    m_design->setToolTip(hasDraws
+                             ? tr("Takes the rock into the scenario, and opens Design with rows of values "
+                                  "that the record allows as its uncertain inputs")
+                             : tr("There are no draws: no record fixes the rock well enough."));
 }
 
 void IdentifyPanel::showValues(const IdentifyReport& report, const RecordAnswer& answer,

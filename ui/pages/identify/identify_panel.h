@@ -29,6 +29,8 @@ class IdentifyPanel : public QScrollArea {
     /// The user wants the rock in the scenario, or a run with it pinned.
     void useWanted();
     void pinWanted();
+    /// The user wants Design with the draws of the answer.
+    void designWanted();
     /// The user wants to type a tolerance, by its key of --known.
     void toleranceWanted(const QString& key);
 
@@ -47,6 +49,7 @@ class IdentifyPanel : public QScrollArea {
     QLabel* m_remarks;
     QPushButton* m_use;
     QPushButton* m_pin;
+    QPushButton* m_design;
     std::vector<std::string> m_keys;  // of --known, of the rows of m_limits
 };
 

@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +16,8 @@
 #include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "tests/support/window_parts.h"
+#include "ui/pages/design/design_card.h"
+#include "ui/pages/design/design_page.h"
 #include "ui/pages/identify/gauge_fields.h"
 #include "ui/pages/identify/identify_page.h"
 #include "ui/pages/identify/record_list.h"
@@ -56,6 +59,8 @@ class TestIdentifyList : public QObject, private test::ImportFixture {
     void theRockOfAllRecordsIsUsed();
     void allBlowsAreOfTheCommand();
     void severalFilesGoThroughOneDialog();
+    void drawsAreDesignedWithAsByTheCommand();
+    void noDrawsSayWhy();
 
   private:
     void open(const QStringList& paths);
@@ -325,6 +330,93 @@ void TestIdentifyList::severalFilesGoThroughOneDialog() {
     QVERIFY(dialog && dialog->isVisible());
     QCOMPARE(dialog->use(), ImportUse::rockRecord);
     m_window.reset();
+}
+
+// The command reads the files that `identify -o` writes.
+void TestIdentifyList::drawsAreDesignedWithAsByTheCommand() {
+    m_page.reset();
+    ImportFixture::start();
+    QFile given(examples + QStringLiteral("hole.yaml"));
+    QVERIFY(given.open(QIODevice::ReadOnly));
+    QVERIFY(m_window->openFile(write(QStringLiteral("hole.yaml"), given.readAll())));
+    Document& document = m_window->document();
+    auto& pages = part<PageTabs>(*m_window);
+    auto* page = pages.findChild<IdentifyPage*>();
+    auto* design = pages.findChild<DesignPage*>();
+    pages.setCurrentWidget(page);
+    page->openRecords(holeRecords());
+    typeDistance(*page);
+    QTRY_VERIFY_WITH_TIMEOUT(page->activity()->state() == StudyState::finished, 60000);
+    const QString rock = m_folder.filePath(QStringLiteral("rock"));
+    QVERIFY(test::shell(page->command() + QStringLiteral(" --force -o ") + rock).exitCode == 0);
+    auto& button = *page->findChild<QPushButton*>(QStringLiteral("designDraws"));
+    QVERIFY(button.isEnabled());
+    button.click();
+    QCOMPARE(document.undoStack().count(), 1);
+    QCOMPARE(pages.currentWidget(), design);
+    const auto* line = design->findChild<QWidget*>(QStringLiteral("draws"));
+    const auto* text = line->findChild<QLabel*>();
+    QVERIFY(line->isVisible());
+    QVERIFY2(text->text().contains(QStringLiteral("draws of 5 records: 200 rows of")),
+             qPrintable(text->text()));
+    QVERIFY(design->findChild<QWidget*>(QStringLiteral("uncertain"))->isHidden());
+    auto& samples = *design->findChild<QComboBox*>(QStringLiteral("samples"));
+    samples.setCurrentIndex(samples.findData(256));
+    const auto isAnswered = [&] {
+        return design->activity()->state() == StudyState::finished && design->activity()->isCurrent();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), 120000);
+    QVERIFY(document.save(m_folder.filePath(QStringLiteral("hole.yaml"))).isEmpty());
+    QStringList typed = QProcess::splitCommand(design->command().replace(u'\'', u'"'));
+    QCOMPARE(typed[1], QStringLiteral("design"));
+    QVERIFY(!typed.contains(QStringLiteral("--uncertain")));
+    typed.removeFirst();
+    typed[1] = rock + QStringLiteral("/identified.yaml");
+    const qsizetype file = typed.indexOf(QStringLiteral("--draws")) + 1;
+    QCOMPARE(typed[file], m_folder.filePath(QStringLiteral("hole_posterior.csv")));
+    typed[file] = rock + QStringLiteral("/posterior.csv");
+    const test::Finished finished = test::run(typed << QStringLiteral("--json"));
+    QVERIFY2(finished.exitCode == 0, finished.error.constData());
+    const QJsonObject json = QJsonDocument::fromJson(finished.out).object();
+    const DesignReport& answer = design->answer()->report;
+    const QJsonArray designs = json[QStringLiteral("designs")].toArray();
+    QCOMPARE(std::size_t(designs.size()), answer.findings.designs.size());
+    QVERIFY(designs.size() > 5);
+    const DesignAim& aim = answer.study.aims.front();
+    const StatisticPlace place = answer.study.placeOf(*aim.output, aim.statistic);
+    const QString key = QString::fromStdString(std::string(aim.output->name) + "_" + aim.statistic.name());
+    for (qsizetype i = 0; i < designs.size(); ++i)
+        QCOMPARE(answer.findings.designs[std::size_t(i)].statistics[place.output][place.statistic].value,
+                 designs[i][QStringLiteral("statistics")][key][QStringLiteral("value")].toDouble());
+    QCOMPARE(answer.findings.worst[0]->value,
+             json[QStringLiteral("worst")][0][QStringLiteral("value")].toDouble());
+    QCOMPARE(worstInputs(answer.study, *answer.findings.worst[0]).size(), std::size_t(3));
+    QVERIFY(design->card().toPlainText().contains(QStringLiteral("at stiffness")));
+    design->copyCommand();
+    QVERIFY2(text->text().contains(QStringLiteral("hole_posterior.csv")), qPrintable(text->text()));
+    m_answers.exportTo = m_folder.filePath(QStringLiteral("hole_posterior.csv"));
+    line->findChild<QPushButton*>(QStringLiteral("saveDraws"))->click();
+    QTRY_VERIFY(QFile::exists(m_answers.exportTo));
+    QFile saved(m_answers.exportTo), written(rock + QStringLiteral("/posterior.csv"));
+    QVERIFY(saved.open(QIODevice::ReadOnly) && written.open(QIODevice::ReadOnly));
+    QCOMPARE(saved.readAll(), written.readAll());
+    // Once they are removed the rows are those of before.
+    line->findChild<QToolButton*>(QStringLiteral("removeDraws"))->click();
+    QVERIFY(line->isHidden());
+    QVERIFY(!design->command().contains(QStringLiteral("--draws")));
+    QVERIFY2(design->command().contains(QStringLiteral("--uncertain 'bit_rock.stiffness=")),
+             qPrintable(design->command()));
+    m_window.reset();
+}
+
+void TestIdentifyList::noDrawsSayWhy() {
+    open(holeRecords(1));
+    const auto* button = m_page->findChild<QPushButton*>(QStringLiteral("designDraws"));
+    QVERIFY(button->isEnabled());
+    m_page->findChild<QComboBox*>(QStringLiteral("law"))->setCurrentIndex(3);
+    QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
+    QVERIFY(!button->isEnabled());
+    QVERIFY2(button->toolTip().contains(QStringLiteral("no draws")), qPrintable(button->toolTip()));
 }
 
 QTEST_MAIN(TestIdentifyList)
