@@ -223,8 +223,8 @@ StudyPanel alongPanel(const IdentifyFindings& findings, const RecordAnswer& show
         line(x - value, parameter->value, x + value, parameter->value);
         for (const double end : {*parameter->low, *parameter->high}) line(x - cap, end, x + cap, end);
         if (&record != &shown) continue;
-        marked.x = {x - value, x + value, x + value, x - value};
-        marked.y = {*parameter->low, *parameter->low, *parameter->high, *parameter->high};
+        marked.x = {x - value, x + value, x + value, x - value, x - value};
+        marked.y = {*parameter->low, *parameter->low, *parameter->high, *parameter->high, *parameter->low};
     }
     panel.series = {std::move(band), std::move(bars), std::move(marked)};
     return panel;

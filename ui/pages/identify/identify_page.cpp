@@ -378,29 +378,29 @@ void IdentifyPage::goToTolerance(const QString& key) {
 
 QList<PageExport> IdentifyPage::exports() const {
     QList<PageExport> all = StudyPage::exports();
-    PageExport draws = all.first();
-    draws.title = tr("D&raws for Design…");
-    draws.toolTip = tr("Rows of values that the record allows, for design --draws");
-    draws.fileStem = QStringLiteral("_posterior");
-    draws.csv = [this] { return QByteArray::fromStdString(posteriorCsv(m_shown->report)); };
-    draws.obstacle = [this] {
-        const QString why = obstacle();
-        if (!why.isEmpty() || !m_shown) return why.isEmpty() ? tr("There is no answer yet.") : why;
-        return posteriorCsv(m_shown->report).empty() ? tr("The record does not fix the rock well enough.")
-                                                     : QString();
+    // `why` says why an answer has no such table.
+    const auto add = [&](const QString& title, const QString& tip, const char* stem, auto table, auto why) {
+        PageExport added = all.first();
+        added.title = title;
+        added.toolTip = tip;
+        added.fileStem = QLatin1String(stem);
+        added.csv = [this, table] { return QByteArray::fromStdString(table(m_shown->report)); };
+        added.obstacle = [this, why] {
+            const QString unfinished = obstacle();
+            if (!unfinished.isEmpty()) return unfinished;
+            return m_shown ? why(m_shown->report) : tr("There is no answer yet.");
+        };
+        all.insert(all.size() - 1, added);
     };
-    PageExport records = all.first();
-    records.title = tr("&Table of records…");
-    records.toolTip = tr("A row for each record with its values, intervals and verdicts");
-    records.fileStem = QStringLiteral("_records");
-    records.csv = [this] { return QByteArray::fromStdString(recordsCsv(m_shown->report)); };
-    records.obstacle = [this] {
-        const QString why = obstacle();
-        if (!why.isEmpty() || !m_shown) return why.isEmpty() ? tr("There is no answer yet.") : why;
-        return m_shown->report.findings.records.size() > 1 ? QString() : tr("There is only one record.");
-    };
-    all.insert(1, draws);
-    all.insert(2, records);
+    add(tr("D&raws for Design…"), tr("Rows of values that the record allows, for design --draws"),
+        "_posterior", posteriorCsv, [](const IdentifyReport& report) {
+            return posteriorCsv(report).empty() ? tr("The record does not fix the rock well enough.")
+                                                : QString();
+        });
+    add(tr("&Table of records…"), tr("A row for each record with its values, intervals and verdicts"),
+        "_records", recordsCsv, [](const IdentifyReport& report) {
+            return report.findings.records.size() > 1 ? QString() : tr("There is only one record.");
+        });
     return all;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/identify/identify_panel.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
@@ -15,6 +14,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "ui/pages/study/flow_layout.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -24,7 +24,7 @@ constexpr double widestInterval = 0.5;  // relative: a wider one goes to the edg
 constexpr int barRole = Qt::UserRole;   // QPointF: from and to, shares of the width
 constexpr int hatchRole = Qt::UserRole + 1;
 constexpr int barSpace = 7;      // below the text of a cell [px]
-constexpr int leastWidth = 200;  // of the panel [px]
+constexpr int leastWidth = 340;  // of the panel [px], with room for a word in each column
 constexpr int leastHeight = 190;
 
 /// Draws a bar along the bottom of a cell that has one, hatched where it is assumed.
@@ -138,15 +138,16 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     m_design->setObjectName(QStringLiteral("designDraws"));
     connect(m_pin, &QPushButton::clicked, this, &IdentifyPanel::pinWanted);
     connect(m_design, &QPushButton::clicked, this, &IdentifyPanel::designWanted);
-    auto* buttons = new QHBoxLayout;
+    auto* row = new QWidget(content);
+    auto* buttons = new FlowLayout(row);
+    buttons->setContentsMargins(0, 0, 0, 0);
     buttons->addWidget(m_use);
     buttons->addWidget(m_pin);
     buttons->addWidget(m_design);
-    buttons->addStretch();
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 2, 4, 2);
     layout->addWidget(m_values);
-    layout->addLayout(buttons);
+    layout->addWidget(row);
     layout->addWidget(m_limitsTitle);
     layout->addWidget(m_limits);
     layout->addWidget(m_next);
@@ -209,7 +210,7 @@ void IdentifyPanel::showValues(const IdentifyReport& report, const RecordAnswer&
             row < int(ofRecord) ? nullptr
                                 : &report.findings.nextBlow[static_cast<std::size_t>(row) - ofRecord];
         QString term = fromView(style.said(each.term));
-        if (next) term = QStringLiteral("%1: %2").arg(fromView(style.said(each.what)), term);
+        if (next) term = QStringLiteral("%1:\n%2").arg(fromView(style.said(each.what)), term);
         const std::array<QTableWidgetItem*, 4> cells{textCell(term), textCell(fromView(each.value)),
                                                      textCell(fromView(each.interval)),
                                                      textCell(fromView(style.said(each.verdict)))};

@@ -129,6 +129,8 @@ IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
         std::vector<RecordAnswer>& records = shown->report.findings.records;
         records = done;
         records.insert(records.end(), first.begin(), first.end());
+        std::ranges::stable_sort(
+            records, {}, [&](const RecordAnswer& each) { return names.indexOf(fromView(each.file)); });
         feed.show(shown);
     };
     const auto addDone = [&](const IdentifyFindings& findings) {

@@ -58,6 +58,7 @@ class TestIdentifyList : public QObject, private test::ImportFixture {
     void oneRecordAfterSeveralShowsItsRock();
     void theRockOfAllRecordsIsUsed();
     void allBlowsAreOfTheCommand();
+    void aCancelledListGoesOn();
     void severalFilesGoThroughOneDialog();
     void drawsAreDesignedWithAsByTheCommand();
     void noDrawsSayWhy();
@@ -142,7 +143,7 @@ void TestIdentifyList::recordsAreListedWithTheAnswerOfTheCommand() {
             records[i].toObject()[QStringLiteral("parameters")].toArray()[0].toObject()["value"].toDouble(),
             report().findings.records[std::size_t(i)].parameters[0].value);
     QCOMPARE(values().rowCount(), 6);
-    QCOMPARE(values().item(3, 0)->text(), QStringLiteral("next blow: stiffness"));
+    QCOMPARE(values().item(3, 0)->text(), QStringLiteral("next blow:\nstiffness"));
     QVERIFY(values().item(3, 2)->data(Qt::UserRole).isValid());
 }
 
@@ -299,6 +300,20 @@ void TestIdentifyList::allBlowsAreOfTheCommand() {
     QVERIFY(m_page->command().contains(QStringLiteral("--blows all")));
     QCOMPARE(QString::fromUtf8(runCommand().out), QString::fromStdString(identifyText(report())));
     QCOMPARE(list().item(0, 0)->text(), QStringLiteral("hole_1.csv, 1"));
+}
+
+void TestIdentifyList::aCancelledListGoesOn() {
+    m_page->openRecords(holeRecords());
+    typeDistance(*m_page);
+    QCOMPARE(m_page->activity()->state(), StudyState::running);
+    m_page->activity()->cancel();
+    QCOMPARE(m_page->activity()->state(), StudyState::stopped);
+    QCOMPARE(list().rowCount(), 5);
+    QVERIFY(!m_page->exports()[2].obstacle().isEmpty());
+    m_page->activity()->resume();
+    QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
+    QVERIFY(!m_page->answer()->isPartial);
+    QCOMPARE(list().item(4, 1)->text(), QStringLiteral("agrees"));
 }
 
 void TestIdentifyList::severalFilesGoThroughOneDialog() {
