@@ -83,9 +83,10 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing* drawing) 
         {}};
     interruption.check();
     ProgressBar bar(report.question.records.size(), translatable("records"), arguments.style());
-    report.findings = runIdentify(report.question, jobs, interruption.token(), [&](std::size_t done) {
-        bar.show(std::min(done, report.question.records.size()));
-    });
+    report.findings =
+        runIdentify(report.question, jobs, interruption.token(), [&](const IdentifyFindings& done) {
+            bar.show(std::min(done.records.size(), report.question.records.size()));
+        });
     interruption.check();
     checkRefusals(report.findings);
     for (const RecordAnswer& record : report.findings.records)

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double residualHeight = 0.55;  // over that of the record
 constexpr double rockHeight = 0.95;
+constexpr double alongHeight = 0.5;  // of each quantity of several records
 
 bool isOfPair(const RecordAnswer& answer) {
     return answer.match.zero.size() > 1;
@@ -184,12 +185,62 @@ StudyPanel rockPanel(const RecordAnswer& answer) {
     return panel;
 }
 
+/// A parameter of every record with its interval as a bar, and the band of the next blow. The record on show
+/// stands out.
+StudyPanel alongPanel(const IdentifyFindings& findings, const RecordAnswer& shown, std::size_t row,
+                      const char* key) {
+    constexpr double value = 0.16, cap = 0.06;  // half widths of ticks, in records
+    StudyPanel panel{.row = row,
+                     .height = alongHeight,
+                     .x = {.title = translatable("record"),
+                           .range = std::pair(0.5, 0.5 + static_cast<double>(findings.records.size()))},
+                     .y = {.quantity = findParameter(key)}};
+    const bool isFirst = row == 2;
+    const auto name = [&](const char* words) { return isFirst ? Message(words) : Message(); };
+    FigureSeries band{
+        .kind = SeriesKind::area, .role = SeriesRole::third, .legend = name(translatable("next blow, 95 %"))};
+    for (const NextBlowParameter& next : findings.nextBlow) {
+        if (next.key != key) continue;
+        const auto [from, to] = *panel.x.range;
+        band.x = {from, to, to, from};
+        band.y = {next.low, next.low, next.high, next.high};
+    }
+    if (band.x.empty()) band.legend = {};
+    FigureSeries bars{.kind = SeriesKind::path, .legend = name(translatable("record, 95 %"))};
+    FigureSeries marked{
+        .kind = SeriesKind::area, .role = SeriesRole::second, .legend = name(translatable("record on show"))};
+    const auto line = [&bars](double x1, double y1, double x2, double y2) {
+        bars.x.insert(bars.x.end(), {x1, x2, NAN});
+        bars.y.insert(bars.y.end(), {y1, y2, NAN});
+    };
+    for (std::size_t i = 0; i < findings.records.size(); ++i) {
+        const RecordAnswer& record = findings.records[i];
+        const IdentifiedParameter* parameter = record.find(key);
+        if (!parameter || record.model == ModelVerdict::rejected || !parameter->low || !parameter->high)
+            continue;
+        const auto x = static_cast<double>(i + 1);
+        line(x, *parameter->low, x, *parameter->high);
+        line(x - value, parameter->value, x + value, parameter->value);
+        for (const double end : {*parameter->low, *parameter->high}) line(x - cap, end, x + cap, end);
+        if (&record != &shown) continue;
+        marked.x = {x - value, x + value, x + value, x - value, x - value};
+        marked.y = {*parameter->low, *parameter->low, *parameter->high, *parameter->high, *parameter->low};
+    }
+    panel.series = {std::move(band), std::move(bars), std::move(marked)};
+    return panel;
+}
+
 }  // namespace
 
-StudyFigure identifyFigure(const RecordAnswer& answer) {
+StudyFigure identifyFigure(const IdentifyFindings& findings, const RecordAnswer& answer) {
     StudyFigure figure;
     figure.paperHeight = 220;
-    figure.panels = {recordPanel(answer), residualPanel(answer), rockPanel(answer)};
+    figure.panels = {recordPanel(answer), residualPanel(answer)};
+    if (findings.records.size() > 1)
+        for (const char* key : {"bit_rock.stiffness", "bit_rock.gamma"})
+            figure.panels.push_back(alongPanel(findings, answer, figure.panels.size(), key));
+    else
+        figure.panels.push_back(rockPanel(answer));
     const double noise = 2 * answer.match.noise * answer.peak;
     figure.levels = {{translatable("+2 σ of the noise"), noise, false, 1}, {{}, -noise, false, 1}};
     return figure;

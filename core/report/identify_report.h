@@ -49,6 +49,8 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
 bool isRemarkShown(std::string_view code);
 /// First sentence about one record: whether the model holds and what is known.
 Message identifySentence(const RecordAnswer& answer);
+/// Whether a record agrees with the model, in a few words; the reason where it is refused.
+Message recordVerdict(const RecordAnswer& answer);
 /// Reason why a rejected record may be so, most likely first.
 Message rejectionReason(const RecordAnswer& answer);
 
@@ -96,9 +98,10 @@ struct AssumedTolerance {
 /// sections towards the bit.
 std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place);
 
-/// Returns a picture of a record that is not refused, panels in three rows: waves over time, what the model
-/// leaves over, and force over penetration. Times are those of the record, compression is positive.
-StudyFigure identifyFigure(const RecordAnswer& answer);
+/// Returns a picture of a record that is not refused, one of the findings. Panels are one below the other:
+/// waves over time, what the model leaves over, and force over penetration; of several records stiffness and
+/// gamma along the list instead of the last. Times are those of the record, compression is positive.
+StudyFigure identifyFigure(const IdentifyFindings& findings, const RecordAnswer& answer);
 
 /// The rock in comments of a file: "identified from string.csv: 127.1 to 135.4 MN/m (95 %)" by key.
 std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter);

@@ -76,6 +76,19 @@ Message identifySentence(const RecordAnswer& answer) {
     return {translatable("%1 %2"), {agrees, Message(known)}};
 }
 
+Message recordVerdict(const RecordAnswer& answer) {
+    if (answer.refusal) return {translatable("refused: %1"), {answer.refusal->text}};
+    switch (answer.model) {
+        case ModelVerdict::accepted:
+            return translatable("agrees");
+        case ModelVerdict::strained:
+            return translatable("agrees roughly");
+        case ModelVerdict::rejected:
+            break;
+    }
+    return translatable("does not agree");
+}
+
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
                        const ReadingStyle& style) {
     const MatchFigures& match = answer.match;

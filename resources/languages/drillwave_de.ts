@@ -3687,10 +3687,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Identifizieren braucht ein Szenario mit physikalischen Einheiten: Die Aufzeichnung eines Messstreifens ist in Sekunden und Newton. Bearbeiten ▸ Eine Anlage aus diesen Kennzahlen machen erzeugt eines.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
-        <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags.</translation>
-    </message>
-    <message>
         <source>Choose the column of the gauge.</source>
         <translation>Wählen Sie die Spalte des Messstreifens.</translation>
     </message>
@@ -3701,6 +3697,10 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Gauge %1 is not on a uniform section of the rod or string: correct its distance from the bit face.</source>
         <translation>Der Messstreifen %1 ist nicht auf einem gleichmäßigen Abschnitt der Stange oder des Strangs: Berichtigen Sie seinen Abstand von der Bohrkrone.</translation>
+    </message>
+    <message>
+        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
+        <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
     </message>
 </context>
 <context>
@@ -4545,6 +4545,30 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Refine (%1)</source>
         <translation>Verfeinern (%1)</translation>
+    </message>
+    <message>
+        <source>Save draws…</source>
+        <translation>Ziehungen speichern…</translation>
+    </message>
+    <message>
+        <source>Writes the table that design --draws reads</source>
+        <translation>Schreibt die Tabelle, die design --draws liest</translation>
+    </message>
+    <message>
+        <source>Remove the draws</source>
+        <translation>Die Ziehungen entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the draws: the uncertain rows of the settings are used again</source>
+        <translation>Entfernt die Ziehungen: Die unsicheren Zeilen der Einstellungen gelten wieder</translation>
+    </message>
+    <message>
+        <source>draws of %1: %2 rows of %3</source>
+        <translation>Ziehungen aus %1: %2 Zeilen von %3</translation>
+    </message>
+    <message>
+        <source>The copied command reads the draws from %1: save them there first.</source>
+        <translation>Der kopierte Befehl liest die Ziehungen aus %1: Speichern Sie sie zuerst dort.</translation>
     </message>
 </context>
 <context>
@@ -5599,10 +5623,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Aufzeichnung öffnen…</translation>
     </message>
     <message>
-        <source>A table of samples of one blow: time and strain, force or the output of a bridge</source>
-        <translation>Eine Tabelle von Messwerten eines Schlags: Zeit und Dehnung, Kraft oder Ausgang einer Brücke</translation>
-    </message>
-    <message>
         <source>Known tolerances</source>
         <translation>Bekannte Toleranzen</translation>
     </message>
@@ -5666,6 +5686,54 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Other laws are being tried; they can widen the intervals.</source>
         <translation>Weitere Gesetze werden geprüft; sie können die Intervalle erweitern.</translation>
     </message>
+    <message>
+        <source>Tables of samples, one or several along a hole: time and strain, force or the output of a bridge</source>
+        <translation>Tabellen von Messwerten, eine oder mehrere entlang eines Bohrlochs: Zeit und Dehnung, Kraft oder Ausgang einer Brücke</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Adds records of further blows, whose tables are read like the first</source>
+        <translation>Fügt Aufzeichnungen weiterer Schläge hinzu, deren Tabellen wie die erste gelesen werden</translation>
+    </message>
+    <message>
+        <source>blows of a record</source>
+        <translation>Schläge einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Blows of a record that are identified</source>
+        <translation>Schläge einer Aufzeichnung, die ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>der erste</translation>
+    </message>
+    <message>
+        <source>all of them</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>%1 records</source>
+        <translation>%1 Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Further records and laws are being tried; they can change the answer.</source>
+        <translation>Weitere Aufzeichnungen und Gesetze werden geprüft; sie können die Antwort ändern.</translation>
+    </message>
+    <message>
+        <source>&amp;Table of records…</source>
+        <translation>&amp;Tabelle der Aufzeichnungen…</translation>
+    </message>
+    <message>
+        <source>A row for each record with its values, intervals and verdicts</source>
+        <translation>Eine Zeile für jede Aufzeichnung mit Werten, Intervallen und Urteilen</translation>
+    </message>
+    <message>
+        <source>There is only one record.</source>
+        <translation>Es gibt nur eine Aufzeichnung.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::IdentifyPanel</name>
@@ -5724,6 +5792,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Pins the scenario with this rock as a run; the scenario stays as it is</source>
         <translation>Heftet das Szenario mit diesem Gestein als Lauf an; das Szenario bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Design with these draws</source>
+        <translation>Mit diesen Ziehungen auslegen</translation>
+    </message>
+    <message>
+        <source>Takes the rock into the scenario, and opens Design with rows of values that the record allows as its uncertain inputs</source>
+        <translation>Übernimmt das Gestein in das Szenario und öffnet Auslegung mit Zeilen von Werten, die die Aufzeichnung zulässt, als unsichere Eingaben</translation>
+    </message>
+    <message>
+        <source>There are no draws: no record fixes the rock well enough.</source>
+        <translation>Es gibt keine Ziehungen: Keine Aufzeichnung legt das Gestein genau genug fest.</translation>
     </message>
 </context>
 <context>
@@ -5881,6 +5961,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>The settings are kept for recorder %1.</source>
         <translation>Die Einstellungen sind für das Messgerät %1 behalten.</translation>
+    </message>
+    <message>
+        <source>Open records of strain gauges</source>
+        <translation>Aufzeichnungen von Dehnungsmessstreifen öffnen</translation>
     </message>
 </context>
 <context>
@@ -12693,6 +12777,34 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6</source>
         <translation>niedrigstes %1 = %2 bei %3 = %4; höchstes %1 = %5 bei %3 = %6</translation>
     </message>
+    <message>
+        <source>next blow, 95 %</source>
+        <translation>nächster Schlag, 95 %</translation>
+    </message>
+    <message>
+        <source>record, 95 %</source>
+        <translation>Aufzeichnung, 95 %</translation>
+    </message>
+    <message>
+        <source>record on show</source>
+        <translation>gezeigte Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>stimmt überein</translation>
+    </message>
+    <message>
+        <source>agrees roughly</source>
+        <translation>stimmt ungefähr überein</translation>
+    </message>
+    <message>
+        <source>does not agree</source>
+        <translation>stimmt nicht überein</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13527,6 +13639,37 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>Remove %1</source>
         <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RecordList</name>
+    <message>
+        <source>Records</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>misfit</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>A click shows a record; Delete removes it from the list</source>
+        <translation>Ein Klick zeigt eine Aufzeichnung; Entf entfernt sie aus der Liste</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Removes this record from the list; the file stays</source>
+        <translation>Entfernt diese Aufzeichnung aus der Liste; die Datei bleibt</translation>
     </message>
 </context>
 <context>

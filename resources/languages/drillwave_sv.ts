@@ -3687,10 +3687,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Identifiera behöver ett scenario med fysiska enheter: en givares inspelning är i sekunder och newton. Redigera ▸ Gör en rigg av dessa tal skapar ett.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow.</source>
-        <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna en inspelning av ett slag.</translation>
-    </message>
-    <message>
         <source>Choose the column of the gauge.</source>
         <translation>Välj givarens kolumn.</translation>
     </message>
@@ -3701,6 +3697,10 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Gauge %1 is not on a uniform section of the rod or string: correct its distance from the bit face.</source>
         <translation>Givare %1 sitter inte på en likformig sektion av stången eller strängen: rätta dess avstånd från borrkronan.</translation>
+    </message>
+    <message>
+        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
+        <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
 </context>
 <context>
@@ -4545,6 +4545,30 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Refine (%1)</source>
         <translation>Förfina (%1)</translation>
+    </message>
+    <message>
+        <source>Save draws…</source>
+        <translation>Spara dragningar…</translation>
+    </message>
+    <message>
+        <source>Writes the table that design --draws reads</source>
+        <translation>Skriver tabellen som design --draws läser</translation>
+    </message>
+    <message>
+        <source>Remove the draws</source>
+        <translation>Ta bort dragningarna</translation>
+    </message>
+    <message>
+        <source>Removes the draws: the uncertain rows of the settings are used again</source>
+        <translation>Tar bort dragningarna: inställningarnas osäkra rader gäller igen</translation>
+    </message>
+    <message>
+        <source>draws of %1: %2 rows of %3</source>
+        <translation>dragningar ur %1: %2 rader med %3</translation>
+    </message>
+    <message>
+        <source>The copied command reads the draws from %1: save them there first.</source>
+        <translation>Det kopierade kommandot läser dragningarna ur %1: spara dem där först.</translation>
     </message>
 </context>
 <context>
@@ -5599,10 +5623,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Öppna inspelning…</translation>
     </message>
     <message>
-        <source>A table of samples of one blow: time and strain, force or the output of a bridge</source>
-        <translation>En tabell med mätvärden av ett slag: tid och töjning, kraft eller utsignal från en brygga</translation>
-    </message>
-    <message>
         <source>Known tolerances</source>
         <translation>Kända toleranser</translation>
     </message>
@@ -5666,6 +5686,54 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <source>Other laws are being tried; they can widen the intervals.</source>
         <translation>Andra lagar prövas; de kan vidga intervallen.</translation>
     </message>
+    <message>
+        <source>Tables of samples, one or several along a hole: time and strain, force or the output of a bridge</source>
+        <translation>Tabeller med mätvärden, en eller flera längs ett borrhål: tid och töjning, kraft eller utsignal från en brygga</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Lägg till…</translation>
+    </message>
+    <message>
+        <source>Adds records of further blows, whose tables are read like the first</source>
+        <translation>Lägger till inspelningar av fler slag, vars tabeller läses som den första</translation>
+    </message>
+    <message>
+        <source>blows of a record</source>
+        <translation>slag i en inspelning</translation>
+    </message>
+    <message>
+        <source>Blows of a record that are identified</source>
+        <translation>Slag i en inspelning som utvärderas</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>det första</translation>
+    </message>
+    <message>
+        <source>all of them</source>
+        <translation>alla</translation>
+    </message>
+    <message>
+        <source>%1 records</source>
+        <translation>%1 inspelningar</translation>
+    </message>
+    <message>
+        <source>Further records and laws are being tried; they can change the answer.</source>
+        <translation>Ytterligare inspelningar och lagar prövas; de kan ändra svaret.</translation>
+    </message>
+    <message>
+        <source>&amp;Table of records…</source>
+        <translation>&amp;Tabell över inspelningar…</translation>
+    </message>
+    <message>
+        <source>A row for each record with its values, intervals and verdicts</source>
+        <translation>En rad för varje inspelning med värden, intervall och omdömen</translation>
+    </message>
+    <message>
+        <source>There is only one record.</source>
+        <translation>Det finns bara en inspelning.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::IdentifyPanel</name>
@@ -5724,6 +5792,18 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>Pins the scenario with this rock as a run; the scenario stays as it is</source>
         <translation>Fäster scenariot med detta berg som en körning; scenariot förblir som det är</translation>
+    </message>
+    <message>
+        <source>Design with these draws</source>
+        <translation>Konstruera med dessa dragningar</translation>
+    </message>
+    <message>
+        <source>Takes the rock into the scenario, and opens Design with rows of values that the record allows as its uncertain inputs</source>
+        <translation>Tar in berget i scenariot och öppnar Konstruktion med rader av värden som inspelningen tillåter som osäkra indata</translation>
+    </message>
+    <message>
+        <source>There are no draws: no record fixes the rock well enough.</source>
+        <translation>Det finns inga dragningar: ingen inspelning bestämmer berget tillräckligt väl.</translation>
     </message>
 </context>
 <context>
@@ -5881,6 +5961,10 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>The settings are kept for recorder %1.</source>
         <translation>Inställningarna är sparade för mätinstrumentet %1.</translation>
+    </message>
+    <message>
+        <source>Open records of strain gauges</source>
+        <translation>Öppna inspelningar från töjningsgivare</translation>
     </message>
 </context>
 <context>
@@ -12693,6 +12777,34 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6</source>
         <translation>lägsta %1 = %2 vid %3 = %4; högsta %1 = %5 vid %3 = %6</translation>
     </message>
+    <message>
+        <source>next blow, 95 %</source>
+        <translation>nästa slag, 95 %</translation>
+    </message>
+    <message>
+        <source>record, 95 %</source>
+        <translation>inspelning, 95 %</translation>
+    </message>
+    <message>
+        <source>record on show</source>
+        <translation>visad inspelning</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>avvisad: %1</translation>
+    </message>
+    <message>
+        <source>agrees</source>
+        <translation>stämmer</translation>
+    </message>
+    <message>
+        <source>agrees roughly</source>
+        <translation>stämmer ungefär</translation>
+    </message>
+    <message>
+        <source>does not agree</source>
+        <translation>stämmer inte</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13527,6 +13639,37 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>Remove %1</source>
         <translation>Ta bort %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RecordList</name>
+    <message>
+        <source>Records</source>
+        <translation>Inspelningar</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>inspelning</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>omdöme</translation>
+    </message>
+    <message>
+        <source>misfit</source>
+        <translation>avvikelse</translation>
+    </message>
+    <message>
+        <source>A click shows a record; Delete removes it from the list</source>
+        <translation>Ett klick visar en inspelning; Delete tar bort den ur listan</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Ta bort %1</translation>
+    </message>
+    <message>
+        <source>Removes this record from the list; the file stays</source>
+        <translation>Tar bort denna inspelning ur listan; filen blir kvar</translation>
     </message>
 </context>
 <context>

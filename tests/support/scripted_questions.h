@@ -14,6 +14,7 @@ struct ScriptedAnswers {
     bool confirmClose = true;
     QString open;
     QString import;
+    QStringList imports;  ///< several files
     QString save;
     QString exportTo;
     QString printTo;  ///< a PDF file instead of paper
@@ -48,6 +49,11 @@ class ScriptedQuestions : public Questions {
                          const QString& /*filter*/) override {
         ++m_answers.importAsked;
         return m_answers.import;
+    }
+    QStringList filesToImport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*folder*/,
+                              const QString& /*filter*/) override {
+        ++m_answers.importAsked;
+        return m_answers.import.isEmpty() ? m_answers.imports : QStringList{m_answers.import};
     }
     QString fileToSave(QWidget* /*parent*/, const QString& /*suggestion*/) override { return m_answers.save; }
     QString fileToExport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*suggestion*/,

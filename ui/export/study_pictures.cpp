@@ -55,8 +55,8 @@ Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const P
 
 Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, const PaperReader& reader) {
     const Scenario& scenario = report.question.scenario;
-    return drawn(figurePaperPlot(identifyFigure(report.findings.main()), scenario, reader), scenario.title,
-                 order);
+    const StudyFigure figure = identifyFigure(report.findings, report.findings.main());
+    return drawn(figurePaperPlot(figure, scenario, reader), scenario.title, order);
 }
 
 // The report outlives the picture.

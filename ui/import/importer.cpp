@@ -16,6 +16,10 @@ namespace {
 
 constexpr QLatin1String lastKey("import/lastSettings");
 
+QString tablesFilter() {
+    return Importer::tr("Tables of samples (*.csv *.txt *.tsv *.dat *.asc *.prn);;All files (*)");
+}
+
 }  // namespace
 
 Importer::Importer(Document& document, MeasuredList& measured, Questions& questions, QWidget* window)
@@ -25,15 +29,27 @@ Importer::~Importer() {
     delete m_dialog;
 }
 
+QString Importer::folder() const {
+    return QFileInfo(m_document.suggestedPath()).absolutePath();
+}
+
 void Importer::start(ImportUse use) {
-    const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
-    const QString path = m_questions.fileToImport(
-        m_window, tr("Import a measured signal"), folder,
-        tr("Tables of samples (*.csv *.txt *.tsv *.dat *.asc *.prn);;All files (*)"));
+    if (use == ImportUse::rockRecord) {
+        const QStringList paths = chooseRecords();
+        if (!paths.isEmpty()) open(paths.first(), use, paths.mid(1));
+        return;
+    }
+    const QString path =
+        m_questions.fileToImport(m_window, tr("Import a measured signal"), folder(), tablesFilter());
     if (!path.isEmpty()) open(path, use);
 }
 
-void Importer::open(const QString& path, ImportUse use) {
+QStringList Importer::chooseRecords() {
+    return m_questions.filesToImport(m_window, tr("Open records of strain gauges"), folder(), tablesFilter());
+}
+
+void Importer::open(const QString& path, ImportUse use, const QStringList& further) {
+    m_further = further;
     delete m_dialog;
     m_dialog = new ImportDialog(path, use, m_document, m_window);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -83,7 +99,7 @@ void Importer::take() {
     const QString path = m_dialog->path();
     const SignalOptions settings = m_dialog->settings();
     m_dialog->close();
-    if (use == ImportUse::rockRecord) return emit recordTaken(path, settings);
+    if (use == ImportUse::rockRecord) return emit recordsTaken(QStringList(path) + m_further, settings);
     emit imported(use == ImportUse::blow ? tr("The hammer blow is taken from %1.").arg(file)
                                          : tr("%1 is shown on the page Blow.").arg(file));
 }

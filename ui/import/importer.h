@@ -23,16 +23,19 @@ class Importer : public QObject {
 
     /// Asks for a file, unless the user gives up, and opens the dialog for it.
     void start(ImportUse use);
-    /// Opens the dialog for a file.
-    void open(const QString& path, ImportUse use);
+    /// Opens the dialog for a file; the settings are those of `further` records, too.
+    void open(const QString& path, ImportUse use, const QStringList& further = {});
+    /// Asks for records to read the rock from; empty when the user gave up.
+    QStringList chooseRecords();
 
   signals:
     /// One line about the import that was done.
     void imported(const QString& message);
-    /// A record to read the rock from has been chosen, with the settings by which its table is read.
-    void recordTaken(const QString& path, const drillwave::SignalOptions& settings);
+    /// Records to read the rock from have been chosen, with the settings by which their tables are read.
+    void recordsTaken(const QStringList& paths, const drillwave::SignalOptions& settings);
 
   private:
+    QString folder() const;
     void take();
     QString takeBlow();
     QString takeMeasured();
@@ -44,6 +47,7 @@ class Importer : public QObject {
     Questions& m_questions;
     QWidget* m_window;
     QPointer<ImportDialog> m_dialog;
+    QStringList m_further;
 };
 
 }  // namespace drillwave

@@ -2,6 +2,7 @@
 #include "ui/plot/figure_frame.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/model/parameter.h"
 #include "ui/plot/curve_graph.h"
@@ -17,6 +18,8 @@ namespace {
 const QString betweenParts = QStringLiteral(" · ");  // parts of a caption
 constexpr int mostLegendColumns = 3;
 constexpr double narrow = 0.5;  // a panel of that width has room for few numbers
+constexpr int leastPanel = 50;  // width and height [px]
+const QMargins panelMargins(4, 4, 14, 4);
 
 template <class... Each>
 struct Visitor : Each... {
@@ -102,18 +105,30 @@ void FigureFrame::build() {
     layOutAnew();
     addHeader(4);
     m_legend->setWrap(mostLegendColumns);
+    addPanels();
+    connect(x(), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureFrame::followTopAxes);
+    for (std::size_t i = 0; i < m_panels.size(); ++i) showSeries(i);
+    showLevels();
+    addHere();
+    addRunCurves();
+    addRunMarks();
+    setStyle(PlotStyle(m_style));
+}
+
+// Adds the panels that no figure before had.
+void FigureFrame::addPanels() {
+    const std::size_t begin = m_panels.size();
     m_panels.resize(m_shown.figure.panels.size());
     QCPLayoutGrid* row = nullptr;
     QCPMarginGroup* margins = nullptr;
     QCPMarginGroup* sides = nullptr;
-    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+    for (std::size_t i = begin; i < m_panels.size(); ++i) {
         const bool begins = i == 0 || panelOf(i).row != panelOf(i - 1).row;
         m_panels[i].first = begins ? i : m_panels[i - 1].first;
         if (begins) {
             row = new QCPLayoutGrid;
             const int place = 1 + static_cast<int>(panelOf(i).row);
             m_plot->plotLayout()->addElement(place, 0, row);
-            if (i > 0) m_plot->plotLayout()->setRowStretchFactor(place, panelOf(i).height);
             row->setColumnSpacing(0);
             margins = new QCPMarginGroup(m_plot);
         }
@@ -126,13 +141,26 @@ void FigureFrame::build() {
                 m_panels[k].rect->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
         }
     }
-    linkAxes();
-    for (std::size_t i = 0; i < m_panels.size(); ++i) showSeries(i);
-    showLevels();
-    addHere();
-    addRunCurves();
-    addRunMarks();
-    setStyle(PlotStyle(m_style));
+    linkAxes(begin);
+}
+
+const StudyPanel& FigureFrame::panelOf(std::size_t index) const {
+    static const StudyPanel none{.row = std::numeric_limits<std::size_t>::max()};
+    return isThere(index) ? m_shown.figure.panels[index] : none;
+}
+
+/// Leaves no room for a panel that only an earlier figure had.
+void FigureFrame::showPanel(std::size_t index) {
+    QCPAxisRect& rect = *m_panels[index].rect;
+    const bool isShown = isThere(index);
+    const int least = isShown ? leastPanel : 0;
+    rect.setVisible(isShown);
+    rect.setMinimumSize(least, least);
+    rect.setMaximumSize(QWIDGETSIZE_MAX, isShown ? QWIDGETSIZE_MAX : 0);
+    rect.setMinimumMargins(isShown ? panelMargins : QMargins());
+    if (isShown && index > 0 && isFirstOfRow(index))
+        m_plot->plotLayout()->setRowStretchFactor(1 + static_cast<int>(panelOf(index).row),
+                                                  panelOf(index).height);
 }
 
 void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
@@ -141,7 +169,6 @@ void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
     const auto column = int(index - panel.first);
     row.addElement(0, column, rect);
     row.setColumnStretchFactor(column, panelOf(index).width);
-    rect->setMinimumMargins(QMargins(4, 4, 14, 4));
     rect->axis(QCPAxis::atRight)->setTicks(false);
     rect->axis(QCPAxis::atTop)->setTickLabels(panelOf(index).top.has_value());
     rect->axis(QCPAxis::atTop)->setTicks(panelOf(index).top.has_value());
@@ -162,14 +189,14 @@ void FigureFrame::addHandle(std::size_t index) {
 }
 
 // Panels of a row have one axis of values, and those that share x one axis of keys.
-void FigureFrame::linkAxes() {
+void FigureFrame::linkAxes(std::size_t begin) {
     using Changed = void (QCPAxis::*)(const QCPRange&);
     constexpr auto changed = static_cast<Changed>(&QCPAxis::rangeChanged);
     const auto link = [](QCPAxis* one, QCPAxis* other) {
         connect(one, changed, other, [other](const QCPRange& range) { other->setRange(range); });
         connect(other, changed, one, [one](const QCPRange& range) { one->setRange(range); });
     };
-    for (std::size_t i = 1; i < m_panels.size(); ++i) {
+    for (std::size_t i = std::max<std::size_t>(begin, 1); i < m_panels.size(); ++i) {
         if (!isFirstOfRow(i))
             link(axisOf(m_panels[i].first, QCPAxis::atLeft), axisOf(i, QCPAxis::atLeft));
         else
@@ -179,7 +206,6 @@ void FigureFrame::linkAxes() {
         else if (isFirstOfRow(i))
             m_view->watch(axisOf(i, QCPAxis::atBottom));
     }
-    connect(x(), changed, this, &FigureFrame::followTopAxes);
 }
 
 void FigureFrame::followTopAxes() {
@@ -207,8 +233,11 @@ void FigureFrame::present(const ShownFigure& shown) {
     m_xUnit = shown.units.of(panelOf(0).x.quantity);
     m_yUnit = shown.units.of(panelOf(0).y.quantity);
     if (m_panels.empty()) build();
+    const bool hasMore = m_panels.size() < m_shown.figure.panels.size();
+    if (hasMore) addPanels();
     setAxesVisible(true);
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        showPanel(i);
         showSeries(i);
         showAxes(i);
         showBands(i);
@@ -216,7 +245,10 @@ void FigureFrame::present(const ShownFigure& shown) {
     showLevels();
     showDrag();
     standRunsLast();
-    restyle();
+    if (hasMore)
+        setStyle(PlotStyle(m_style));
+    else
+        restyle();
     showTexts();
     finish(hasOther);
     followTopAxes();
@@ -232,6 +264,7 @@ bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
         if (panel.x.range) return *panel.x.range;
         return x.empty() ? std::pair(0.0, 0.0) : std::pair(x.front(), x.back());
     };
+    if (shown.figure.panels.size() != m_shown.figure.panels.size()) return true;
     const StudyPanel& before = panelOf(0);
     const StudyPanel& now = shown.figure.panels.front();
     return !same(before.x, now.x) || !same(before.y, now.y) || ends(before) != ends(now);
@@ -488,6 +521,8 @@ void FigureFrame::clear() {
 void FigureFrame::setAxesVisible(bool visible) {
     for (const QCPAxisRect* rect : m_plot->axisRects())
         for (QCPAxis* axis : rect->axes()) axis->setVisible(visible);
+    for (std::size_t i = m_shown.figure.panels.size(); i < m_panels.size(); ++i)
+        for (QCPAxis* axis : m_panels[i].rect->axes()) axis->setVisible(false);
     if (m_legend) m_legend->setVisible(visible);
 }
 

@@ -32,7 +32,8 @@ struct ShownFigure {
     FigureUnits units;
 };
 
-/// All of a figure is in view when it is fitted. Every figure has as many panels as the first one.
+/// All of a figure is in view when it is fitted. A figure may have other panels than the one before only
+/// after those that they share, each in a row of its own.
 class FigureFrame : public StudyFrame {
     Q_OBJECT
 
@@ -93,9 +94,11 @@ class FigureFrame : public StudyFrame {
     void restyle() override;
     void setRanges() override;
     void build();
+    void addPanels();
+    void showPanel(std::size_t index);
     void addPanel(std::size_t index, QCPLayoutGrid& row);
     void addHandle(std::size_t index);
-    void linkAxes();
+    void linkAxes(std::size_t begin);
     void addZone(Panel& panel);
     void showSeries(std::size_t index);
     void showAxes(std::size_t index);
@@ -115,7 +118,9 @@ class FigureFrame : public StudyFrame {
     void followTopAxes();
     void setAxesVisible(bool visible);
     bool hasOtherAxes(const ShownFigure& shown) const;
-    const StudyPanel& panelOf(std::size_t index) const { return m_shown.figure.panels[index]; }
+    bool isThere(std::size_t index) const { return index < m_shown.figure.panels.size(); }
+    /// An empty one where an earlier figure had more.
+    const StudyPanel& panelOf(std::size_t index) const;
     bool isFirstOfRow(std::size_t index) const { return m_panels[index].first == index; }
     QCPAxis* axisOf(std::size_t index, QCPAxis::AxisType side) const {
         return m_panels[index].rect->axis(side);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/questions/questions.h"
 
+#include <QCollator>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QGuiApplication>
@@ -8,6 +9,7 @@
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
+#include <algorithm>
 #include <cstdio>
 
 #include "ui/questions/export_dialog.h"
@@ -77,6 +79,16 @@ QString DialogQuestions::fileToImport(QWidget* parent, const QString& title, con
                                       const QString& filter) {
     if (!someoneIsThere()) return {};
     return QFileDialog::getOpenFileName(parent, title, folder, filter);
+}
+
+QStringList DialogQuestions::filesToImport(QWidget* parent, const QString& title, const QString& folder,
+                                           const QString& filter) {
+    if (!someoneIsThere()) return {};
+    QStringList files = QFileDialog::getOpenFileNames(parent, title, folder, filter);
+    QCollator order;
+    order.setNumericMode(true);
+    std::ranges::sort(files, order);
+    return files;
 }
 
 QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) {

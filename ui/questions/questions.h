@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <optional>
 
@@ -29,6 +30,9 @@ class Questions {
     /// A file to take something from, other than a scenario; empty when the user gave up.
     virtual QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                                  const QString& filter) = 0;
+    /// The same for one file or several, in the order of their names as people count: 2 before 10.
+    virtual QStringList filesToImport(QWidget* parent, const QString& title, const QString& folder,
+                                      const QString& filter) = 0;
     /// Asks for a file to save to, overwriting confirmed; empty when the user gave up.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
     /// Asks for a file to write something else than a scenario to, overwriting confirmed; empty when the user
@@ -62,6 +66,8 @@ class DialogQuestions : public Questions {
     QString fileToOpen(QWidget* parent, const QString& folder) override;
     QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                          const QString& filter) override;
+    QStringList filesToImport(QWidget* parent, const QString& title, const QString& folder,
+                              const QString& filter) override;
     QString fileToSave(QWidget* parent, const QString& suggestion) override;
     QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter) override;

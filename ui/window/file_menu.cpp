@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QUrl>
 #include <QWidget>
+#include <algorithm>
 
 #include "core/archive/result_scenario.h"
 #include "core/study/paper/figures.h"
@@ -223,6 +224,11 @@ bool FileMenu::openFile(const QString& path) {
     if (!succeeded(tr("The scenario cannot be opened."), m_document.open(path))) return false;
     remember(QFileInfo(path).absoluteFilePath());
     return true;
+}
+
+bool FileMenu::areTables(const QStringList& paths) {
+    return std::ranges::all_of(
+        paths, [](const QString& path) { return isTableName(path) || (isCsv(path) && !isResult(path)); });
 }
 
 void FileMenu::take(const QStringList& paths) {

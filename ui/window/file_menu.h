@@ -56,6 +56,9 @@ class FileMenu : public QMenu {
     bool save();
     bool saveAs();
 
+    /// Whether all files may be tables of samples.
+    static bool areTables(const QStringList& paths);
+
   signals:
     void exampleOpened(const drillwave::Example& example);
     /// The user wants to import a measured signal: from that file, or from one to be chosen.

@@ -144,7 +144,13 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
                 m_marchedNotice->open(opened, what);
                 m_pages->setCurrentWidget(blow);
             });
-    m_pages->add(new DesignPage(m_document), PageGroup::studies);
+    auto* design = new DesignPage(m_document);
+    m_pages->add(design, PageGroup::studies);
+    connect(m_identifyPage, &IdentifyPage::drawsWanted, this,
+            [this, design](const QString& source, const QByteArray& table) {
+                design->takeDraws(source, table);
+                m_pages->setCurrentWidget(design);
+            });
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);
     m_takenNotice->follow(*m_pages);
@@ -280,7 +286,7 @@ void MainWindow::wire() {
             [this] { m_exampleNote->setChanged(m_document.isChangedExample()); });
     connect(&m_document, &Document::replaced, m_exampleNote, &ExampleNote::forget);
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
-    connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
+    connect(new FileDrop(this), &FileDrop::dropped, this, &MainWindow::takeDropped);
     connect(m_exportMenu, &ExportMenu::exported, this, &MainWindow::inform);
     m_report->setMeasured(m_measured);
     m_report->setStudies([this] {
@@ -351,11 +357,21 @@ void MainWindow::wireImport() {
     connect(m_importer.get(), &Importer::imported, this, &MainWindow::inform);
     connect(m_identifyPage, &IdentifyPage::recordWanted, this,
             [this] { m_importer->start(ImportUse::rockRecord); });
-    connect(m_importer.get(), &Importer::recordTaken, this,
-            [this](const QString& path, const SignalOptions& settings) {
+    connect(m_identifyPage, &IdentifyPage::moreRecordsWanted, this,
+            [this] { m_identifyPage->addRecords(m_importer->chooseRecords()); });
+    connect(m_importer.get(), &Importer::recordsTaken, this,
+            [this](const QStringList& paths, const SignalOptions& settings) {
                 m_pages->setCurrentWidget(m_identifyPage);
-                m_identifyPage->openRecord(path, settings);
+                m_identifyPage->openRecords(paths, settings);
             });
+}
+
+// Several tables, and every table on the page Identify, are records of it.
+void MainWindow::takeDropped(const QStringList& paths) {
+    const bool isThere = m_pages->currentWidget() == m_identifyPage;
+    if (!FileMenu::areTables(paths) || (paths.size() == 1 && !isThere)) return m_fileMenu->take(paths);
+    if (isThere && m_identifyPage->hasRecords()) return m_identifyPage->addRecords(paths);
+    m_importer->open(paths.first(), ImportUse::rockRecord, paths.mid(1));
 }
 
 // Pages of this blow show the place themselves; from the others the page Rod does. Places are of rods: while

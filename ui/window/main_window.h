@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow {
     void wire();
     void wireSolving();
     void wireImport();
+    void takeDropped(const QStringList& paths);
     void followPage();
     void goToPlace(double section, double time);
     void goToParameter(const QString& key);

@@ -156,7 +156,7 @@ std::vector<Message> identifyProblems(const IdentifyQuestion& question) {
 }
 
 IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs, const std::stop_token& stop,
-                             const std::function<void(std::size_t)>& tell, const ShowAnswer& showFirst) {
+                             const TellIdentified& tell, const ShowAnswer& showFirst) {
     IdentifyFindings findings;
     std::vector<BlowTask> tasks = tasksOf(question);
     std::size_t next = 0;
@@ -176,7 +176,7 @@ IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs, const s
         },
         [&](BlowTask& task) {
             findings.records.push_back(std::move(task.answer));
-            if (tell) tell(findings.records.size());
+            if (tell) tell(findings);
             return true;
         });
     findings.isStopped = end == WorkEnd::stopped;

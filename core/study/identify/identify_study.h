@@ -49,11 +49,13 @@ struct IdentifyFindings {
 /// Returns problems of places and tolerances, before anything is computed; empty where there are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
-/// Identifies every record. The answer does not depend on `jobs` ≥ 1. `showFirst` gets a first answer of each
-/// record, from any thread, see identifyRecord().
+/// Called with the records that are identified so far, the last one being new.
+using TellIdentified = std::function<void(const IdentifyFindings&)>;
+
+/// Identifies every record. The answer does not depend on `jobs` ≥ 1. `tell` is called on the calling thread;
+/// `showFirst` gets a first answer of each record, from any thread, see identifyRecord().
 IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs = 1, const std::stop_token& stop = {},
-                             const std::function<void(std::size_t)>& tell = {},
-                             const ShowAnswer& showFirst = {});
+                             const TellIdentified& tell = {}, const ShowAnswer& showFirst = {});
 
 /// The measurement that would help most; nothing where the model is rejected.
 std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer);

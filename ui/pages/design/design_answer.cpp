@@ -87,4 +87,16 @@ DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<Design
     return answer;
 }
 
+std::vector<ParameterValue> worstInputs(const DesignStudy& study, const WorstCase& worst) {
+    std::vector<ParameterValue> inputs;
+    if (worst.at.size() < study.dimensions()) return inputs;
+    for (std::size_t i = 0; i < study.uncertain.size(); ++i)
+        inputs.push_back({study.uncertain[i].parameter, worst.at[i]});
+    if (!study.draws) return inputs;
+    const auto row = static_cast<std::size_t>(worst.at[study.uncertain.size()]);
+    for (std::size_t i = 0; i < study.draws->parameters.size(); ++i)
+        inputs.push_back({study.draws->parameters[i], study.draws->columns[i][row]});
+    return inputs;
+}
+
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/report/design_report.h"
+#include "ui/document/document.h"
 #include "ui/job/study_job.h"
 
 namespace drillwave {
@@ -40,5 +41,8 @@ struct DesignAnswer {
 /// Quick answers first; where the seconds are over, the last of them is the answer. The text of the scenario
 /// is left empty.
 DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<DesignAnswer>& feed);
+
+/// Returns the uncertain inputs of a worst case; those of draws are a row of them.
+std::vector<ParameterValue> worstInputs(const DesignStudy& study, const WorstCase& worst);
 
 }  // namespace drillwave

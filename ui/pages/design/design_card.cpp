@@ -182,10 +182,8 @@ QString worstSentence(const DesignReport& report, std::size_t a, const DesignUni
     const WorstCase& worst = *report.findings.worst[a];
     const AimedOutput shown = units.of(*aim.output, std::abs(worst.value));
     QStringList places;
-    for (std::size_t i = 0; i < std::min(worst.at.size(), report.study.uncertain.size()); ++i) {
-        const Parameter& parameter = *report.study.uncertain[i].parameter;
-        places << parameterName(parameter) + QLatin1Char(' ') + units.text(parameter, worst.at[i]);
-    }
+    for (const auto& [parameter, si] : worstInputs(report.study, worst))
+        places << parameterName(*parameter) + QLatin1Char(' ') + units.text(*parameter, si);
     const QString words[]{outputName(*aim.output), units.text(shown, worst.value),
                           places.join(QStringLiteral(", "))};
     const std::size_t robust = *report.findings.best.robust;

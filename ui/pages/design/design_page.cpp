@@ -3,10 +3,15 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <algorithm>
 #include <bit>
+#include <sstream>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
@@ -34,6 +39,7 @@ namespace {
 
 constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
+const QString drawsStem = QStringLiteral("_posterior");
 constexpr int plotLinesOfDesigns = 30;   // two rows of axes, legend and readout
 constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
 
@@ -41,6 +47,7 @@ constexpr int plotLinesBesideBars = 22;  // the same without the inside of the r
 
 DesignPage::DesignPage(Document& document, QWidget* parent)
     : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
+    m_drawsLine = makeDrawsLine();
     QWidget* questions = makeQuestions();
     m_refine = new QPushButton(this);
     m_refine->setObjectName(QStringLiteral("refine"));
@@ -50,6 +57,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     PlotWidget* widget = arrange({questions, m_keepEnergy, labelled(tr("samples"), m_samples, this)});
     settingsBox().rememberAs(QStringLiteral("design/settings"), SectionBox::Begin::folded);
     addAbove(m_card, PartOf::answer);
+    addAbove(m_drawsLine, PartOf::question);
     addAbove(m_refine, PartOf::question);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
@@ -61,7 +69,10 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     connect(m_card, &DesignCard::designWanted, this,
             [this](std::uint64_t design) { takeDesign(design, {}); });
     connect(m_card, &DesignCard::worstWanted, this, &DesignPage::loadWorst);
-    connect(&document, &Document::replaced, this, &DesignPage::forget);
+    connect(&document, &Document::replaced, this, [this] {
+        setDraws({});
+        forget();
+    });
     connect(&document, &Document::designChanged, this, &DesignPage::askSoon);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
@@ -104,6 +115,75 @@ QWidget* DesignPage::makeQuestions() {
     for (QWidget* each : std::initializer_list<QWidget*>{m_uncertain, m_choices, m_presets, m_aims})
         lines->addWidget(each);
     return questions;
+}
+
+QWidget* DesignPage::makeDrawsLine() {
+    auto* line = new QWidget(this);
+    line->setObjectName(QStringLiteral("draws"));
+    m_drawsText = new QLabel(line);
+    m_drawsText->setWordWrap(true);
+    m_drawsText->setTextFormat(Qt::PlainText);
+    auto* save = new QPushButton(tr("Save draws…"), line);
+    save->setObjectName(QStringLiteral("saveDraws"));
+    save->setToolTip(tr("Writes the table that design --draws reads"));
+    connect(save, &QPushButton::clicked, this, [this] {
+        PageExport wanted;
+        wanted.fileStem = drawsStem;
+        wanted.content = PageExport::Content::wholeFile;
+        wanted.csv = [table = m_draws->table] { return table; };
+        emit exportRequested(wanted);
+    });
+    auto* remove = new QToolButton(line);
+    remove->setObjectName(QStringLiteral("removeDraws"));
+    remove->setText(QStringLiteral("✕"));
+    remove->setAutoRaise(true);
+    remove->setAccessibleName(tr("Remove the draws"));
+    remove->setToolTip(tr("Removes the draws: the uncertain rows of the settings are used again"));
+    connect(remove, &QToolButton::clicked, this, [this] { setDraws({}); });
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(4, 0, 4, 0);
+    layout->addWidget(m_drawsText, 1);
+    layout->addWidget(save);
+    layout->addWidget(remove);
+    line->hide();
+    return line;
+}
+
+void DesignPage::takeDraws(const QString& source, const QByteArray& table) {
+    std::istringstream in(table.toStdString());
+    ReadDraws read = readDraws(in, source.toStdString());
+    if (read.unreadable.empty() && read.invalid.empty())
+        setDraws(GivenDraws{source, table, std::move(read.draws)});
+}
+
+/// The draws stand for the uncertain rows, which stay as they are in the document.
+void DesignPage::setDraws(std::optional<GivenDraws> draws) {
+    m_draws = std::move(draws);
+    m_uncertain->setVisible(!m_draws);
+    m_drawsLine->setVisible(m_draws.has_value());
+    if (m_draws) {
+        QStringList names;
+        for (const KeptParameter& parameter : m_draws->draws.parameters) names << parameterLabel(*parameter);
+        m_drawsText->setText(tr("draws of %1: %2 rows of %3")
+                                 .arg(m_draws->source)
+                                 .arg(m_draws->draws.rows())
+                                 .arg(names.join(QStringLiteral(", "))));
+    }
+    askSoon();
+}
+
+/// Returns the file that copied commands read the draws from, which is where saving them proposes to.
+QString DesignPage::drawsFile() const {
+    const QFileInfo scenario(document().suggestedPath());
+    const QString name = scenario.completeBaseName() + drawsStem + QStringLiteral(".csv");
+    return document().path().isEmpty() ? name : QDir::toNativeSeparators(scenario.dir().filePath(name));
+}
+
+void DesignPage::copyCommand() {
+    StudyPage::copyCommand();
+    if (m_draws && !commandWords().isEmpty())
+        m_drawsText->setText(
+            tr("The copied command reads the draws from %1: save them there first.").arg(drawsFile()));
 }
 
 // Another document begins with its own set-up, or with what is proposed for it.
@@ -206,7 +286,8 @@ DesignPage::Wish DesignPage::wish() const {
         if (!problem.isEmpty()) problems << translated(withTitles(problem));
     };
     const DesignSetup now = setup();
-    for (const std::string& text : now.uncertain) {
+    if (m_draws) study.draws = m_draws->draws;
+    for (const std::string& text : m_draws ? std::vector<std::string>() : now.uncertain) {
         ParsedUncertain parsed = parseUncertain(text);
         tell(parsed.problem);
         study.uncertain.push_back(std::move(parsed.input));
@@ -305,7 +386,7 @@ void DesignPage::present() {
 
 /// Returns why text in a field of a range is not accepted; the last accepted text stays in use.
 QString DesignPage::inputProblem() const {
-    const QString uncertain = m_uncertain->problem();
+    const QString uncertain = m_draws ? QString() : m_uncertain->problem();
     return uncertain.isEmpty() ? m_choices->problem() : uncertain;
 }
 
@@ -419,16 +500,15 @@ void DesignPage::loadWorst(std::size_t aim) {
     const std::optional<WorstCase>& worst = m_shown->report.findings.worst[aim];
     if (!worst) return;
     const DesignStudy& study = m_shown->report.study;
+    const std::vector<ParameterValue> rock = worstInputs(study, *worst);
     const std::size_t robust = *m_shown->report.findings.best.robust;
     if (choosesPresets()) {
         Scenario scenario = designScenario(study, robust);
-        for (std::size_t i = 0; i < study.uncertain.size(); ++i)
-            study.uncertain[i].parameter->assign(scenario, worst->at[i]);
+        for (const auto& [parameter, si] : rock) parameter->assign(scenario, si);
         return load(scenario, tr("take the worst case"));
     }
     std::vector<ParameterValue> values = valuesOf(robust);
-    for (std::size_t i = 0; i < study.uncertain.size(); ++i)
-        values.push_back({study.uncertain[i].parameter, worst->at[i]});
+    values.insert(values.end(), rock.begin(), rock.end());
     load(values);
 }
 
@@ -457,13 +537,16 @@ QByteArray DesignPage::csv() const {
 QStringList DesignPage::commandWords() const {
     const std::optional<DesignStudy> study = wish().study;
     if (!study || !inputProblem().isEmpty()) return {};
-    QStringList words{QStringLiteral("design"), QStringLiteral("--uncertain")};
+    QStringList words{QStringLiteral("design")};
     const DesignSetup now = setup();
     const auto add = [&](const QString& option, const std::vector<std::string>& texts) {
         if (!texts.empty()) words << option;
         for (const std::string& text : texts) words << fromView(text);
     };
-    for (const std::string& text : now.uncertain) words << fromView(text);
+    if (m_draws)
+        words << QStringLiteral("--draws") << drawsFile();
+    else
+        add(QStringLiteral("--uncertain"), now.uncertain);
     add(QStringLiteral("--choose"), now.choose);
     for (const DesignAim& aim : study->aims) words << QStringLiteral("--aim") << fromView(aim.name());
     add(QStringLiteral("--at-most"), now.atMost);

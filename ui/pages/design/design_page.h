@@ -9,6 +9,7 @@
 
 class QCPAxisRect;
 class QCheckBox;
+class QLabel;
 class QPushButton;
 
 namespace drillwave {
@@ -28,6 +29,11 @@ class DesignPage : public StudyPage {
 
     QString title() const override { return tr("Design"); }
     QString command() const override;
+    void copyCommand() override;
+    /// Takes rows of values that belong together, a table as design --draws reads it, instead of the
+    /// uncertain rows, until they are removed or another document is opened. `source` names the record of
+    /// them.
+    void takeDraws(const QString& source, const QByteArray& table);
     void addTo(ReportStudies& studies) const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
@@ -50,7 +56,16 @@ class DesignPage : public StudyPage {
         QString problem;
     };
     Wish wish() const;
+    /// Draws with their table, and what they are of.
+    struct GivenDraws {
+        QString source;
+        QByteArray table;
+        Draws draws;
+    };
     QWidget* makeQuestions();
+    QWidget* makeDrawsLine();
+    void setDraws(std::optional<GivenDraws> draws);
+    QString drawsFile() const;
     QString inputProblem() const;
     void forget();
     void followScenario();
@@ -80,6 +95,9 @@ class DesignPage : public StudyPage {
     PresetTicks* m_presets = nullptr;
     QCheckBox* m_keepEnergy = nullptr;
     QPushButton* m_refine = nullptr;
+    QWidget* m_drawsLine = nullptr;
+    QLabel* m_drawsText = nullptr;
+    std::optional<GivenDraws> m_draws;
     ChoiceBox* m_samples = nullptr;
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;

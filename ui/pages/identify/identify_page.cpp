@@ -20,6 +20,7 @@
 #include "ui/pages/identify/gauge_fields.h"
 #include "ui/pages/identify/identify_panel.h"
 #include "ui/pages/identify/known_fields.h"
+#include "ui/pages/identify/record_list.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/plot/figure_frame.h"
@@ -42,6 +43,12 @@ constexpr LawChoice lawChoices[] = {LawChoice::automatic, LawChoice::bilinear, L
 constexpr DispersionChoice dispersionChoices[] = {DispersionChoice::fit, DispersionChoice::bar,
                                                   DispersionChoice::none};
 
+/// A record in words: its file and, where each has several, its blow from 1.
+QString rowName(const RecordAnswer& record, bool hasBlows) {
+    const QString file = fromView(record.file);
+    return hasBlows ? QStringLiteral("%1, %2").arg(file).arg(record.blow + 1) : file;
+}
+
 }  // namespace
 
 IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
@@ -49,11 +56,19 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
       m_gauges(new GaugeFields(this)),
       m_law(makeChoice("law", tr("law of the rock"), tr("The loading curve that is fitted"),
                        {tr("automatic"), tr("one line"), tr("yields once"), tr("that of the scenario")})),
-      m_panel(new IdentifyPanel(this)) {
+      m_side(new QWidget(this)),
+      m_records(new RecordList(m_side)),
+      m_panel(new IdentifyPanel(m_side)) {
     setObjectName(QStringLiteral("identify"));
-    m_panel->hide();
+    auto* side = new QVBoxLayout(m_side);
+    side->setContentsMargins(0, 0, 0, 0);
+    side->setSpacing(2);
+    side->addWidget(m_records);
+    side->addWidget(m_panel, 1);
+    m_records->hide();
+    showSide(false);
     PlotWidget* plot =
-        arrange({makeRecordBox(), m_gauges, labelled(tr("law"), m_law, this), makeKnownBox()}, m_panel);
+        arrange({makeRecordBox(), m_gauges, labelled(tr("law"), m_law, this), makeKnownBox()}, m_side);
     stackBelow(narrowPage);
     setLeastLines(rowsOfPlots);
     m_frame = new FigureFrame(plot);
@@ -62,8 +77,14 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     m_asked.job().setTimeLimit(std::chrono::milliseconds(0));  // the user has asked for it
     connect(m_gauges, &GaugeFields::changed, this, &IdentifyPage::askSoon);
     connect(m_known, &KnownFields::changed, this, &IdentifyPage::askSoon);
+    connect(m_records, &RecordList::removeWanted, this, &IdentifyPage::removeRecord);
+    connect(m_records, &RecordList::chosen, this, [this](int row) {
+        m_chosen = m_records->item(row, 0)->text();
+        if (m_shown) draw();
+    });
     connect(m_panel, &IdentifyPanel::useWanted, this, &IdentifyPage::useRock);
     connect(m_panel, &IdentifyPanel::pinWanted, this, &IdentifyPage::pinRock);
+    connect(m_panel, &IdentifyPanel::designWanted, this, &IdentifyPage::designDraws);
     connect(m_panel, &IdentifyPanel::toleranceWanted, this, &IdentifyPage::goToTolerance);
     connect(m_frame, &FigureFrame::handleMoved, this, &IdentifyPage::moveArrival);
     connect(m_frame, &FigureFrame::handleReleased, this, [this](double time) {
@@ -81,12 +102,19 @@ QWidget* IdentifyPage::makeRecordBox() {
     layout->setContentsMargins(0, 0, 0, 0);
     auto* open = new QPushButton(tr("Open record…"), box);
     open->setObjectName(QStringLiteral("openRecord"));
-    open->setToolTip(tr("A table of samples of one blow: time and strain, force or the output of a bridge"));
+    open->setToolTip(tr(
+        "Tables of samples, one or several along a hole: time and strain, force or the output of a bridge"));
     connect(open, &QPushButton::clicked, this, &IdentifyPage::recordWanted);
+    m_more = new QPushButton(tr("Add…"), box);
+    m_more->setObjectName(QStringLiteral("addRecords"));
+    m_more->setToolTip(tr("Adds records of further blows, whose tables are read like the first"));
+    m_more->hide();
+    connect(m_more, &QPushButton::clicked, this, &IdentifyPage::moreRecordsWanted);
     m_name = new QLabel(box);
     m_name->setObjectName(QStringLiteral("recordName"));
     m_name->setTextFormat(Qt::PlainText);
     layout->addWidget(open);
+    layout->addWidget(m_more);
     layout->addWidget(m_name);
     return box;
 }
@@ -110,9 +138,12 @@ QWidget* IdentifyPage::makeKnownBox() {
     m_dispersion = makeChoice("dispersion", tr("dispersion"),
                               tr("How much of the dispersion of a round bar is taken into account"),
                               {tr("automatic"), tr("round bar"), tr("none")});
+    m_blows = makeChoice("blows", tr("blows of a record"), tr("Blows of a record that are identified"),
+                         {tr("the first"), tr("all of them")});
     auto* more = new QHBoxLayout;
     more->addWidget(labelled(tr("behind the rock"), m_backing, this));
     more->addWidget(labelled(tr("dispersion"), m_dispersion, this));
+    more->addWidget(labelled(tr("blows of a record"), m_blows, this));
     more->addStretch();
     auto* layout = new QVBoxLayout(m_knownBox->content());
     layout->setContentsMargins(8, 0, 0, 0);
@@ -123,12 +154,12 @@ QWidget* IdentifyPage::makeKnownBox() {
     return m_knownBox;
 }
 
-void IdentifyPage::openRecord(const QString& path, const SignalOptions& settings) {
-    m_path = path;
+void IdentifyPage::openRecords(const QStringList& paths, const SignalOptions& settings) {
+    m_paths.clear();
     m_settings = settings;
-    m_name->setText(QFileInfo(path).fileName());
-    m_name->setToolTip(withoutMarkup(path));
-    const FileBytes start = readStart(QFile::encodeName(path).toStdString(), headBytes);
+    m_chosen.clear();
+    takeFiles(paths);
+    const FileBytes start = readStart(QFile::encodeName(m_paths.first()).toStdString(), headBytes);
     std::istringstream in(start.bytes);
     const std::vector<std::string> lines = firstLines(in, headLines);
     DetectedTable table = detectTable(lines);
@@ -136,19 +167,51 @@ void IdentifyPage::openRecord(const QString& path, const SignalOptions& settings
     if (settings.decimal) table.format.decimal = *settings.decimal;
     if (settings.separator || settings.decimal) table = detectTable(lines, table.format);
     if (settings.firstLine) table = tableFrom(lines, table.format, *settings.firstLine);
-    m_gauges->setColumns(table.columns);
+    m_gauges->setColumns(table.columns);  // which asks
+}
+
+void IdentifyPage::addRecords(const QStringList& paths) {
+    if (paths.isEmpty()) return;
+    takeFiles(paths);
     askSoon();
+}
+
+void IdentifyPage::takeFiles(const QStringList& paths) {
+    m_paths += paths;
+    m_paths.removeDuplicates();
+    ++m_opened;
+    showNames();
+}
+
+// The settings are of all tables: the list goes on without the first.
+void IdentifyPage::removeRecord(const QString& path) {
+    m_paths.removeAll(path);
+    showNames();
+    askSoon();
+}
+
+void IdentifyPage::showNames() {
+    m_more->setVisible(hasRecords());
+    m_name->setText(hasRecords() ? sourceWords() : QString());
+    m_name->setToolTip(withoutMarkup(m_paths.join(u'\n')));
+}
+
+/// Names one record, and counts several.
+QString IdentifyPage::sourceWords() const {
+    return m_paths.size() == 1 ? QFileInfo(m_paths.first()).fileName() : tr("%1 records").arg(m_paths.size());
 }
 
 RecordQuestion IdentifyPage::question() const {
     RecordQuestion question;
     question.law = lawChoices[m_law->currentIndex()];
     question.scenario = scenarioForRecord(scenario(), question.law);
-    question.path = m_path;
+    question.paths = m_paths;
+    question.opened = m_opened;
     question.settings = m_settings;
     question.gauges = m_gauges->gauges();
     question.dispersion = dispersionChoices[m_dispersion->currentIndex()];
     question.barBehind = m_backing->currentIndex() == 1;
+    question.allBlows = m_blows->currentIndex() == 1;
     question.known = m_known->known();
     return question;
 }
@@ -161,7 +224,7 @@ void IdentifyPage::showKnown(const RecordQuestion& question) {
         hasUnits(question.scenario) && std::isfinite(nearest) && nearest > 0
             ? gaugePlace(question.scenario, nearest)
             : std::nullopt;
-    m_knownBox->setVisible(place.has_value() && !m_path.isEmpty());
+    m_knownBox->setVisible(place.has_value() && hasRecords());
     if (place) m_known->present(question.scenario, *place);
 }
 
@@ -172,13 +235,53 @@ void IdentifyPage::ask() {
     const QString missing = missingIn(asked);
     if (missing.isEmpty()) {
         m_asked.ask(std::move(asked));
-        return;
+        return showRecords();
     }
     m_asked.job().forget();
     m_shown.reset();
-    m_panel->clear();
-    m_panel->hide();
+    showRecords();
+    showSide(false);
     showNothingAsked(missing);
+}
+
+/// Shows the panel or empties it, and leaves no room beside the plots where there is nothing to show.
+void IdentifyPage::showSide(bool hasAnswer) {
+    if (!hasAnswer) m_panel->clear();
+    m_panel->setVisible(hasAnswer);
+    m_side->setVisible(hasAnswer || !m_records->isHidden());
+}
+
+/// Returns the answer of the row that the user has chosen, else the one that the sentence is about.
+const RecordAnswer& IdentifyPage::shownRecord() const {
+    const IdentifyFindings& findings = m_shown->report.findings;
+    for (const RecordAnswer& record : findings.records)
+        if (rowName(record, m_shown->question.allBlows) == m_chosen) return record;
+    return findings.main();
+}
+
+// Files that have no answer yet have a row, too: an unreadable one can be removed.
+void IdentifyPage::showRecords() {
+    std::vector<RecordList::Row> rows;
+    int shown = -1;
+    const QStringList names = recordNames(m_paths);
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const std::size_t before = rows.size();
+        if (m_shown)
+            for (const RecordAnswer& record : m_shown->report.findings.records) {
+                if (fromView(record.file) != names[i]) continue;
+                if (&record == &shownRecord()) shown = static_cast<int>(rows.size());
+                const LocalStyle style = LocalStyle::of(document().units());
+                rows.push_back({rowName(record, m_shown->question.allBlows), m_paths[i],
+                                translated(recordVerdict(record)),
+                                record.refusal ? QString()
+                                               : fromView(style.number(100 * record.match.misfit, 2)) +
+                                                     QStringLiteral(" %")});
+            }
+        if (rows.size() == before) rows.push_back({names[i], m_paths[i], QStringLiteral("…"), {}});
+    }
+    m_records->setVisible(rows.size() > 1);
+    m_records->present(std::move(rows), shown);
+    showSide(!m_panel->isHidden());
 }
 
 void IdentifyPage::present() {
@@ -198,33 +301,41 @@ void IdentifyPage::present() {
 
 void IdentifyPage::draw() {
     const IdentifyReport& report = m_shown->report;
-    const RecordAnswer& answer = report.findings.main();
-    QString sentence = translated(identifySentence(answer));
-    if (answer.isFirst) sentence += u' ' + tr("Other laws are being tried; they can widen the intervals.");
+    const RecordAnswer& answer = shownRecord();
+    QString sentence = translated(identifySentence(report.findings.main()));
+    if (m_shown->isPartial)
+        sentence += u' ' + (m_paths.size() > 1
+                                ? tr("Further records and laws are being tried; they can change the answer.")
+                                : tr("Other laws are being tried; they can widen the intervals."));
+    showRecords();
+    const QString more = &answer == &report.findings.main()
+                             ? QString()
+                             : QStringLiteral("%1: %2").arg(rowName(answer, m_shown->question.allBlows),
+                                                            translated(identifySentence(answer)));
     if (answer.refusal) {
-        m_panel->clear();
-        m_panel->hide();
-        return showNothing(sentence);
+        showSide(false);
+        showNothing(translated(identifySentence(answer)));
+        return say(sentence, more);
     }
     m_frame->present(
-        {identifyFigure(answer),
+        {identifyFigure(report.findings, answer),
          {m_shownUnits, [&choice = document().units()](const Parameter& parameter) -> const Unit& {
               return choice.fieldUnit(parameter);
           }}});
     plot()->keyPoint().offer(m_frame->keyPlaces());
     m_frame->giveMeanings(*plot());
-    m_panel->present(report, LocalStyle::of(document().units()));
-    m_panel->setEnabled(!answer.isFirst);
-    m_panel->show();
-    say(sentence);
+    m_panel->present(report, answer, LocalStyle::of(document().units()));
+    m_panel->setEnabled(!m_shown->isPartial);
+    showSide(true);
+    say(sentence, more);
     redraw();
 }
 
 // The gauge is where a wave needs that time to the rock and back.
 void IdentifyPage::moveArrival(double time) {
-    if (!m_shown || m_shown->report.findings.main().refusal) return;
+    if (!m_shown || shownRecord().refusal) return;
     const RecordQuestion& asked = m_shown->question;
-    const RecordAnswer& answer = m_shown->report.findings.main();
+    const RecordAnswer& answer = shownRecord();
     const std::optional<GaugePlace> place = gaugePlace(asked.scenario, asked.gauges.front().distance);
     if (!place) return;
     const double late = time - answer.curves.front - answer.match.roundTripOfFile;
@@ -241,7 +352,7 @@ void IdentifyPage::useRock() {
         ScenarioDocument contents = document().contents();
         contents.text = document().text().toStdString();
         load(identifiedDocument(m_shown->report, std::move(contents)),
-             tr("use the rock identified from %1").arg(QFileInfo(m_path).fileName()));
+             tr("use the rock identified from %1").arg(sourceWords()));
     } catch (const ScenarioError& error) {
         say(translated(error));
     }
@@ -251,6 +362,15 @@ void IdentifyPage::pinRock() {
     if (m_shown) pin(identifiedScenario(scenario(), m_shown->report.findings));
 }
 
+// The file of the command is the scenario with this rock.
+void IdentifyPage::designDraws() {
+    if (!m_shown) return;
+    const IdentifiedRecordPtr answer = m_shown;
+    const auto isUsed = [&] { return identifiedScenario(scenario(), answer->report.findings) == scenario(); };
+    if (!isUsed()) useRock();
+    if (isUsed()) emit drawsWanted(sourceWords(), QByteArray::fromStdString(posteriorCsv(answer->report)));
+}
+
 void IdentifyPage::goToTolerance(const QString& key) {
     m_knownBox->setOpen(true);
     m_known->goTo(key.toStdString());
@@ -258,18 +378,29 @@ void IdentifyPage::goToTolerance(const QString& key) {
 
 QList<PageExport> IdentifyPage::exports() const {
     QList<PageExport> all = StudyPage::exports();
-    PageExport draws = all.first();
-    draws.title = tr("D&raws for Design…");
-    draws.toolTip = tr("Rows of values that the record allows, for design --draws");
-    draws.fileStem = QStringLiteral("_posterior");
-    draws.csv = [this] { return QByteArray::fromStdString(posteriorCsv(m_shown->report)); };
-    draws.obstacle = [this] {
-        const QString why = obstacle();
-        if (!why.isEmpty() || !m_shown) return why.isEmpty() ? tr("There is no answer yet.") : why;
-        return posteriorCsv(m_shown->report).empty() ? tr("The record does not fix the rock well enough.")
-                                                     : QString();
+    // `why` says why an answer has no such table.
+    const auto add = [&](const QString& title, const QString& tip, const char* stem, auto table, auto why) {
+        PageExport added = all.first();
+        added.title = title;
+        added.toolTip = tip;
+        added.fileStem = QLatin1String(stem);
+        added.csv = [this, table] { return QByteArray::fromStdString(table(m_shown->report)); };
+        added.obstacle = [this, why] {
+            const QString unfinished = obstacle();
+            if (!unfinished.isEmpty()) return unfinished;
+            return m_shown ? why(m_shown->report) : tr("There is no answer yet.");
+        };
+        all.insert(all.size() - 1, added);
     };
-    all.insert(1, draws);
+    add(tr("D&raws for Design…"), tr("Rows of values that the record allows, for design --draws"),
+        "_posterior", posteriorCsv, [](const IdentifyReport& report) {
+            return posteriorCsv(report).empty() ? tr("The record does not fix the rock well enough.")
+                                                : QString();
+        });
+    add(tr("&Table of records…"), tr("A row for each record with its values, intervals and verdicts"),
+        "_records", recordsCsv, [](const IdentifyReport& report) {
+            return report.findings.records.size() > 1 ? QString() : tr("There is only one record.");
+        });
     return all;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Identify: which rock has a record of strain gauges seen, and how sure is that?
+// The page Identify: which rock have records of strain gauges seen, and how sure is that?
 #pragma once
 
 #include "core/signal/signal_reading.h"
@@ -8,6 +8,7 @@
 #include "ui/text/shown_units.h"
 
 class QLabel;
+class QPushButton;
 
 namespace drillwave {
 
@@ -16,11 +17,13 @@ class FigureFrame;
 class GaugeFields;
 class IdentifyPanel;
 class KnownFields;
+class RecordList;
 class SectionBox;
 
-/// A strip with the record, its gauges and what is known about them; below it the answer in a sentence, the
-/// record with the model on it, what the model leaves over, and the rock; beside these the values with their
-/// intervals. The line of the arrival can be dragged: it moves the gauges along the rod.
+/// A strip with the records, their gauges and what is known about them; below it the answer in a sentence,
+/// the record with the model on it, what the model leaves over, and the rock; beside these the values with
+/// their intervals. Several records have a list, of which one is on show. The line of the arrival can be
+/// dragged: it moves the gauges along the rod.
 class IdentifyPage : public StudyPage {
     Q_OBJECT
 
@@ -32,8 +35,16 @@ class IdentifyPage : public StudyPage {
     QList<PageExport> exports() const override;
     QString command() const override;
 
-    /// Takes a record from a file, whose table is read with these settings.
-    void openRecord(const QString& path, const SignalOptions& settings = {});
+    /// Takes records from files, in their order along the hole, instead of those before. All tables are read
+    /// with these settings.
+    void openRecords(const QStringList& paths, const SignalOptions& settings = {});
+    void openRecord(const QString& path, const SignalOptions& settings = {}) {
+        openRecords({path}, settings);
+    }
+    /// Adds files to the list, whose tables are read like that of the first; those that are in it are read
+    /// again. Requires that there is a record.
+    void addRecords(const QStringList& paths);
+    bool hasRecords() const { return !m_paths.isEmpty(); }
     /// How many identifications were started.
     int started() const { return m_asked.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
@@ -42,8 +53,12 @@ class IdentifyPage : public StudyPage {
     IdentifiedRecordPtr answer() const { return m_shown; }
 
   signals:
-    /// The user wants to choose a record.
+    /// The user wants to choose records, or further ones.
     void recordWanted();
+    void moreRecordsWanted();
+    /// The user wants Design with this table of draws, whose rock is in the scenario now; `source` names the
+    /// records.
+    void drawsWanted(const QString& source, const QByteArray& table);
 
   protected:
     void ask() override;
@@ -59,21 +74,35 @@ class IdentifyPage : public StudyPage {
                           const QStringList& entries);
     RecordQuestion question() const;
     void showKnown(const RecordQuestion& question);
+    const RecordAnswer& shownRecord() const;
+    void removeRecord(const QString& path);
+    void takeFiles(const QStringList& paths);
+    void showRecords();
+    void showNames();
+    void showSide(bool hasAnswer);
+    QString sourceWords() const;
     void draw();
     void moveArrival(double time);
     void useRock();
     void pinRock();
+    void designDraws();
     void goToTolerance(const QString& key);
 
-    QString m_path;
+    QStringList m_paths;
+    int m_opened = 0;
     SignalOptions m_settings;
+    QString m_chosen;  // row of the list that the user has chosen, see rowName(); empty: that of the answer
     QLabel* m_name = nullptr;
+    QPushButton* m_more = nullptr;
     GaugeFields* m_gauges;
     ChoiceBox* m_law;
     ChoiceBox* m_backing = nullptr;
     ChoiceBox* m_dispersion = nullptr;
     SectionBox* m_knownBox = nullptr;
     KnownFields* m_known = nullptr;
+    ChoiceBox* m_blows = nullptr;
+    QWidget* m_side;
+    RecordList* m_records;
     IdentifyPanel* m_panel;
     FigureFrame* m_frame;
     IdentifiedRecordPtr m_shown;

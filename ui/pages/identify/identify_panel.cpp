@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/identify/identify_panel.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
@@ -15,6 +14,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "ui/pages/study/flow_layout.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -24,7 +24,7 @@ constexpr double widestInterval = 0.5;  // relative: a wider one goes to the edg
 constexpr int barRole = Qt::UserRole;   // QPointF: from and to, shares of the width
 constexpr int hatchRole = Qt::UserRole + 1;
 constexpr int barSpace = 7;      // below the text of a cell [px]
-constexpr int leastWidth = 200;  // of the panel [px]
+constexpr int leastWidth = 340;  // of the panel [px], with room for a word in each column
 constexpr int leastHeight = 190;
 
 /// Draws a bar along the bottom of a cell that has one, hatched where it is assumed.
@@ -134,15 +134,20 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     m_pin->setObjectName(QStringLiteral("pinRock"));
     m_pin->setToolTip(tr("Pins the scenario with this rock as a run; the scenario stays as it is"));
     connect(m_use, &QPushButton::clicked, this, &IdentifyPanel::useWanted);
+    m_design = new QPushButton(tr("Design with these draws"), content);
+    m_design->setObjectName(QStringLiteral("designDraws"));
     connect(m_pin, &QPushButton::clicked, this, &IdentifyPanel::pinWanted);
-    auto* buttons = new QHBoxLayout;
+    connect(m_design, &QPushButton::clicked, this, &IdentifyPanel::designWanted);
+    auto* row = new QWidget(content);
+    auto* buttons = new FlowLayout(row);
+    buttons->setContentsMargins(0, 0, 0, 0);
     buttons->addWidget(m_use);
     buttons->addWidget(m_pin);
-    buttons->addStretch();
+    buttons->addWidget(m_design);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 2, 4, 2);
     layout->addWidget(m_values);
-    layout->addLayout(buttons);
+    layout->addWidget(row);
     layout->addWidget(m_limitsTitle);
     layout->addWidget(m_limits);
     layout->addWidget(m_next);
@@ -168,39 +173,58 @@ void IdentifyPanel::clear() {
     m_remarks->clear();
     for (QWidget* part :
          {static_cast<QWidget*>(m_values), static_cast<QWidget*>(m_use), static_cast<QWidget*>(m_pin),
-          static_cast<QWidget*>(m_limitsTitle), static_cast<QWidget*>(m_limits),
-          static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_remarks)})
+          static_cast<QWidget*>(m_design), static_cast<QWidget*>(m_limitsTitle),
+          static_cast<QWidget*>(m_limits), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_remarks)})
         part->hide();
 }
 
-void IdentifyPanel::present(const IdentifyReport& report, const ReadingStyle& style) {
-    const RecordAnswer& answer = report.findings.main();
-    showValues(report, style);
-    showLimits(report, style);
+void IdentifyPanel::present(const IdentifyReport& report, const RecordAnswer& answer,
+                            const ReadingStyle& style) {
+    showValues(report, answer, style);
+    showLimits(report, answer, style);
     m_next->setText(fromView(style.said(identifyNext(answer, report.question.scenario, style))));
     m_next->setVisible(!m_next->text().isEmpty());
-    showRemarks(report, style);
-    const bool isUsable = report.findings.saysSomething() && answer.law != "file";
+    showRemarks(report, answer, style);
+    const bool isUsable = report.findings.saysSomething() && report.findings.main().law != "file";
     for (QPushButton* button : {m_use, m_pin}) {
         button->setVisible(true);
         button->setEnabled(isUsable);
     }
+    const bool hasDraws = !posteriorDraws(report.findings, 1, report.question.seed).rows.empty();
+    m_design->setVisible(true);
+    m_design->setEnabled(hasDraws);
+    m_design->setToolTip(hasDraws
+                             ? tr("Takes the rock into the scenario, and opens Design with rows of values "
+                                  "that the record allows as its uncertain inputs")
+                             : tr("There are no draws: no record fixes the rock well enough."));
 }
 
-void IdentifyPanel::showValues(const IdentifyReport& report, const ReadingStyle& style) {
-    const RecordAnswer& answer = report.findings.main();
+void IdentifyPanel::showValues(const IdentifyReport& report, const RecordAnswer& answer,
+                               const ReadingStyle& style) {
     const std::vector<IdentifyRow> rows = identifyRows(answer, report.findings.nextBlow, style);
     m_values->setRowCount(int(rows.size()));
     for (int row = 0; row < int(rows.size()); ++row) {
         const IdentifyRow& each = rows[static_cast<std::size_t>(row)];
-        const std::array<QTableWidgetItem*, 4> cells{
-            textCell(fromView(style.said(each.term))), textCell(fromView(each.value)),
-            textCell(fromView(each.interval)), textCell(fromView(style.said(each.verdict)))};
-        cells[0]->setToolTip(fromView(style.said(each.what)));
-        const IdentifiedParameter* parameter = answer.find(each.key);
-        if (!each.interval.empty() && parameter && parameter->value > 0)
-            cells[2]->setData(barRole, QPointF(intervalEdge(*parameter->low / parameter->value - 1),
-                                               intervalEdge(*parameter->high / parameter->value - 1)));
+        const auto ofRecord = answer.parameters.size();
+        const NextBlowParameter* next =
+            row < int(ofRecord) ? nullptr
+                                : &report.findings.nextBlow[static_cast<std::size_t>(row) - ofRecord];
+        QString term = fromView(style.said(each.term));
+        if (next) term = QStringLiteral("%1:\n%2").arg(fromView(style.said(each.what)), term);
+        const std::array<QTableWidgetItem*, 4> cells{textCell(term), textCell(fromView(each.value)),
+                                                     textCell(fromView(each.interval)),
+                                                     textCell(fromView(style.said(each.verdict)))};
+        if (!next) cells[0]->setToolTip(fromView(style.said(each.what)));
+        const auto addBar = [&](double low, double value, double high) {
+            if (value > 0)
+                cells[2]->setData(barRole,
+                                  QPointF(intervalEdge(low / value - 1), intervalEdge(high / value - 1)));
+        };
+        if (next)
+            addBar(next->low, next->value, next->high);
+        else if (const IdentifiedParameter* parameter = answer.find(each.key);
+                 parameter && !each.interval.empty())
+            addBar(*parameter->low, parameter->value, *parameter->high);
         for (int column = 0; column < int(cells.size()); ++column)
             m_values->setItem(row, column, cells[static_cast<std::size_t>(column)]);
     }
@@ -210,9 +234,9 @@ void IdentifyPanel::showValues(const IdentifyReport& report, const ReadingStyle&
     fitHeight(*m_values);
 }
 
-void IdentifyPanel::showLimits(const IdentifyReport& report, const ReadingStyle& style) {
-    const std::vector<IdentifyLimit> limits =
-        identifyLimits(report.findings.main(), report.question.scenario, style);
+void IdentifyPanel::showLimits(const IdentifyReport& report, const RecordAnswer& answer,
+                               const ReadingStyle& style) {
+    const std::vector<IdentifyLimit> limits = identifyLimits(answer, report.question.scenario, style);
     m_keys.clear();
     double largest = 0;
     for (const IdentifyLimit& limit : limits) largest = std::max({largest, limit.onStiffness, limit.onGamma});
@@ -239,10 +263,12 @@ void IdentifyPanel::showLimits(const IdentifyReport& report, const ReadingStyle&
     fitHeight(*m_limits);
 }
 
-void IdentifyPanel::showRemarks(const IdentifyReport& report, const ReadingStyle& style) {
-    const RecordAnswer& answer = report.findings.main();
+void IdentifyPanel::showRemarks(const IdentifyReport& report, const RecordAnswer& answer,
+                                const ReadingStyle& style) {
+    std::vector<std::string> codes = answer.remarks;
+    codes.insert(codes.end(), report.findings.remarks.begin(), report.findings.remarks.end());
     QStringList lines;
-    for (const std::string& code : answer.remarks)
+    for (const std::string& code : codes)
         if (isRemarkShown(code))
             lines << QStringLiteral("▲ ") +
                          fromView(style.said(identifyRemark(code, answer, report.question.scenario, style)));

@@ -20,14 +20,17 @@ class IdentifyPanel : public QScrollArea {
   public:
     explicit IdentifyPanel(QWidget* parent = nullptr);
 
-    /// Shows an answer that is not refused; a rejected one greyed and without intervals.
-    void present(const IdentifyReport& report, const ReadingStyle& style);
+    /// Shows the answer of a record that is not refused, and the next blow of several; a rejected one greyed
+    /// and without intervals.
+    void present(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
     void clear();
 
   signals:
     /// The user wants the rock in the scenario, or a run with it pinned.
     void useWanted();
     void pinWanted();
+    /// The user wants Design with the draws of the answer.
+    void designWanted();
     /// The user wants to type a tolerance, by its key of --known.
     void toleranceWanted(const QString& key);
 
@@ -35,9 +38,9 @@ class IdentifyPanel : public QScrollArea {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    void showValues(const IdentifyReport& report, const ReadingStyle& style);
-    void showLimits(const IdentifyReport& report, const ReadingStyle& style);
-    void showRemarks(const IdentifyReport& report, const ReadingStyle& style);
+    void showValues(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
+    void showLimits(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
+    void showRemarks(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
 
     QTableWidget* m_values;
     QLabel* m_limitsTitle;
@@ -46,6 +49,7 @@ class IdentifyPanel : public QScrollArea {
     QLabel* m_remarks;
     QPushButton* m_use;
     QPushButton* m_pin;
+    QPushButton* m_design;
     std::vector<std::string> m_keys;  // of --known, of the rows of m_limits
 };
 

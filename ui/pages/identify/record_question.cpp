@@ -5,10 +5,13 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 #include <fstream>
+#include <mutex>
 #include <stdexcept>
 
 #include "core/model/blow_traits.h"
+#include "core/numeric/available_threads.h"
 #include "core/signal/signal_option.h"
 #include "core/text/decimal_text.h"
 #include "ui/text/shown_text.h"
@@ -65,10 +68,10 @@ QString missingIn(const RecordQuestion& question) {
         return tr(
             "Identify needs a scenario with physical units: a record of a gauge is in seconds and "
             "newtons. Edit ▸ Make a rig of these groups makes one.");
-    if (question.path.isEmpty())
+    if (question.paths.isEmpty())
         return tr(
             "Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a "
-            "record of one blow.");
+            "record of one blow, or of several blows along a hole.");
     if (question.gauges.empty()) return tr("Choose the column of the gauge.");
     for (const GaugeChoice& gauge : question.gauges) {
         if (!(gauge.distance > 0))
@@ -81,6 +84,14 @@ QString missingIn(const RecordQuestion& question) {
     return translated(gaugePairProblem(question.gauges, placesOfGauges(question)));
 }
 
+QStringList recordNames(const QStringList& paths) {
+    QStringList names;
+    for (const QString& path : paths) names << QFileInfo(path).fileName();
+    for (qsizetype i = 0; i < names.size(); ++i)
+        if (names.count(QFileInfo(paths[i]).fileName()) > 1) names[i] = QDir::toNativeSeparators(paths[i]);
+    return names;
+}
+
 IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
                                      const StudyFeed<IdentifiedRecordPtr>& feed) {
     auto answer = std::make_shared<IdentifiedRecord>();
@@ -90,33 +101,59 @@ IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
     asked.law = question.law;
     asked.dispersion = question.dispersion;
     asked.barBehind = question.barBehind;
+    asked.allBlows = question.allBlows;
     asked.known = question.known;
-    const std::string file = QFileInfo(question.path).fileName().toStdString();
-    std::ifstream in(QFile::encodeName(question.path).toStdString(), std::ios::binary);
-    if (!in) refuseRecord(about(file, translatable("cannot be read")));
-    GaugeReading reading =
-        readGauges(in, question.settings, question.gauges, placesOfGauges(question), feed.stop);
-    if (feed.stop.stop_requested()) return answer;
-    if (!reading.problem.isEmpty()) refuseRecord(about(file, reading.problem));
-    if (!reading.questions.empty())
-        refuseRecord(
-            {translatable("%1: the table does not state this: %2. Open the record again and choose it."),
-             {file, reading.questions.front()}});
-    reading.record.file = file;
-    asked.records.push_back(std::move(reading.record));
+    const QStringList names = recordNames(question.paths);
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const std::string file = names[i].toStdString();
+        std::ifstream in(QFile::encodeName(question.paths[i]).toStdString(), std::ios::binary);
+        if (!in) refuseRecord(about(file, translatable("cannot be read")));
+        GaugeReading reading =
+            readGauges(in, question.settings, question.gauges, placesOfGauges(question), feed.stop);
+        if (feed.stop.stop_requested()) return answer;
+        if (!reading.problem.isEmpty()) refuseRecord(about(file, reading.problem));
+        if (!reading.questions.empty())
+            refuseRecord(
+                {translatable("%1: the table does not state this: %2. Open the record again and choose it."),
+                 {file, reading.questions.front()}});
+        reading.record.file = file;
+        asked.records.push_back(std::move(reading.record));
+    }
     if (const std::vector<Message> problems = identifyProblems(asked); !problems.empty())
         refuseRecord(inOneLine(problems));
-    answer->report.findings = runIdentify(asked, 1, feed.stop, {}, [&](RecordAnswer first) {
+    std::mutex lock;
+    std::vector<RecordAnswer> done, first;  // whose other laws are still being tried
+    const auto show = [&] {
         auto shown = std::make_shared<IdentifiedRecord>(*answer);
-        shown->report.findings.records.push_back(std::move(first));
+        shown->isPartial = true;
+        std::vector<RecordAnswer>& records = shown->report.findings.records;
+        records = done;
+        records.insert(records.end(), first.begin(), first.end());
+        std::ranges::stable_sort(
+            records, {}, [&](const RecordAnswer& each) { return names.indexOf(fromView(each.file)); });
         feed.show(shown);
-    });
+    };
+    const auto addDone = [&](const IdentifyFindings& findings) {
+        const std::lock_guard hold(lock);
+        done = findings.records;
+        std::erase_if(first, [&](const RecordAnswer& each) {
+            return each.file == done.back().file && each.blow == done.back().blow;
+        });
+        feed.tell({done.size(), std::max(done.size(), asked.records.size())});
+        if (asked.records.size() > 1) show();
+    };
+    const auto addFirst = [&](RecordAnswer answered) {
+        const std::lock_guard hold(lock);
+        first.push_back(std::move(answered));
+        show();
+    };
+    answer->report.findings = runIdentify(asked, availableThreads(), feed.stop, addDone, addFirst);
     return answer;
 }
 
 QStringList identifyWords(const RecordQuestion& question) {
-    QStringList words{QStringLiteral("identify"), QStringLiteral("--signals"),
-                      QDir::toNativeSeparators(question.path)};
+    QStringList words{QStringLiteral("identify"), QStringLiteral("--signals")};
+    for (const QString& path : question.paths) words << QDir::toNativeSeparators(path);
     for (const GaugeChoice& gauge : question.gauges)
         words << QStringLiteral("--gauge")
               << QStringLiteral("%1@%2").arg(fromView(gauge.name()),
@@ -125,6 +162,7 @@ QStringList identifyWords(const RecordQuestion& question) {
                                                  .remove(u' '));
     if (question.law != LawChoice::automatic)
         words << QStringLiteral("--law") << QLatin1String(lawWord(question.law));
+    if (question.allBlows) words << QStringLiteral("--blows") << QStringLiteral("all");
     if (question.barBehind) words << QStringLiteral("--backing") << QStringLiteral("bar");
     if (question.dispersion != DispersionChoice::fit)
         words << QStringLiteral("--dispersion")

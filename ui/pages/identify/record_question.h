@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question of the page Identify about a record, and its answer, computed away from the window's thread.
+// Question of the page Identify about records, and its answer, computed away from the window's thread.
 #pragma once
 
 #include <QString>
@@ -15,15 +15,17 @@
 
 namespace drillwave {
 
-/// A record in a file, where its gauges are, and what is known about both.
+/// Records in files, where their gauges are, and what is known about both.
 struct RecordQuestion {
-    Scenario scenario;  ///< without what does not matter
-    QString path;
-    SignalOptions settings;  ///< by which the table is read
+    Scenario scenario;       ///< without what does not matter
+    QStringList paths;       ///< in their order along the hole
+    int opened = 0;          ///< how often files were opened: they may be others by now
+    SignalOptions settings;  ///< by which the tables are read
     std::vector<GaugeChoice> gauges;
     LawChoice law = LawChoice::automatic;
     DispersionChoice dispersion = DispersionChoice::fit;
     bool barBehind = false;
+    bool allBlows = false;
     std::vector<KnownTolerance> known;
     bool operator==(const RecordQuestion&) const = default;
 };
@@ -32,6 +34,7 @@ struct RecordQuestion {
 struct IdentifiedRecord {
     RecordQuestion question;
     IdentifyReport report;
+    bool isPartial = false;  ///< records or laws are still to come
 };
 using IdentifiedRecordPtr = std::shared_ptr<const IdentifiedRecord>;
 
@@ -41,8 +44,11 @@ Scenario scenarioForRecord(Scenario scenario, LawChoice law);
 /// Returns what the user still has to give, in a sentence; empty where the question can be asked.
 QString missingIn(const RecordQuestion& question);
 
-/// Reads the record and identifies the rock. Throws std::runtime_error with a sentence where the record
-/// cannot be read or a tolerance is wrong.
+/// Names of the files as answers have them: without folders, unless two would be called the same.
+QStringList recordNames(const QStringList& paths);
+
+/// Reads the records and identifies the rock. Throws std::runtime_error with a sentence where a record cannot
+/// be read or a tolerance is wrong.
 IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
                                      const StudyFeed<IdentifiedRecordPtr>& feed);
 

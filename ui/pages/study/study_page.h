@@ -46,7 +46,7 @@ class StudyPage : public PlotPage {
     virtual QString command() const;
 
   public slots:
-    void copyCommand();
+    virtual void copyCommand();
 
   protected:
     /// Asks the page's job for what the controls say of the scenario. Called only while it can be seen.

@@ -213,7 +213,7 @@ void TestIdentifyPage::aRejectedRecordHasNoIntervals() {
 void TestIdentifyPage::theRecordIsShownInThreeRows() {
     open(QStringLiteral("noise.csv"), {QStringLiteral("1.83 m")});
     QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
-    const StudyFigure figure = identifyFigure(found());
+    const StudyFigure figure = identifyFigure(m_page->answer()->report.findings, found());
     QCOMPARE(figure.panels.size(), std::size_t(3));
     QCOMPARE(figure.panels[0].bands.size(), std::size_t(3));
     // Each band follows the one before.
