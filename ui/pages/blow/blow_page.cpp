@@ -93,7 +93,6 @@ QHBoxLayout* BlowPage::makeBar() {
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
-    fitButton->setMinimumWidth(50);
     connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);

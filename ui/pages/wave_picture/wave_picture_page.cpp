@@ -101,7 +101,6 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_readout->setText(QStringLiteral(" "));
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
-    fitButton->setMinimumWidth(50);
     connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
 
     auto* bar = new QHBoxLayout;
