@@ -80,6 +80,7 @@ class DesignPage : public StudyPage {
     PresetTicks* m_presets = nullptr;
     QCheckBox* m_keepEnergy = nullptr;
     QPushButton* m_refine = nullptr;
+    QPushButton* m_load = nullptr;  // takes over the design to change to
     ChoiceBox* m_samples = nullptr;
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
