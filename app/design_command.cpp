@@ -124,7 +124,7 @@ const Command& designCommand() {
         "  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and\n"
         "                                       :lognormal with LOW and HIGH as the limits of 95 %\n"
         "  --uncertain KEY=+-P%                 about the value of FILE or of the design\n"
-        "  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and\n"
+        "  --choose hammer=NAME,NAME            presets by name, or hammer=all; also rod=, and\n"
         "                                       bit= of a drill string, whose hammers are pistons\n"
         "Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:\n"
         "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE\n"

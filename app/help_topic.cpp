@@ -117,6 +117,7 @@ std::string rowText(std::span<const Chapter> manual, std::string_view name, std:
 /// Words that the manual does not use for what people mean by them.
 constexpr auto otherWords = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"rop", "penetration rate"},
+    {"wear", "worn"},
     {"getting started", "tutorial"},
     {"quick start", "tutorial"},
     {"introduction", "tutorial"},
@@ -242,7 +243,8 @@ std::string nearest(std::string_view name) {
         const std::vector<std::string_view> views(names.begin(), names.end());
         for (const std::string_view each : views)
             if (each.ends_with(lastPart)) found.push_back("`" + std::string(each) + "`");
-        const std::string_view near = nearestName(name, views);
+        std::string_view near = nearestName(name, views);
+        if (near.empty()) near = nameWithWords(name, views);
         if (!near.empty()) found.push_back("`" + std::string(near) + "`");
     }
     std::ranges::sort(found);

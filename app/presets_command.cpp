@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "app/command.h"
@@ -42,17 +43,32 @@ const char* usePattern(SectionPresetKind kind) {
     return "";
 }
 
+/// Returns the kind of presets of an operand, "rock" of "rock" or "rocks"; empty for anything else.
+std::string kindOf(std::string_view operand) {
+    const auto isKind = [&](std::string_view kind) {
+        return operand == kind || operand == std::string(kind) + "s";
+    };
+    for (const PresetKind kind : allValues<PresetKind>)
+        if (isKind(name(kind))) return std::string(name(kind));
+    for (const SectionPresetKind kind : allValues<SectionPresetKind>)
+        if (isKind(name(kind))) return std::string(name(kind));
+    return {};
+}
+
 /// Lists, each under its heading, of what has every word looked for in its kind, name or description,
 /// capitals or not.
 class Listing {
   public:
-    Listing(const std::string& search, const ReadingStyle& style) : m_style(style) {
+    /// `only` is the kind to list; empty for all.
+    Listing(std::string only, const std::string& search, const ReadingStyle& style)
+        : m_style(style), m_only(std::move(only)) {
         std::istringstream words(lowerCase(search));
         for (std::string word; words >> word;) m_words.push_back(word);
     }
 
     void add(std::string_view kind, const Message& use, const std::string& name,
              const std::string& description) {
+        if (!m_only.empty() && kind != m_only) return;
         const std::string title = nameFor(name, m_style);
         const std::string all = lowerCase(std::string(kind) + "s\n" + title + "\n" + description);
         const auto isThere = [&](const std::string& word) { return all.find(word) != std::string::npos; };
@@ -65,6 +81,7 @@ class Listing {
 
   private:
     const ReadingStyle& m_style;
+    std::string m_only;
     std::vector<std::string> m_words;
     std::string m_text;
     std::string_view m_kind;
@@ -72,10 +89,15 @@ class Listing {
 
 ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     std::optional<std::string> path;
-    if (!arguments.operands().empty()) path = arguments.operands().front();
+    std::string kind;
+    for (const std::string& operand : arguments.operands())
+        if (const std::string named = kindOf(operand); !named.empty())
+            kind = named;
+        else
+            path = operand;
     const PresetFile file = presetsOf(path, arguments.style());
     const std::string search = arguments.value("search").value_or("");
-    Listing listing(search, arguments.style());
+    Listing listing(kind, search, arguments.style());
     for (const Preset& preset : file.presets)
         listing.add(name(preset.kind), {usePattern(preset.kind), {"--" + std::string(name(preset.kind))}},
                     preset.name, description(preset, arguments.style()));
@@ -94,10 +116,12 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
 const Command& presetsCommand() {
     static const Command command{
         .name = "presets",
-        .operands = "[FILE.yaml]",
+        .operands = "[KIND] [FILE.yaml]",
         .summary = "list rods, hammers, rocks and pieces of drill strings, with their sources",
         .details =
-            "Lists the built-in presets, or those of a file in the same format. A command takes them with "
+            "Lists the built-in presets, or those of a file in the same format; with KIND only rod, hammer, "
+            "rock,\n"
+            "piston, adapter, coupling or bit. A command takes them with "
             "--rod\nNAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has "
             "it. "
             "Pistons,\n"
@@ -106,7 +130,7 @@ const Command& presetsCommand() {
         .options = {{"search", "WORDS",
                      "only those with all of these words in kind, name, numbers or source: \"T38 bit\""}},
         .leastOperands = 0,
-        .mostOperands = 1,
+        .mostOperands = 2,
         .draws = [](const Arguments&) { return false; },
         .run = runPresets,
     };

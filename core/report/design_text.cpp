@@ -268,7 +268,10 @@ std::string designText(const DesignReport& report, const ReadingStyle& style) {
     };
     add(headlineMessage(report, style));
     for (const Message& sentence : designQuestionSentences(report, style)) add(sentence);
-    text += "\n" + bestText(report, style);
+    constexpr std::size_t fewDesigns = 10;
+    const std::size_t count = report.study.designCount();
+    text += "\n" +
+            (count > 1 && count <= fewDesigns ? designsGrid(report, style).text() : bestText(report, style));
     add(costMessage(report, style));
     text += paretoText(report, style) + sensitivityText(report, style) + "\n";
     for (const Message& sentence : closingSentences(report, style)) add(sentence);

@@ -275,10 +275,11 @@ Message answerMessage(const DesignReport& report, const DesignNames& names) {
              names.aimed(report, deciding, *present)}};
 }
 
-/// The answer with the first warning about the design to take and the number of further ones.
-Message withAlerts(const DesignReport& report, Message answer, const DesignNames& names) {
+}  // namespace
+
+Message designWarning(const DesignReport& report, const DesignNames& names) {
     const std::vector<Alert>& alerts = report.findings.alerts;
-    if (alerts.empty()) return answer;
+    if (alerts.empty()) return {};
     Message text = alertMessage(alerts.front(), names.style());
     Message warning = report.study.choices.empty()
                           ? Message(translatable("Warning: %1"), {std::move(text)})
@@ -288,10 +289,8 @@ Message withAlerts(const DesignReport& report, Message answer, const DesignNames
         warning = {alerts.size() == 2 ? translatable("%1 There is %2 more warning.")
                                       : translatable("%1 There are %2 more warnings."),
                    {std::move(warning), std::to_string(alerts.size() - 1)}};
-    return answer.isEmpty() ? warning : Message("%1 %2", {std::move(answer), std::move(warning)});
+    return warning;
 }
-
-}  // namespace
 
 std::string DesignNames::design(std::uint64_t design) const {
     return designName(m_study, design, m_style);
@@ -335,8 +334,15 @@ std::optional<DesignHeadline> headlineOf(const DesignReport& report) {
                                                                                   : DesignHeadline::change;
 }
 
+Message designAnswerMessage(const DesignReport& report, const DesignNames& names) {
+    return withoutEffect(report, answerMessage(report, names), names);
+}
+
 Message headlineMessage(const DesignReport& report, const DesignNames& names) {
-    return withAlerts(report, withoutEffect(report, answerMessage(report, names), names), names);
+    Message answer = designAnswerMessage(report, names);
+    Message warning = designWarning(report, names);
+    if (answer.isEmpty() || warning.isEmpty()) return answer.isEmpty() ? warning : answer;
+    return Message("%1 %2", {std::move(answer), std::move(warning)});
 }
 
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style) {

@@ -64,6 +64,10 @@ enum class DesignHeadline {
 std::string_view name(DesignHeadline headline);
 /// Nothing of a study without choices.
 std::optional<DesignHeadline> headlineOf(const DesignReport& report);
+/// The headline as a sentence; empty where there is none.
+Message designAnswerMessage(const DesignReport& report, const DesignNames& names);
+/// The first warning about the design to take, and the number of further ones; empty without any.
+Message designWarning(const DesignReport& report, const DesignNames& names);
 /// The headline as a sentence, with the warnings about the design to take; empty where there is none.
 Message headlineMessage(const DesignReport& report, const DesignNames& names);
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());

@@ -76,7 +76,40 @@ class EstimateMessage {
                 {least(needed), present, frequency(limit, digits, Rounding::down)}};
     }
 
+    Message moreFeed() const {
+        const std::optional<FeedState> state = m_estimate.state();
+        if (!state || state == FeedState::notApplicable) return {};
+        const ThrustNeed& largest = m_estimate.largest();
+        const double ofThisBlow = m_estimate.need(ThrustCase::scenario).thrust;
+        switch (*state) {
+            case FeedState::pushedBack:
+            case FeedState::belowRequired:
+                return m_estimate.isOfAllGaps()
+                           ? Message(translatable("%1 more covers this blow, %2 more every gap."),
+                                     {more(ofThisBlow), more(largest.thrust)})
+                           : Message(translatable("%1 more covers this blow, %2 more rigid rock."),
+                                     {more(ofThisBlow), more(largest.thrust)});
+            case FeedState::requiredAtThisGap:
+                return {m_estimate.isOfAllGaps() ? translatable("%1 more covers every gap.")
+                                                 : translatable("%1 more covers rigid rock."),
+                        {more(largest.thrust)}};
+            case FeedState::requiredMet:
+                return {translatable("Single blows need no more feed; from %1 an undamped rod would be back "
+                                     "before every next blow."),
+                        {least(largest.thrustUndamped)}};
+            case FeedState::returnMet:
+                return translatable("Single blows need no more feed.");
+            case FeedState::notApplicable:
+                break;
+        }
+        return {};
+    }
+
   private:
+    /// The force to add to the installed one.
+    std::string more(double needed) const {
+        return force(needed - m_estimate.force->effective(), fewestDigits, Rounding::up);
+    }
     std::string force(double newton, int digits, Rounding rounding = Rounding::nearest) const {
         return m_style.quantity(newton, Quantity::force, digits, rounding);
     }
@@ -179,6 +212,10 @@ std::string estimateText(const Scenario& scenario, const std::optional<FeedEstim
 
 Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style) {
     return EstimateMessage(estimate, style).remedy();
+}
+
+Message moreFeedMessage(const FeedEstimate& estimate, const ReadingStyle& style) {
+    return EstimateMessage(estimate, style).moreFeed();
 }
 
 Message drillingWords(const ReadingStyle& style) {

@@ -34,6 +34,10 @@ std::string estimateText(const Scenario& scenario, const std::optional<FeedEstim
 /// 48 Hz, would cover this blow."
 Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
+/// Says how much more feed brings, as far as single blows tell it: what covers this blow and every gap, or
+/// that they need no more. Empty where no feed is installed and where the estimate does not apply.
+Message moreFeedMessage(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
+
 /// Stands once beside every statement on more feed.
 inline constexpr const char* feedLimitsOfModel =
     translatable("Friction, rotation and buckling are not modelled.");

@@ -63,21 +63,17 @@ Message linesMessage(const MapReport& report, const Contour& contour, const Read
 
 /// The lowest and the highest point of a contour; empty without one.
 std::string extentText(const MapReport& report, const Contour& contour, const ReadingStyle& style) {
-    const ContourPoint *lowest = nullptr, *highest = nullptr;
-    for (const ContourLine& line : contour.lines)
-        for (const ContourPoint& point : line) {
-            if (!lowest || point.y < lowest->y) lowest = &point;
-            if (!highest || point.y > highest->y) highest = &point;
-        }
-    if (!lowest) return {};
+    const std::optional<ContourExtent> extent = extentOf(contour);
+    if (!extent) return {};
     const auto shown = [&](const SweepAxis& axis, double value) {
         return style.quantity(value, axis.parameter->quantity, mapDigits);
     };
     const SweepAxis &x = report.study.x, &y = report.study.y;
     return "    " +
-           style.said({translatable("lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6"),
-                       {std::string(y.key()), shown(y, lowest->y), std::string(x.key()), shown(x, lowest->x),
-                        shown(y, highest->y), shown(x, highest->x)}}) +
+           style.said(
+               {translatable("lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6"),
+                {std::string(y.key()), shown(y, extent->lowest.y), std::string(x.key()),
+                 shown(x, extent->lowest.x), shown(y, extent->highest.y), shown(x, extent->highest.x)}}) +
            "\n";
 }
 

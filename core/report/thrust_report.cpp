@@ -160,6 +160,8 @@ TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style) {
 std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimate& feed,
                                      const std::optional<double>& shareCovered, const ReadingStyle& style) {
     std::vector<Message> sentences = estimateSentences(scenario, feed, style);
+    if (Message more = moreFeedMessage(feed, style); !more.isEmpty())
+        sentences.insert(sentences.begin() + 1, std::move(more));
     const std::optional<FeedState> state = feed.state();
     // A feed that is enough for every gap is enough for each one in this rock.
     if (shareCovered && (state == FeedState::belowRequired || state == FeedState::requiredAtThisGap))

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "core/text/text_input.h"
 
@@ -164,6 +165,39 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
         }
     }
     return nearest;
+}
+
+namespace {
+
+std::vector<std::string_view> wordsOf(std::string_view name) {
+    std::vector<std::string_view> words;
+    while (!name.empty()) {
+        const std::size_t end = std::min(name.find('_'), name.size());
+        if (end > 0) words.push_back(name.substr(0, end));
+        name.remove_prefix(std::min(end + 1, name.size()));
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string_view nameWithWords(std::string_view name, std::span<const std::string_view> candidates) {
+    constexpr std::size_t leastLetters = 4;
+    const std::vector<std::string_view> wanted = wordsOf(name);
+    std::string_view shortest;
+    for (const std::string_view candidate : candidates) {
+        const std::vector<std::string_view> words = wordsOf(candidate);
+        const auto isThere = [&](std::string_view word) {
+            return word.size() >= leastLetters && std::ranges::any_of(words, [&](std::string_view each) {
+                       return each.size() >= leastLetters &&
+                              (each.starts_with(word) || word.starts_with(each));
+                   });
+        };
+        if (!wanted.empty() && std::ranges::all_of(wanted, isThere) &&
+            (shortest.empty() || candidate.size() < shortest.size()))
+            shortest = candidate;
+    }
+    return shortest;
 }
 
 }  // namespace drillwave

@@ -44,4 +44,8 @@ std::string printableLine(std::string_view text);
 /// "bit_rock.stiffness".
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
+/// The shortest candidate that has all words of `name`, "drill_penetration_rate" for "drilling_rate", or
+/// empty. Words are the parts between underscores; the longer of two may go on.
+std::string_view nameWithWords(std::string_view name, std::span<const std::string_view> candidates);
+
 }  // namespace drillwave

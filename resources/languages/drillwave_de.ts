@@ -3702,6 +3702,10 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
         <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
     </message>
+    <message>
+        <source>Largest compression %1, %2; largest tension %3, %4.</source>
+        <translation>Größter Druck %1, %2; größter Zug %3, %4.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -4049,6 +4053,18 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Ctrl+wheel zooms · drag moves · double-click fits</source>
         <translation>Strg+Rad zoomt · Ziehen verschiebt · Doppelklick passt ein</translation>
+    </message>
+    <message>
+        <source>Largest impact force %1 at %2.</source>
+        <translation>Größte Stoßkraft %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>At this section the force is from %1 to %2, tension positive.</source>
+        <translation>An dieser Stelle liegt die Kraft zwischen %1 und %2, Zug positiv.</translation>
+    </message>
+    <message>
+        <source>The rod rebounds with e = %1.</source>
+        <translation>Die Stange prallt mit e = %1 zurück.</translation>
     </message>
 </context>
 <context>
@@ -4465,6 +4481,10 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <source>Largest %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Größter gefundener Wert (%1) mit %4: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
+    <message>
+        <source>%1 is equally good, within the error.</source>
+        <translation>%1 ist im Rahmen des Fehlers gleich gut.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>
@@ -4570,6 +4590,18 @@ Gezeigt wird der Wert davor.</translation>
         <source>The copied command reads the draws from %1: save them there first.</source>
         <translation>Der kopierte Befehl liest die Ziehungen aus %1: Speichern Sie sie zuerst dort.</translation>
     </message>
+    <message>
+        <source>Takes over this design as one undo step</source>
+        <translation>Übernimmt diese Auslegung als einen Schritt, der rückgängig zu machen ist</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Load %1</source>
+        <translation>%1 laden</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPlot</name>
@@ -4610,6 +4642,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>%1: no scatter</source>
         <translation>%1: streut nicht</translation>
+    </message>
+    <message>
+        <source>present design</source>
+        <translation>jetzige Auslegung</translation>
     </message>
 </context>
 <context>
@@ -6303,6 +6339,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source> · %1 of %2 points not solved (hatched)</source>
         <translation> · %1 von %2 Punkten nicht gelöst (schraffiert)</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
+        <translation>%1 übersteigt %2 nur für %3 über %4, erreicht bei %5.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
+        <translation>%1 übersteigt %2 nur für %3 unter %4, erreicht bei %5.</translation>
+    </message>
+    <message>
+        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
+        <translation>%1 erreicht %2 für %3 von %4, bei %5, bis %6, bei %7.</translation>
     </message>
 </context>
 <context>
@@ -12805,6 +12853,30 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>does not agree</source>
         <translation>stimmt nicht überein</translation>
     </message>
+    <message>
+        <source>%1 more covers this blow, %2 more every gap.</source>
+        <translation>%1 mehr decken diesen Schlag ab, %2 mehr jeden Spalt.</translation>
+    </message>
+    <message>
+        <source>%1 more covers this blow, %2 more rigid rock.</source>
+        <translation>%1 mehr decken diesen Schlag ab, %2 mehr starres Gestein.</translation>
+    </message>
+    <message>
+        <source>%1 more covers every gap.</source>
+        <translation>%1 mehr decken jeden Spalt ab.</translation>
+    </message>
+    <message>
+        <source>%1 more covers rigid rock.</source>
+        <translation>%1 mehr decken starres Gestein ab.</translation>
+    </message>
+    <message>
+        <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
+        <translation>Einzelne Schläge brauchen nicht mehr Andruck; ab %1 wäre eine ungedämpfte Stange vor jedem nächsten Schlag zurück.</translation>
+    </message>
+    <message>
+        <source>Single blows need no more feed.</source>
+        <translation>Einzelne Schläge brauchen nicht mehr Andruck.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13264,6 +13336,14 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>The present view, as PNG, SVG or PDF</source>
         <translation>Im gegenwärtigen Ausschnitt, als PNG, SVG oder PDF</translation>
+    </message>
+    <message>
+        <source>Copy answer</source>
+        <translation>Antwort kopieren</translation>
+    </message>
+    <message>
+        <source>Copies answer and sentences below it as text</source>
+        <translation>Kopiert die Antwort und die Sätze darunter als Text</translation>
     </message>
 </context>
 <context>
@@ -13938,6 +14018,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <source>Rock</source>
         <translation>Gestein</translation>
     </message>
+    <message>
+        <source>The bit goes in by %1, and %2 remain. The rock keeps %3 % of the energy.</source>
+        <translation>Die Bohrkrone dringt %1 ein, %2 bleiben. Das Gestein behält %3 % der Energie.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::RockPlot</name>
@@ -14292,6 +14376,10 @@ in %4</translation>
     <message>
         <source>Result shown of each run</source>
         <translation>Ergebnis, das von jedem Lauf gezeigt wird</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>Stoßzahl e</translation>
     </message>
 </context>
 <context>
@@ -15196,14 +15284,6 @@ Festigkeit</translation>
     <message>
         <source>%1 set to %2</source>
         <translation>%1 auf %2 gesetzt</translation>
-    </message>
-    <message>
-        <source>Copy answer</source>
-        <translation>Antwort kopieren</translation>
-    </message>
-    <message>
-        <source>Copies answer and sentences below it as text</source>
-        <translation>Kopiert die Antwort und die Sätze darunter als Text</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -16118,15 +16198,6 @@ unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</tr
         <translation>Stangen, Hämmer, Gesteine und Teile von Bohrsträngen auflisten, mit ihren Quellen</translation>
     </message>
     <message>
-        <source>Lists the built-in presets, or those of a file in the same format. A command takes them with --rod
-NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
-adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
-        <translation>Die eingebauten, oder die einer Datei im selben Format. Ein Befehl nimmt sie mit --rod NAME,
---hammer NAME und --rock NAME; der Anfang eines Namens genügt, wo nur einer ihn hat. Kolben,
-Einsteckenden, Kupplungsmuffen und Bohrkronen sind Teile von Bohrsträngen, die auf der Seite Strang
-des Fensters eingesetzt werden.</translation>
-    </message>
-    <message>
         <source>only those with all of these words in kind, name, numbers or source: &quot;T38 bit&quot;</source>
         <translation>nur die mit allen diesen Wörtern in Art, Name, Zahlen oder Quelle: &quot;T38 bit&quot;</translation>
     </message>
@@ -16395,34 +16466,6 @@ drilling.png.</translation>
     <message>
         <source>read with the settings kept under this name</source>
         <translation>mit den unter diesem Namen aufbewahrten Einstellungen lesen</translation>
-    </message>
-    <message>
-        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
-design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
-designs that are equally good within the errors, what is worth measuring, and the worst case
-found in the ranges. A warning about the strength of the design to take is in the first sentence.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and
-                                       bit= of a drill string, whose hammers are pistons
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
-stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
-worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Löst jede Auslegung, die zur Wahl steht, an denselben Stichproben der unsicheren Größen. Gibt aus: die
-nach dem ersten Ziel beste Auslegung (robusteste), die beste, wenn alles wie in FILE ist (nominal beste),
-die Auslegungen, die im Rahmen der Fehler gleich gut sind, was sich zu messen lohnt, und den
-schlechtesten Fall in den Bereichen. Eine Warnung zur Festigkeit steht im ersten Satz.
-  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
-                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
-  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
-  --choose hammer=NAME,NAME            Voreinstellungen mit Namen, wie für --hammer; auch rod=, und bit= eines
-                                       Bohrstrangs, dessen Hämmer Kolben sind
-Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
-max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. Der Block `design` von FILE
-gilt für jede Option, die nicht angegeben ist. DIR bekommt designs.csv, pareto.csv, sensitivity.csv,
-worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
     </message>
     <message>
         <source>design variable and its values; also :log, KEY=A,B,C or hammer=NAME</source>
@@ -16728,6 +16771,45 @@ Abschnitts. Die Diagramme sind blow.*, rock.*, wave_picture.* und rod.*.
 --record near@1.13m --record far@2.93m --noise 1% schreibt record.csv, eine Probe für `identify`:
 die Dehnung an einer oder zwei Messstellen mit 1e6 Abtastwerten je Sekunde; --record oben+unten@1.13m die
 gegenüberliegender Messstellen, jede mit eigenem Rauschen.</translation>
+    </message>
+    <message>
+        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
+design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
+designs that are equally good within the errors, what is worth measuring, and the worst case
+found in the ranges. A warning about the strength of the design to take is in the first sentence.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+  --choose hammer=NAME,NAME            presets by name, or hammer=all; also rod=, and
+                                       bit= of a drill string, whose hammers are pistons
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
+stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Löst jede Auslegung, die zur Wahl steht, an denselben Stichproben der unsicheren Größen. Gibt aus: die
+nach dem ersten Ziel beste Auslegung (robusteste), die beste, wenn alles wie in FILE ist (nominal beste),
+die Auslegungen, die im Rahmen der Fehler gleich gut sind, was sich zu messen lohnt, und den
+schlechtesten Fall in den Bereichen. Eine Warnung zur Festigkeit steht im ersten Satz.
+  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
+                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
+  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
+  --choose hammer=NAME,NAME            Voreinstellungen mit Namen, oder hammer=all; auch rod=, und bit= eines
+                                       Bohrstrangs, dessen Hämmer Kolben sind
+Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
+max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. Der Block `design` von FILE
+gilt für jede Option, die nicht angegeben ist. DIR bekommt designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>Lists the built-in presets, or those of a file in the same format; with KIND only rod, hammer, rock,
+piston, adapter, coupling or bit. A command takes them with --rod
+NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
+adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
+        <translation>Die eingebauten, oder die einer Datei im selben Format; mit KIND nur rod, hammer, rock, piston,
+adapter, coupling oder bit. Ein Befehl nimmt sie mit --rod NAME,
+--hammer NAME und --rock NAME; der Anfang eines Namens genügt, wo nur einer ihn hat. Kolben,
+Einsteckenden, Kupplungsmuffen und Bohrkronen sind Teile von Bohrsträngen, die auf der Seite Strang
+des Fensters eingesetzt werden.</translation>
     </message>
 </context>
 </TS>

@@ -3702,6 +3702,10 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
         <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
+    <message>
+        <source>Largest compression %1, %2; largest tension %3, %4.</source>
+        <translation>Största tryck %1, %2; största drag %3, %4.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -4049,6 +4053,18 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Ctrl+wheel zooms · drag moves · double-click fits</source>
         <translation>Ctrl+hjul zoomar · dra flyttar · dubbelklick anpassar</translation>
+    </message>
+    <message>
+        <source>Largest impact force %1 at %2.</source>
+        <translation>Största stötkraft %1 vid %2.</translation>
+    </message>
+    <message>
+        <source>At this section the force is from %1 to %2, tension positive.</source>
+        <translation>I detta snitt ligger kraften mellan %1 och %2, drag positivt.</translation>
+    </message>
+    <message>
+        <source>The rod rebounds with e = %1.</source>
+        <translation>Stången studsar tillbaka med e = %1.</translation>
     </message>
 </context>
 <context>
@@ -4465,6 +4481,10 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <source>Largest %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
         <translation>Största funna värde (%1) med %4: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
+    <message>
+        <source>%1 is equally good, within the error.</source>
+        <translation>%1 är lika bra inom felet.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>
@@ -4570,6 +4590,18 @@ Det som visas gäller värdet dessförinnan.</translation>
         <source>The copied command reads the draws from %1: save them there first.</source>
         <translation>Det kopierade kommandot läser dragningarna ur %1: spara dem där först.</translation>
     </message>
+    <message>
+        <source>Takes over this design as one undo step</source>
+        <translation>Tar över denna konstruktion som ett steg som kan ångras</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Load %1</source>
+        <translation>Ladda %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPlot</name>
@@ -4610,6 +4642,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>%1: no scatter</source>
         <translation>%1: sprider inte</translation>
+    </message>
+    <message>
+        <source>present design</source>
+        <translation>nuvarande konstruktion</translation>
     </message>
 </context>
 <context>
@@ -6303,6 +6339,18 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source> · %1 of %2 points not solved (hatched)</source>
         <translation> · %1 av %2 punkter inte lösta (skrafferade)</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
+        <translation>%1 överstiger %2 endast för %3 över %4, som nås vid %5.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
+        <translation>%1 överstiger %2 endast för %3 under %4, som nås vid %5.</translation>
+    </message>
+    <message>
+        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
+        <translation>%1 når %2 för %3 från %4, vid %5, till %6, vid %7.</translation>
     </message>
 </context>
 <context>
@@ -12805,6 +12853,30 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>does not agree</source>
         <translation>stämmer inte</translation>
     </message>
+    <message>
+        <source>%1 more covers this blow, %2 more every gap.</source>
+        <translation>%1 mer täcker detta slag, %2 mer varje spalt.</translation>
+    </message>
+    <message>
+        <source>%1 more covers this blow, %2 more rigid rock.</source>
+        <translation>%1 mer täcker detta slag, %2 mer styvt berg.</translation>
+    </message>
+    <message>
+        <source>%1 more covers every gap.</source>
+        <translation>%1 mer täcker varje spalt.</translation>
+    </message>
+    <message>
+        <source>%1 more covers rigid rock.</source>
+        <translation>%1 mer täcker styvt berg.</translation>
+    </message>
+    <message>
+        <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
+        <translation>Enskilda slag behöver inte mer matning; från %1 vore en odämpad stång tillbaka före varje nästa slag.</translation>
+    </message>
+    <message>
+        <source>Single blows need no more feed.</source>
+        <translation>Enskilda slag behöver inte mer matning.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13264,6 +13336,14 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>The present view, as PNG, SVG or PDF</source>
         <translation>Som den är zoomad, som PNG, SVG eller PDF</translation>
+    </message>
+    <message>
+        <source>Copy answer</source>
+        <translation>Kopiera svaret</translation>
+    </message>
+    <message>
+        <source>Copies answer and sentences below it as text</source>
+        <translation>Kopierar svaret och meningarna därunder som text</translation>
     </message>
 </context>
 <context>
@@ -13938,6 +14018,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <source>Rock</source>
         <translation>Berg</translation>
     </message>
+    <message>
+        <source>The bit goes in by %1, and %2 remain. The rock keeps %3 % of the energy.</source>
+        <translation>Borrkronan tränger in %1, och %2 består. Berget behåller %3 % av energin.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::RockPlot</name>
@@ -14292,6 +14376,10 @@ i %4</translation>
     <message>
         <source>Result shown of each run</source>
         <translation>Resultat som visas för varje körning</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>studstal e</translation>
     </message>
 </context>
 <context>
@@ -15196,14 +15284,6 @@ fastheten</translation>
     <message>
         <source>%1 set to %2</source>
         <translation>%1 satt till %2</translation>
-    </message>
-    <message>
-        <source>Copy answer</source>
-        <translation>Kopiera svaret</translation>
-    </message>
-    <message>
-        <source>Copies answer and sentences below it as text</source>
-        <translation>Kopierar svaret och meningarna därunder som text</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -16113,14 +16193,6 @@ tau under 0,1 med exponentiella slag och kolvslag.</translation>
         <translation>lista stänger, hammare, berg och delar till borrsträngar, med sina källor</translation>
     </message>
     <message>
-        <source>Lists the built-in presets, or those of a file in the same format. A command takes them with --rod
-NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
-adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
-        <translation>De inbyggda, eller de i en fil med samma format. Ett kommando tar dem med --rod NAME, --hammer NAME
-och --rock NAME; början av ett namn räcker där bara ett börjar så. Kolvar, nackadaptrar, skarvhylsor
-och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida Sträng.</translation>
-    </message>
-    <message>
         <source>only those with all of these words in kind, name, numbers or source: &quot;T38 bit&quot;</source>
         <translation>bara de som har alla dessa ord i typ, namn, tal eller källa: &quot;T38 bit&quot;</translation>
     </message>
@@ -16388,34 +16460,6 @@ med --histories histories.csv och med --plots drilling.png.</translation>
     <message>
         <source>read with the settings kept under this name</source>
         <translation>läs med inställningarna som sparats under detta namn</translation>
-    </message>
-    <message>
-        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
-design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
-designs that are equally good within the errors, what is worth measuring, and the worst case
-found in the ranges. A warning about the strength of the design to take is in the first sentence.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and
-                                       bit= of a drill string, whose hammers are pistons
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
-stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
-worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Löser varje konstruktion bland valen för samma stickprov av de osäkra storheterna. Skriver ut den
-bästa konstruktionen efter det första målet (robustast), den bästa om allt är som i FILE (nominellt
-bästa), de konstruktioner som är lika bra inom felen, vad som är värt att mäta, och det sämsta fallet
-som hittades inom områdena. En varning om hållfastheten står i den första meningen.
-  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
-                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
-  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
-  --choose hammer=NAME,NAME            förval med namn, som för --hammer; även rod=, och bit= för en
-                                       borrsträng, vars hammare är kolvar
-Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
-max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. Blocket `design` i FILE gäller
-för varje alternativ som inte anges. DIR får designs.csv, pareto.csv, sensitivity.csv, worst.csv,
-best.yaml, design.json och, med --plots, design.png.</translation>
     </message>
     <message>
         <source>design variable and its values; also :log, KEY=A,B,C or hammer=NAME</source>
@@ -16718,6 +16762,44 @@ Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.
 --record near@1.13m --record far@2.93m --noise 1% skriver record.csv, en övning inför `identify`:
 töjningen vid en eller två givare med 1e6 sampel per sekund; --record upp+ner@1.13m den från givare
 mitt emot varandra, var och en med eget brus.</translation>
+    </message>
+    <message>
+        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
+design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
+designs that are equally good within the errors, what is worth measuring, and the worst case
+found in the ranges. A warning about the strength of the design to take is in the first sentence.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+  --choose hammer=NAME,NAME            presets by name, or hammer=all; also rod=, and
+                                       bit= of a drill string, whose hammers are pistons
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
+stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Löser varje konstruktion bland valen för samma stickprov av de osäkra storheterna. Skriver ut den
+bästa konstruktionen efter det första målet (robustast), den bästa om allt är som i FILE (nominellt
+bästa), de konstruktioner som är lika bra inom felen, vad som är värt att mäta, och det sämsta fallet
+som hittades inom områdena. En varning om hållfastheten står i den första meningen.
+  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
+                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
+  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
+  --choose hammer=NAME,NAME            förval med namn, eller hammer=all; även rod=, och bit= för en
+                                       borrsträng, vars hammare är kolvar
+Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
+max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. Blocket `design` i FILE gäller
+för varje alternativ som inte anges. DIR får designs.csv, pareto.csv, sensitivity.csv, worst.csv,
+best.yaml, design.json och, med --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>Lists the built-in presets, or those of a file in the same format; with KIND only rod, hammer, rock,
+piston, adapter, coupling or bit. A command takes them with --rod
+NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
+adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
+        <translation>De inbyggda, eller de i en fil med samma format; med KIND endast rod, hammer, rock, piston,
+adapter, coupling eller bit. Ett kommando tar dem med --rod NAME, --hammer NAME
+och --rock NAME; början av ett namn räcker där bara ett börjar så. Kolvar, nackadaptrar, skarvhylsor
+och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida Sträng.</translation>
     </message>
 </context>
 </TS>

@@ -325,6 +325,9 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << QStringList{"run", paper, "--rod", "T51"} << 2 << "presets need a scenario in physical units";
     QTest::newRow("presets of nothing")
         << QStringList{"run", drill, "--presets", "x.yaml"} << 2 << "add one of them";
+    QTest::newRow("an output by other words")
+        << QStringList{"sweep", drill, "--vary", "gamma=0.1,0.2", "--outputs", "drilling_rate"} << 2
+        << "did you mean `drill_penetration_rate`?";
     QTest::newRow("missing presets") << QStringList{"presets", "nothing.yaml"} << 3 << "nothing.yaml";
     QTest::newRow("presets and scenario of one input")
         << QStringList{"run", "-", "--presets", "-", "--rod", "T51"} << 2 << "standard input";

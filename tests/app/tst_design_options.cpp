@@ -86,6 +86,7 @@ void TestDesignOptions::faultsHaveTheirExitCodes() {
              Refusal(ExitCode::invalidScenario, 2));
     QCOMPARE(refused({"--uncertain", gap}), Refusal(ExitCode::done, 0));
     QCOMPARE(refused({"--uncertain", gap, "--choose", "hammer=heavy,light"}), Refusal(ExitCode::done, 0));
+    QCOMPARE(refused({"--uncertain", gap, "--choose", "hammer=all"}), Refusal(ExitCode::done, 0));
     QCOMPARE(refused({"--uncertain", gap, "--choose", "hammer=heawy"}), Refusal(ExitCode::usage, 1));
     QCOMPARE(refused({"--uncertain", gap, "--choose", "bit=T38, 76 mm"}),
              Refusal(ExitCode::invalidScenario, 1));

@@ -190,6 +190,10 @@ void TestInputs::presetsAreFoundByWords() {
     QVERIFY2(found.out.contains("T38, 190 mm, worn") && !found.out.contains("T51"), found.out);
     QVERIFY2(!found.out.contains("rods, for"), found.out);
     QVERIFY(run({"presets", "--search", "rods fatigue 39"}).out.contains("T38, round 39 mm"));
+    for (const char* kind : {"rock", "rocks"}) {
+        const QByteArray rocks = run({"presets", kind}).out;
+        QVERIFY2(rocks.contains("hard rock") && !rocks.contains("--rod"), rocks);
+    }
     const Finished none = run({"presets", "--search", "T38 T51"});
     QCOMPARE(none.exitCode, 6);
     QVERIFY2(none.error.contains("no preset has all of \"T38 T51\"") && none.out.isEmpty(), none.error);

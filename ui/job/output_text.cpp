@@ -140,4 +140,12 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     return tr("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);
 }
 
+QString largestStressText(const SolvedBlow& blow) {
+    const Output &compression = *findOutput("peak_compression"), &tension = *findOutput("peak_tension");
+    if (placeText(compression, blow).isEmpty() || placeText(tension, blow).isEmpty()) return {};
+    return tr("Largest compression %1, %2; largest tension %3, %4.")
+        .arg(outputText(compression, blow), placeText(compression, blow), outputText(tension, blow),
+             placeText(tension, blow));
+}
+
 }  // namespace drillwave

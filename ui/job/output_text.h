@@ -42,6 +42,9 @@ QString corErrorText(const SolvedBlow& blow);
 
 /// Describes place and time of a largest force in the rod. Empty if there is none.
 QString placeText(const Output& output, const SolvedBlow& blow);
+/// "Largest compression 361 MPa, 0.52 m from the hammer, 1.9 ms; largest tension …"; empty where they are not
+/// known.
+QString largestStressText(const SolvedBlow& blow);
 /// The place itself: x/L, below 0 in the hammer of a string, and t/t0; nothing where it is not known, or
 /// where there is no such stress.
 std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow);

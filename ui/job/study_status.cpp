@@ -26,13 +26,15 @@ void keepPlace(QWidget* widget) {
 
 SolveStatus::SolveStatus(QWidget* parent)
     : QWidget(parent), m_text(new QLabel(this)), m_button(new QPushButton(this)) {
+    constexpr int leastChars = 12;
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_text->setMinimumWidth(leastChars * fontMetrics().averageCharWidth());
     m_button->setObjectName(QStringLiteral("solveButton"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 4, 0);
-    layout->addWidget(m_text);
+    layout->addWidget(m_text, 1);
     layout->addWidget(m_button);
-    layout->addStretch();
     // The line keeps its height when the button appears or goes.
     setMinimumHeight(m_button->sizeHint().height());
     m_button->hide();
@@ -106,7 +108,8 @@ void SolveStatus::press() {
 }
 
 void SolveStatus::tell() {
-    QString text = m_summary;
+    QString text = m_lead.isEmpty() || m_summary.isEmpty() ? m_summary
+                                                           : QStringLiteral("%1 · %2").arg(m_lead, m_summary);
     if (m_state == State::stopped)
         text = tr("stopped · the result shown is not that of the present input");
     else if (m_marked)
@@ -116,10 +119,30 @@ void SolveStatus::tell() {
                              ? tr("Solve the present input")
                              : tr("Stops solving; the old result stays, marked as old"));
     m_button->setVisible(m_marked);
-    if (m_text->text() == text) return;
-    m_text->setText(text);
-    QAccessibleEvent changed(m_text, QAccessible::NameChanged);
-    QAccessible::updateAccessibility(&changed);
+    if (m_line != text) {
+        m_line = text;
+        m_text->setAccessibleName(text);
+        QAccessibleEvent changed(m_text, QAccessible::NameChanged);
+        QAccessible::updateAccessibility(&changed);
+    }
+    layout()->activate();  // the button takes its room first
+    elide();
+}
+
+void SolveStatus::setLead(const QString& lead) {
+    if (std::exchange(m_lead, lead) != lead) tell();
+}
+
+void SolveStatus::elide() {
+    const QString shown = m_text->fontMetrics().elidedText(m_line, Qt::ElideRight, m_text->width());
+    m_text->setText(shown);
+    m_text->setToolTip(shown == m_line ? QString() : QStringLiteral("<p>%1</p>").arg(m_line.toHtmlEscaped()));
+}
+
+void SolveStatus::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    elide();
 }
 
 QString waitText(double seconds, const QLocale& locale) {
@@ -229,6 +252,7 @@ void StudyStatus::setButton(const QString& words, const QString& toolTip) {
     m_button->setText(words);
     m_button->setToolTip(toolTip);
     m_button->show();
+    show();
 }
 
 void StudyStatus::showRunning() {
@@ -262,6 +286,7 @@ void StudyStatus::clear() {
     m_text->clear();
     m_bar->hide();
     m_button->hide();
+    hide();
 }
 
 QString StudyStatus::text() const {

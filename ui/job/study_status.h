@@ -56,7 +56,12 @@ class SolveStatus : public QWidget {
     void callOff(const QString& reason);
     bool isWaiting() const { return bool(m_waiting); }
 
-    QString text() const { return m_text->text(); }
+    /// Sets what is shown before the summary of a result, such as the answer where its panel is out of sight;
+    /// empty for nothing.
+    void setLead(const QString& lead);
+
+    /// The text of the line, which is cut short where it has no room.
+    QString text() const { return m_line; }
     QPushButton* button() const { return m_button; }
 
   signals:
@@ -70,6 +75,9 @@ class SolveStatus : public QWidget {
     /// Something that waited is not done: why, in a line.
     void calledOff(const QString& message);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     enum class State {
         current,
@@ -82,6 +90,7 @@ class SolveStatus : public QWidget {
     void setMarked(bool outOfDate);
     void press();
     void tell();
+    void elide();
 
     QLabel* m_text;
     QPushButton* m_button;
@@ -89,6 +98,8 @@ class SolveStatus : public QWidget {
     State m_state = State::current;
     bool m_marked = false;
     QString m_summary;
+    QString m_lead;
+    QString m_line;
     QString m_what;
     std::function<void()> m_waiting;
 };
@@ -104,7 +115,7 @@ QString waitText(double seconds, const QLocale& locale);
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
 /// Shows the activity of the page on show while it runs for more than a moment, and the progress of a stopped
-/// one, with a button to resume it. Its place is kept while it shows nothing.
+/// one, with a button to resume it. It is hidden while it shows nothing.
 class StudyStatus : public QWidget {
     Q_OBJECT
 

@@ -154,13 +154,24 @@ void ResultPanel::showHeadline() {
         const auto value = [this](std::string_view output) {
             return outputText(*findOutput(output), *m_blow);
         };
-        if (const QString text = value("residual_penetration"); !text.isEmpty())
-            parts << tr("%1 per blow").arg(text);
+        parts << penetrationText();
         parts << (hasSections(m_blow->scenario) ? hammerEnergyText(*m_blow) : value("work_ratio"))
               << value("percussion_power") << tr("e = %1").arg(value("cor"));
         parts.removeAll(QString());
     }
     m_headline->setText(parts.join(QStringLiteral("  ·  ")));
+}
+
+QString ResultPanel::penetrationText() const {
+    const QString text = outputText(*findOutput("residual_penetration"), *m_blow);
+    return text.isEmpty() ? QString() : tr("%1 per blow").arg(text);
+}
+
+QString ResultPanel::shortAnswer() const {
+    if (!m_blow || !m_blow->fault.isEmpty()) return {};
+    QStringList parts{m_required->text(), penetrationText()};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
 }
 
 // Each section keeps its own state. Alerts begin open, numbers folded.
@@ -238,6 +249,7 @@ void ResultPanel::showFeed() {
     m_followed->setVisible(shown.estimate && shown.estimate->force);
     m_followed->parentWidget()->layout()->activate();
     widget()->layout()->activate();  // sentences of more lines have their room at once
+    emit answered();
 }
 
 QString ResultPanel::followedText(const DrillingResult* result) const {

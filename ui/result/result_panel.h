@@ -75,11 +75,15 @@ class ResultPanel : public SteadyScrollArea {
     /// All numbers as lines of "name<tab>value", with a reference and "<tab>difference".
     QString text() const;
 
+    /// Returns what a driller decides by in one line: required feed and penetration per blow.
+    QString shortAnswer() const;
     AlertList* alerts() const { return m_alerts; }
     /// Brings the alerts into view, and the keyboard to them.
     void goToAlerts();
 
   signals:
+    /// shortAnswer() may have changed.
+    void answered();
     /// The user chose an event: its global time t/t0.
     void timeChosen(std::optional<double> time);
     /// The user follows a largest stress to where in the rod, x/L, and when, t/t0, it occurs.
@@ -102,6 +106,7 @@ class ResultPanel : public SteadyScrollArea {
     void addEnergy();
     void addHeadline();
     void showHeadline();
+    QString penetrationText() const;
     void foldSections();
     void addAlerts();
     void addFeed();

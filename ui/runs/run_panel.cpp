@@ -87,7 +87,9 @@ ChoiceBox* RunPanel::makeChoice() {
     box->setAccessibleName(tr("Result shown of each run"));
     box->setToolTip(box->accessibleName());
     for (const std::string_view listed : listedOutputs)
-        box->addItem(coreText(findOutput(listed)->label()), fromView(listed));
+        box->addItem(
+            findOutput(listed)->label().empty() ? tr("COR e") : coreText(findOutput(listed)->label()),
+            fromView(listed));
     box->setCurrentIndex(std::max(0, box->findData(Settings().value(outputSetting))));
     connect(box, &QComboBox::currentIndexChanged, this, [this] {
         Settings().setValue(outputSetting, m_output->currentData());

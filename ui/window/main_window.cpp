@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QSessionManager>
@@ -237,7 +238,12 @@ void MainWindow::addDocks() {
     layout->setSpacing(0);
     layout->addWidget(m_resultPanel, 1);
     layout->addWidget(m_runs->panel());
-    m_layout->addDock(tr("Result"), QStringLiteral("result"), m_resultSide);
+    const QDockWidget* dock = m_layout->addDock(tr("Result"), QStringLiteral("result"), m_resultSide);
+    connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        m_isResultShown = visible;
+        showLead();
+    });
+    connect(m_resultPanel, &ResultPanel::answered, this, &MainWindow::showLead);
 }
 
 void MainWindow::addMenus() {
@@ -273,11 +279,16 @@ void MainWindow::addMenus() {
 }
 
 void MainWindow::addStatusBar() {
-    statusBar()->addWidget(m_solveStatus);
     m_alertLink = new AlertLink(*m_resultPanel->alerts(), this);
     m_alertLink->setObjectName(QStringLiteral("alertLink"));
-    statusBar()->addPermanentWidget(m_alertLink);
+    statusBar()->addWidget(m_solveStatus, 1);
     statusBar()->addPermanentWidget(m_studyStatus);
+    statusBar()->addPermanentWidget(m_alertLink);  // at the edge, where no study moves it
+}
+
+// The answer is on the status line while its panel is out of sight.
+void MainWindow::showLead() {
+    m_solveStatus->setLead(m_isResultShown ? QString() : m_resultPanel->shortAnswer());
 }
 
 void MainWindow::wire() {

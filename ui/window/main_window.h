@@ -75,6 +75,7 @@ class MainWindow : public QMainWindow {
     void addDocks();
     void addMenus();
     void addStatusBar();
+    void showLead();
     void wire();
     void wireSolving();
     void wireImport();
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;
     QWidget* m_resultSide = nullptr;  // the result and the runs below it
+    bool m_isResultShown = false;
     UnitsChoice* m_units;
     ReportWriter* m_report;
     PageTabs* m_pages;

@@ -4,11 +4,14 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyleOptionTab>
+#include <QToolButton>
+#include <algorithm>
 
 namespace drillwave {
 namespace {
 
 constexpr int captionMargin = 10;  // pixels on either side of a caption
+constexpr int leastLetters = 4;    // of a name that is cut short
 
 QFont captionFont(const QTabBar& bar) {
     QFont font = bar.font();
@@ -91,12 +94,27 @@ QSize TabStrip::minimumTabSizeHint(int index) const {
     return isCaption(index) ? tabSizeHint(index) : QTabBar::minimumTabSizeHint(index);
 }
 
-// The style draws no tab where a caption is.
+// The row without the buttons that scroll it.
+QRect TabStrip::shownRect() const {
+    QRect shown = rect();
+    for (const QToolButton* button : findChildren<QToolButton*>(Qt::FindDirectChildrenOnly))
+        if (button->isVisible()) shown.setRight(std::min(shown.right(), button->x() - 1));
+    return shown;
+}
+
+// The style draws no tab where a caption is. A tab that is partly out of view has the words that are in view.
 void TabStrip::initStyleOption(QStyleOptionTab* option, int index) const {
     QTabBar::initStyleOption(option, index);
-    if (!isCaption(index)) return;
-    option->rect = {};
-    option->text.clear();
+    if (isCaption(index)) {
+        option->rect = {};
+        option->text.clear();
+    } else if (const QRect shown = shownRect(); !shown.contains(option->rect)) {
+        const int edges = option->rect.width() - fontMetrics().horizontalAdvance(tabText(index));
+        option->rect &= shown;
+        option->text = fontMetrics().elidedText(tabText(index), Qt::ElideRight,
+                                                std::max(0, option->rect.width() - edges));
+        if (option->text.size() < leastLetters) option->text.clear();
+    }
 }
 
 void TabStrip::mousePressEvent(QMouseEvent* event) {

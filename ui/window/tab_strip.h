@@ -9,7 +9,7 @@ class QWidget;
 namespace drillwave {
 
 /// A caption is a tab that cannot be chosen. If the row is too short the captions shrink to a gap, then tabs
-/// are cut short, then scrolled; the chosen one is always in view.
+/// are scrolled; the chosen one is always in view, and the name of a tab at the edge ends in an ellipsis.
 class TabStrip : public QTabBar {
     Q_OBJECT
 
@@ -45,6 +45,7 @@ class TabStrip : public QTabBar {
     bool isCaption(int index) const { return !pageAt(index); }
     int captionWidth(int index) const;
     bool hasRoomForCaptions() const;
+    QRect shownRect() const;
 };
 
 }  // namespace drillwave

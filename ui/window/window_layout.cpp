@@ -33,7 +33,8 @@ QWidget* focusOf(QWidget* area) {
 // Raised when docks or toolbars change so that an old layout no longer fits.
 constexpr int layoutVersion = 2;
 constexpr QSize usualSize{1440, 900};
-constexpr int usefulPageWidth = 480;  // in a narrower page, a plot between both docks can hardly be read
+constexpr double leastPageShare = 0.45;  // of the window's width, where the docks can give way
+constexpr int usefulPageWidth = 480;     // in a narrower page, a plot between both docks can hardly be read
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString stackedKey = QStringLiteral("window/stacked");
@@ -75,7 +76,7 @@ WindowLayout::WindowLayout(QMainWindow* window) : QObject(window), m_window(wind
     window->installEventFilter(this);
 }
 
-void WindowLayout::addDock(const QString& title, const QString& name, QWidget* content) {
+QDockWidget* WindowLayout::addDock(const QString& title, const QString& name, QWidget* content) {
     auto* dock = new QDockWidget(title, m_window);
     dock->setObjectName(name);
     dock->setWidget(content);
@@ -83,6 +84,7 @@ void WindowLayout::addDock(const QString& title, const QString& name, QWidget* c
     m_docks.append(dock);
     // Side by side they would widen a window that should be small at first.
     if (m_docks.size() == 2) shareOneSide();
+    return dock;
 }
 
 void WindowLayout::reveal(const QWidget* content) {
@@ -185,14 +187,28 @@ int WindowLayout::widthOfOneSide() const {
     return width + m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
 }
 
+// The width that docks on both sides and their separators take at least.
+int WindowLayout::widthOfSides() const {
+    int width = 0;
+    for (const Qt::DockWidgetArea area : areas) {
+        int widest = 0;
+        for (QDockWidget* dock : std::as_const(m_docks))
+            if (!dock->isFloating() && !dock->isHidden() && m_window->dockWidgetArea(dock) == area)
+                widest = std::max(widest, dock->widget()->minimumSizeHint().width());
+        if (widest > 0)
+            width += widest + m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+    }
+    return width;
+}
+
 // The window may be made narrow at once, whatever the docks need side by side: they come together when it is.
-// A dock shrinks before the page scrolls sideways.
+// A dock shrinks before the page scrolls sideways, and before its sentences fill its height.
 void WindowLayout::setLeastWidths() {
     auto* pages = m_window->centralWidget()->findChild<PageScroll*>();
-    const int side = widthOfOneSide();
-    m_window->setMinimumWidth(PageScroll::leastWidth + side);
+    m_window->setMinimumWidth(PageScroll::leastWidth + widthOfOneSide());
+    const int wanted = std::max(pages->neededWidth(), int(leastPageShare * m_window->width()));
     pages->setMinimumWidth(
-        std::max(PageScroll::leastWidth, std::min(m_window->width() - side, pages->neededWidth())));
+        std::max(PageScroll::leastWidth, std::min(m_window->width() - widthOfSides(), wanted)));
 }
 
 void WindowLayout::stack() {

@@ -43,7 +43,7 @@ class WindowLayout : public QObject {
     explicit WindowLayout(QMainWindow* window);
 
     /// The first is on the left, the second on the right. `name` identifies it in the settings.
-    void addDock(const QString& title, const QString& name, QWidget* content);
+    QDockWidget* addDock(const QString& title, const QString& name, QWidget* content);
     /// Raises the dock of that content, and opens it if it was closed.
     void reveal(const QWidget* content);
     /// Docks to be shown or hidden, and everything to be put back.
@@ -62,6 +62,7 @@ class WindowLayout : public QObject {
     void shareOneSide();
     int widthSideBySide() const;
     int widthOfOneSide() const;
+    int widthOfSides() const;
     bool isSideBySide() const;
 
     QMainWindow* m_window;

@@ -93,7 +93,11 @@ ParsedAxis parsePresets(PresetPart part, std::string_view text, const Scenario& 
     std::vector<std::string_view> names;
     for (const PartPreset& preset : suitable) names.emplace_back(nameOf(preset));
     std::vector<PartPreset> chosen;
-    for (const std::string_view wanted : NameList(text.substr(text.find('=') + 1), file).wanted()) {
+    const std::string_view list = text.substr(text.find('=') + 1);
+    const bool isAll = trimmed(list) == "all" && !suitable.empty();
+    if (isAll) chosen = suitable;
+    for (const std::string_view wanted :
+         isAll ? std::vector<std::string_view>() : NameList(list, file).wanted()) {
         FoundName found = findPresetName(names, wanted, lookup.listCommand);
         if (!found.problem.isEmpty()) {
             const bool isOther = isPresetName(wanted, file);  // of another kind

@@ -260,4 +260,28 @@ Contour contourOf(const MapStudy& study, const MapGrid& grid, double level, int 
     return contour;
 }
 
+std::optional<ContourExtent> extentOf(const Contour& contour) {
+    std::optional<ContourExtent> extent;
+    for (const ContourLine& line : contour.lines)
+        for (const ContourPoint& point : line) {
+            if (!extent) extent = ContourExtent{point, point};
+            if (point.y < extent->lowest.y) extent->lowest = point;
+            if (point.y > extent->highest.y) extent->highest = point;
+        }
+    return extent;
+}
+
+LevelSide sideOf(const MapGrid& grid, double level) {
+    if (grid.rows() < 2) return LevelSide::mixed;
+    const auto exceeds = [&](std::size_t row) {
+        for (std::size_t column = 0; column < grid.columns(); ++column)
+            if (grid.value(column, row) > level) return true;
+        return false;
+    };
+    const bool isAscending = grid.ys().front() < grid.ys().back();
+    const bool first = exceeds(0), last = exceeds(grid.rows() - 1);
+    if (first == last) return LevelSide::mixed;
+    return last == isAscending ? LevelSide::above : LevelSide::below;
+}
+
 }  // namespace drillwave

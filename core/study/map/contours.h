@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -52,6 +53,22 @@ struct Contour {
     double worstResidual() const;          ///< of the points that are no jumps; 0 without any
     bool operator==(const Contour&) const = default;
 };
+
+/// The points of a contour with the smallest and the largest y.
+struct ContourExtent {
+    ContourPoint lowest, highest;
+};
+/// Returns the first of such points; nothing without lines.
+std::optional<ContourExtent> extentOf(const Contour& contour);
+
+/// Where along y a map exceeds a level.
+enum class LevelSide {
+    above,  ///< only above its contour: no point of the lowest row does
+    below,  ///< only below: no point of the highest row does
+    mixed,
+};
+/// Returns the side for a complete map; LevelSide::mixed also where no point or every row exceeds the level.
+LevelSide sideOf(const MapGrid& grid, double level);
 
 /// Called on the calling thread with the number of placed crossings and of all crossings.
 using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;

@@ -15,7 +15,8 @@ constexpr std::string_view allName = "all";
 
 Message unknownOutput(std::string_view name) {
     const std::vector<std::string_view> names = outputNames();
-    const std::string_view near = nearestName(name, names);
+    std::string_view near = nearestName(name, names);
+    if (near.empty()) near = nameWithWords(name, names);
     if (name == allName) return translatable("`all` are all outputs already; give nothing else");
     if (!near.empty())
         return {translatable("`%1` is not an output; did you mean `%2`?"),

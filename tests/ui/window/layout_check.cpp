@@ -124,6 +124,7 @@ QStringList flatPlots(const QWidget& window) {
         const int line = plot->fontMetrics().height();
         int highest = 0;
         for (const QCPAxisRect* rect : plot->axisRects()) {
+            if (!rect->realVisibility()) continue;
             highest = std::max(highest, rect->height());
             if (rect->height() < leastLines * line)
                 found.append(describe(*plot, QStringLiteral("axes %1 high").arg(rect->height())));

@@ -16,7 +16,9 @@
 #include "tests/ui/window/layout_check.h"
 #include "ui/job/solve_job.h"
 #include "ui/job/study_status.h"
+#include "ui/text/language.h"
 #include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
 #include "ui/window/manual_help.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
@@ -29,7 +31,7 @@ namespace {
 
 // By its menu, so that its explanation is on show as well.
 void openExample(MainWindow& window, const QString& name) {
-    const QString title = QString::fromStdString(findExample(name.toStdString())->title);
+    const QString title = coreText(findExample(name.toStdString())->title);
     for (QAction* action : window.findChildren<QAction*>())
         if (action->text() == title) return action->trigger();
     QFAIL(qPrintable(title));
@@ -82,6 +84,7 @@ void TestLayout::initTestCase() {
 void TestLayout::cleanup() {
     QApplication::setPalette(QPalette());
     QApplication::setFont(m_font);
+    speak(languages[0]);
     Settings().clear();
 }
 
@@ -101,16 +104,19 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     QTest::addColumn<bool>("dark");
     QTest::addColumn<int>("points");
     QTest::addColumn<UnitSystem>("units");
+    QTest::addColumn<QString>("language");
     constexpr int usualPoints = 9;
     // Texts that are faint in the dark are so at any size, and at one pixel a point.
     const bool isScaled = qApp->devicePixelRatio() > 1;
     int row = 0;
-    const auto add = [&](const char* example, const QSize& size, bool dark, int points, UnitSystem units) {
+    const auto add = [&](const char* example, const QSize& size, bool dark, int points, UnitSystem units,
+                         const char* language = "en") {
         if (dark && isScaled) return;
         if (!isChosen(row++, 7)) return;
-        QTest::addRow("%s, %d × %d, %s, %d pt%s", example, size.width(), size.height(),
-                      dark ? "dark" : "light", points, units == UnitSystem::us ? ", US units" : "")
-            << QString::fromLatin1(example) << size << dark << points << units;
+        QTest::addRow("%s, %d × %d, %s, %d pt%s, %s", example, size.width(), size.height(),
+                      dark ? "dark" : "light", points, units == UnitSystem::us ? ", US units" : "", language)
+            << QString::fromLatin1(example) << size << dark << points << units
+            << QString::fromLatin1(language);
     };
     std::vector<const char*> examples{"t38_medium_rock", "t38_string"};
     if (!isScaled)
@@ -124,6 +130,10 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     add("t38_medium_rock", {1440, 900}, false, 16, UnitSystem::si);
     add("t38_medium_rock", {1920, 1080}, true, 16, UnitSystem::si);
     add("t38_medium_rock", {1000, 650}, false, usualPoints, UnitSystem::us);
+    // German words are long.
+    for (const char* example : {"t38_medium_rock", "t38_string"})
+        for (const QSize size : {QSize(800, 500), QSize(1000, 650), QSize(1280, 800)})
+            add(example, size, false, usualPoints, UnitSystem::si, "de");
 }
 
 void TestLayout::everythingCanBeReadAndReached() {
@@ -132,6 +142,8 @@ void TestLayout::everythingCanBeReadAndReached() {
     QFETCH(bool, dark);
     QFETCH(int, points);
     QFETCH(UnitSystem, units);
+    QFETCH(QString, language);
+    speak(*findLanguage(language.toStdString()));
     QApplication::setPalette(dark ? darkPalette() : lightPalette());
     QFont font = QApplication::font();
     font.setPointSize(points);

@@ -17,6 +17,7 @@
 #include "tests/support/window_fixture.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
@@ -100,8 +101,7 @@ void TestMainWindow::typingABetaMovesStiffnessAndResult() {
     const Scenario& scenario = window().document().scenario();
     QCOMPARE(cor(), solver.solve(problemOf(scenario)).cor);
     QVERIFY(window().isWindowModified());
-    QVERIFY(
-        window().findChild<QStatusBar*>()->findChild<QLabel*>()->text().contains(QStringLiteral("e = 0.")));
+    QVERIFY(part<SolveStatus>(window()).text().contains(QStringLiteral("e = 0.")));
 }
 
 void TestMainWindow::movingTheStiffnessMovesBeta() {

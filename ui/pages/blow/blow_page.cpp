@@ -22,6 +22,31 @@
 namespace drillwave {
 namespace {
 
+/// Describes the forces on the rock and at the section, and the rebound.
+QString answerOf(const SolvedBlow& blow, const BlowCurves& curves) {
+    const QLocale locale;
+    const auto shown = [&](double value, const ShownUnit& unit) {
+        return quantityText(value / unit.factor, unit, locale);
+    };
+    QString text;
+    if (!curves.force->isEmpty()) {
+        const auto peak = std::ranges::max_element(*curves.force, {}, &QCPGraphData::value);
+        text = BlowPage::tr("Largest impact force %1 at %2.")
+                   .arg(shown(peak->value, blow.units.force), shown(peak->key, blow.units.time));
+    }
+    if (!curves.sectionForce->isEmpty()) {
+        const auto [least, largest] =
+            std::ranges::minmax_element(*curves.sectionForce, {}, &QCPGraphData::value);
+        text += QLatin1Char(' ') +
+                BlowPage::tr("At this section the force is from %1 to %2, tension positive.")
+                    .arg(shown(least->value, blow.units.force), shown(largest->value, blow.units.force));
+    }
+    if (!hasSections(blow.scenario))
+        text += QLatin1Char(' ') +
+                BlowPage::tr("The rod rebounds with e = %1.").arg(numberText(blow.summary.cor, 4, locale));
+    return text;
+}
+
 constexpr int hintChars = 125;  // wide enough for a hint and the other words
 
 QString misfitText(const Misfit& misfit, const SolvedBlow& blow) {
@@ -64,6 +89,7 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    layout->addLayout(makeAnswer());
     layout->addLayout(makeBar());
     layout->addWidget(m_instant);
     layout->addWidget(m_plot, 1);
@@ -93,7 +119,8 @@ QHBoxLayout* BlowPage::makeBar() {
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
-    fitButton->setMinimumWidth(50);
+    constexpr int edges = 16;  // of a button that is only as wide as its word
+    fitButton->setMinimumWidth(fitButton->fontMetrics().horizontalAdvance(fitButton->text()) + edges);
     connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
@@ -176,6 +203,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     } else if (!blow->fault.isEmpty()) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->fault));
     }
+    answerLabel()->setText(curves && curves->timeEnd > 0 ? answerOf(*blow, *curves) : QString());
     showPlace();
     showInstant();
     redraw();

@@ -262,7 +262,27 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
 }
 
 QString DesignCard::headline(const DesignReport& report, const DesignUnits& units) {
-    return translated(headlineMessage(report, CardNames(report.study, units, units.style())));
+    const LocalStyle style = units.style();
+    const CardNames names(report.study, units, style);
+    const Message answer = designAnswerMessage(report, names);
+    return translated(answer.isEmpty() ? designWarning(report, names) : answer);
+}
+
+QStringList DesignCard::besideHeadline(const DesignReport& report, const DesignUnits& units) {
+    const LocalStyle style = units.style();
+    const CardNames names(report.study, units, style);
+    QStringList sentences;
+    if (!designAnswerMessage(report, names).isEmpty()) sentences << translated(designWarning(report, names));
+    const std::size_t robust = *report.findings.best.robust;
+    if (headlineOf(report) == DesignHeadline::keep && robust != shownDesign(report))
+        sentences << tr("%1 is equally good, within the error.").arg(units.designName(robust));
+    sentences.removeAll(QString());
+    return sentences;
+}
+
+std::optional<std::uint64_t> DesignCard::designToLoad(const DesignReport& report) {
+    if (report.study.choices.empty() || isToStay(report)) return {};
+    return shownDesign(report);
 }
 
 void DesignCard::resizeEvent(QResizeEvent* event) {

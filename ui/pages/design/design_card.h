@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTextBrowser>
+#include <optional>
 
 #include "ui/pages/design/design_answer.h"
 #include "ui/pages/design/design_picture.h"
@@ -15,8 +16,13 @@ class DesignCard : public QTextBrowser {
   public:
     explicit DesignCard(QWidget* parent = nullptr);
 
-    /// Returns what to do, for a report with a best design.
+    /// Returns what to do, for a report with a best design; of a study without choices its warning.
     static QString headline(const DesignReport& report, const DesignUnits& units);
+    /// Returns what is to be known beside the headline: its warning, and which other design is as good as the
+    /// one to keep.
+    static QStringList besideHeadline(const DesignReport& report, const DesignUnits& units);
+    /// The design to change to; nothing where the present one is to stay.
+    static std::optional<std::uint64_t> designToLoad(const DesignReport& report);
     /// Shows an answer that has a best design.
     void present(const DesignAnswer& answer, const DesignUnits& units);
 

@@ -41,6 +41,7 @@ constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
 const QString drawsStem = QStringLiteral("_posterior");
 constexpr int plotLinesOfDesigns = 30;   // two rows of axes, legend and readout
+constexpr int plotLinesOfOneRow = 17;    // one row of axes
 constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
 
 }  // namespace
@@ -56,9 +57,22 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     connect(m_refine, &QPushButton::clicked, this, &DesignPage::refine);
     PlotWidget* widget = arrange({questions, m_keepEnergy, labelled(tr("samples"), m_samples, this)});
     settingsBox().rememberAs(QStringLiteral("design/settings"), SectionBox::Begin::folded);
-    addAbove(m_card, PartOf::answer);
     addAbove(m_drawsLine, PartOf::question);
+    m_load = new QPushButton(this);
+    m_load->setObjectName(QStringLiteral("load"));
+    m_load->setToolTip(tr("Takes over this design as one undo step"));
+    m_load->hide();
+    connect(m_load, &QPushButton::clicked, this, [this] {
+        if (!m_shown) return;
+        if (const auto design = DesignCard::designToLoad(m_shown->report)) takeDesign(*design, {});
+    });
+    addAbove(m_load, PartOf::answer);
     addAbove(m_refine, PartOf::question);
+    auto* details = new SectionBox(tr("Details"), this);
+    details->setObjectName(QStringLiteral("details"));
+    (new QVBoxLayout(details->content()))->addWidget(m_card);
+    details->rememberAs(QStringLiteral("design/details"), SectionBox::Begin::folded);
+    addAbove(details, PartOf::answer);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
     useFrame(*m_plot, tr("Designs for uncertain inputs"));
@@ -399,7 +413,9 @@ void DesignPage::draw(const DesignAnswer& answer) {
     const DesignPicture picture = designPicture(answer.report, units);
     const bool wasMap = m_plot->isMap();
     m_plot->present(picture);
-    setLeastLines(std::max(plotLinesOfDesigns, plotLinesBesideBars + m_plot->barLines()));
+    setLeastLines(!m_plot->hasRowBelow()
+                      ? plotLinesOfOneRow
+                      : std::max(plotLinesOfDesigns, plotLinesBesideBars + m_plot->barLines()));
     for (const QCPGraph* graph : m_plot->curves()) {
         CurveMeaning meaning = CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit);
         meaning.xWords = picture.words;
@@ -410,9 +426,14 @@ void DesignPage::draw(const DesignAnswer& answer) {
     if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
     m_card->present(answer, units);
     m_headline = DesignCard::headline(answer.report, units);
+    const std::optional<std::uint64_t> better = DesignCard::designToLoad(answer.report);
+    m_load->setVisible(better.has_value());
+    if (better) m_load->setText(tr("Load %1").arg(units.designName(*better)));
     QStringList aims;
     for (const DesignAim& aim : answer.report.study.aims) aims << aimWords(aim);
+    const QStringList beside = DesignCard::besideHeadline(answer.report, units);
     m_sentence =
+        (beside.isEmpty() ? QString() : beside.join(QLatin1Char(' ')) + QLatin1Char('\n')) +
         aims.join(QStringLiteral(" · ")) + QStringLiteral(" · ") +
         (answer.isRefined()   ? tr("%1 samples of each design").arg(answer.wanted)
          : answer.secondsLeft ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
@@ -425,6 +446,7 @@ void DesignPage::draw(const DesignAnswer& answer) {
 void DesignPage::refuse(const QString& why) {
     m_shown = nullptr;
     m_card->clear();
+    m_load->hide();
     showNothing(why);
 }
 

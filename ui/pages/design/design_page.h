@@ -98,6 +98,7 @@ class DesignPage : public StudyPage {
     QWidget* m_drawsLine = nullptr;
     QLabel* m_drawsText = nullptr;
     std::optional<GivenDraws> m_draws;
+    QPushButton* m_load = nullptr;  // takes over the design to change to
     ChoiceBox* m_samples = nullptr;
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;

@@ -206,11 +206,15 @@ DesignPicture designPicture(const DesignReport& report, const DesignUnits& units
         addMap(picture, report, units);
     else
         addSeries(picture, report, units);
+    const BestDesigns& best = report.findings.best;
+    picture.robustName = units.designName(*best.robust);
+    if (best.nominal) picture.nominalName = units.designName(*best.nominal);
+    if (const auto present = presentDesign(study); present && report.findings.designs.size() > 1)
+        picture.presentName = units.designName(*present);
     addPareto(picture, report, units);
     addBars(picture, report);
     picture.summary = drillwave::tr("%1 of %2 designs, best for uncertain rock %3")
-                          .arg(picture.aimName, QString::number(study.designCount()),
-                               units.designName(*report.findings.best.robust));
+                          .arg(picture.aimName, QString::number(study.designCount()), picture.robustName);
     return picture;
 }
 

@@ -49,6 +49,7 @@ struct DesignPicture {
     std::optional<MapPicture> map;           ///< instead of series, which are empty then
     std::optional<QPointF> robust, nominal;  ///< best; beside series the nominal one at its nominal value
     QVector<QPointF> ties;
+    QString robustName, nominalName, presentName;  ///< "240 µs"; the last empty where it is no design
 
     QString firstAim, secondAim;  ///< names of the axes; the second empty for a single objective
     QVector<QPointF> designs;     ///< second over first aim, design by design; NaN without statistics

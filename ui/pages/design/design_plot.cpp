@@ -19,6 +19,7 @@ constexpr double halfWidthOfOne = 0.4;
 constexpr double halfWidthOfWord = 0.3;
 constexpr double halfWidthOfPoint = 1e-3;  // a point that the pointer finds as part of a curve
 constexpr double barWidth = 0.8;
+constexpr int leastSide = 50;  // of any rectangle of axes [px]
 
 bool haveSameAxes(const DesignPicture& a, const DesignPicture& b) {
     if (a.map || b.map) return a.map && b.map && haveSameAxes(*a.map, *b.map);
@@ -50,6 +51,15 @@ void setJoined(QCPGraph& graph, const QVector<QPointF>& points) {
 void setPoint(QCPGraph& graph, const std::optional<QPointF>& point) {
     graph.data()->clear();
     if (point) graph.addData(point->x(), point->y());
+}
+
+// Gives the room of axes that are not shown to the others.
+void setShown(QCPAxisRect& rect, bool isShown) {
+    rect.setVisible(isShown);
+    rect.setMinimumSize(isShown ? leastSide : 0, isShown ? leastSide : 0);
+    rect.setMaximumSize(isShown ? QWIDGETSIZE_MAX : 0, isShown ? QWIDGETSIZE_MAX : 0);
+    rect.setAutoMargins(isShown ? QCP::msAll : QCP::msNone);
+    if (!isShown) rect.setMargins(QMargins());
 }
 
 // More names are upright, or they would overlap.
@@ -96,8 +106,9 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
         return graph;
     };
     m_ties = mark(tr("equally good"));
-    m_nominalMark = mark(tr("best for the values entered"));
-    m_robustMark = mark(tr("best for uncertain rock"));
+    m_nominalMark = mark({});
+    m_robustMark = mark({});
+    m_presentMark = mark({});  // only for the legend: HereMark draws it
     addHere();
     addRunMarks();
     connect(plot, &QCustomPlot::beforeReplot, this,
@@ -110,16 +121,16 @@ DesignPlot::~DesignPlot() = default;
 
 void DesignPlot::addRects() {
     useLegend(QMargins(7, 6, 7, 4));
-    insertAbove(m_legend);
+    m_plot->plotLayout()->addElement(1, 0, m_legend);
+    m_plot->plotLayout()->setRowStretchFactor(1, 1e-3);
     m_legend->setLayer(QStringLiteral("legend"));
     m_legend->setWrap(mostColumnsOfDesigns);  // files are drawn without a replot
     view(newAxisRect(*m_plot, Sides::linked));
     m_rect->setMinimumMargins(QMargins(4, 4, 14, 4));
-    m_plot->plotLayout()->addElement(1, 0, m_rect);
+    m_plot->plotLayout()->addElement(0, 0, m_rect);
     m_below = new QCPLayoutGrid;
     m_below->setColumnSpacing(6);
     m_plot->plotLayout()->addElement(2, 0, m_below);
-    m_plot->plotLayout()->setRowStretchFactor(1, 1.25);
     m_scatterRect = newAxisRect(*m_plot, Sides::linked);
     m_barRect = newAxisRect(*m_plot, Sides::linked);
     m_below->addElement(0, 0, m_scatterRect);
@@ -229,9 +240,17 @@ void DesignPlot::makeGraphs() {
     set(*m_nominal, marked.nominal, halfWidthOfWord);
 }
 
-// A map has no curves.
+// A map has no curves. Each mark is named with its design.
 void DesignPlot::fillLegend() {
-    QVector<QCPGraph*> entries{m_ties, m_nominalMark, m_robustMark};
+    QVector<QCPGraph*> entries;
+    const auto add = [&](QCPGraph* mark, const QString& words, const QString& design) {
+        mark->setName(design.isEmpty() ? words : QStringLiteral("%1: %2").arg(words, design));
+        entries.append(mark);
+    };
+    if (!m_picture.presentName.isEmpty()) add(m_presentMark, tr("present design"), m_picture.presentName);
+    add(m_robustMark, tr("best for uncertain rock"), m_picture.robustName);
+    if (!m_picture.ties.isEmpty()) entries.append(m_ties);
+    if (m_picture.nominal) add(m_nominalMark, tr("best for the values entered"), m_picture.nominalName);
     if (!isMap()) entries = QVector<QCPGraph*>{m_high, m_mean, m_nominal} + entries + m_aims;
     QVector<QCPGraph*> present;
     for (int i = 0; i < m_legend->itemCount(); ++i)
@@ -251,7 +270,7 @@ void DesignPlot::showMarks() {
 
 void DesignPlot::showScatter() {
     const bool isShown = !m_picture.secondAim.isEmpty();
-    m_scatterRect->setVisible(isShown);
+    setShown(*m_scatterRect, isShown);
     m_below->setColumnStretchFactor(0, isShown ? 1 : 1e-3);
     for (QCPGraph* graph : {m_all, m_pareto, m_best}) graph->data()->clear();
     for (qsizetype d = 0; d < m_picture.designs.size(); ++d) {
@@ -307,7 +326,10 @@ void DesignPlot::showBars() {
         m_bars.append(pair);
         place -= 1;
     }
-    m_barRect->setVisible(!m_picture.bars.isEmpty());
+    setShown(*m_barRect, !m_picture.bars.isEmpty());
+    m_below->setColumnStretchFactor(1, m_picture.bars.isEmpty() ? 1e-3 : 1);
+    constexpr double heightBelow = 0.8;  // over that of the first axes
+    m_plot->plotLayout()->setRowStretchFactor(2, hasRowBelow() ? heightBelow : 1e-3);
     key->setTicker(names);
     key->setRange(place + 0.4, 0.6);
     value->setRange(0, 1.02);
@@ -354,10 +376,11 @@ void DesignPlot::restyle() {
         name->setFont(style.font);
         name->setColor(style.text);
     }
-    constexpr int leastSide = 50;  // of any rectangle of axes [px]
+    m_presentMark->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 2), style.background, 10));
     const double rows = m_barRect->axis(QCPAxis::atLeft)->range().size();
     const int needed = m_barNames.isEmpty() ? 0 : int(std::ceil(rows * QFontMetricsF(style.font).height()));
-    m_barRect->setMinimumSize(leastSide, std::max(leastSide, needed));
+    if (!m_barNames.isEmpty()) m_barRect->setMinimumSize(leastSide, std::max(leastSide, needed));
 }
 
 int DesignPlot::barLines() const {

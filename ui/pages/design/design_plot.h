@@ -36,6 +36,8 @@ class DesignPlot : public StudyFrame {
     /// The design nearest to a click, in the coordinates of its rect; nothing where there is none near.
     std::optional<std::uint64_t> designAt(const QCPAxisRect* rect, QPointF coordinates) const;
     KeyPlaces keyPlaces() const override;
+    /// Whether anything is shown below the first axes.
+    bool hasRowBelow() const { return !m_picture.secondAim.isEmpty() || !m_picture.bars.isEmpty(); }
     /// Lines of text that the Sobol indices take, one of each number and one of each output.
     int barLines() const;
 
@@ -55,7 +57,7 @@ class DesignPlot : public StudyFrame {
     std::unique_ptr<DesignMap> m_map;
     QVector<QCPGraph*> m_aims;
     QCPGraph *m_low, *m_high, *m_mean, *m_nominal;
-    QCPGraph *m_robustMark, *m_nominalMark, *m_ties;
+    QCPGraph *m_robustMark, *m_nominalMark, *m_ties, *m_presentMark;
     QCPLayoutGrid* m_below;
     QCPAxisRect *m_scatterRect, *m_barRect;
     QCPGraph *m_all, *m_pareto, *m_best;

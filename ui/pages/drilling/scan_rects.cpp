@@ -153,7 +153,7 @@ void ScanRects::setStyle(const PlotStyle& style) {
         mark.words->setFont(style.font);
         mark.words->setColor(style.text);
         QColor veil = style.background;
-        veil.setAlphaF(0.6F);  // the lines below the words show through
+        veil.setAlphaF(0.85F);  // the lines below the words hardly show through
         mark.words->setBrush(veil);
     }
 }

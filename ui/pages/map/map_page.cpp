@@ -202,7 +202,12 @@ void MapPage::draw() {
 }
 
 void MapPage::speak() {
-    say(m_plot->textSummary(), m_readout.isEmpty() ? hereText() : m_readout);
+    const QString answer = m_plot->answer(), range = m_plot->textSummary();
+    const QString here = m_readout.isEmpty() ? hereText() : m_readout;
+    if (answer.isEmpty())
+        say(range, here);
+    else
+        say(answer, QStringLiteral("%1 · %2").arg(range, here));
 }
 
 // The blow of the crosshair, solved on its own.

@@ -8,6 +8,7 @@
 #include "ui/pages/map/map_crosshair.h"
 #include "ui/pages/map/map_presets.h"
 #include "ui/pages/study/output_box.h"
+#include "ui/pages/study/parameter_names.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/number_ticks.h"
 #include "ui/text/number_text.h"
@@ -282,6 +283,42 @@ QString MapPlot::summary() const {
     if (const auto failed = grid.failed(); failed > 0)
         text += tr(" · %1 of %2 points not solved (hatched)").arg(failed).arg(grid.size());
     return text;
+}
+
+QString MapPlot::answer() const {
+    if (!m_picture || !m_picture->grid().isComplete()) return {};
+    const MapReport& report = *m_picture->report;
+    const Output& output = *report.study.output.output;
+    const auto rank = [&](const Contour& contour) {
+        return std::pair(contour.level == decisiveLevel(output), contour.level);
+    };
+    const Contour* deciding = nullptr;
+    for (const Contour& contour : report.contours)
+        if (!contour.lines.empty() && (!deciding || rank(contour) > rank(*deciding))) deciding = &contour;
+    const std::optional<ContourExtent> extent = deciding ? extentOf(*deciding) : std::nullopt;
+    if (!extent) return {};
+    const QLocale locale = m_plot->locale();
+    const ShownUnit& unit = m_picture->output;
+    QString level = numberText(deciding->level * unit.factor, 4, locale);
+    if (!unit.unit.isEmpty()) level += QChar(QChar::Nbsp) + unit.unit;
+    const auto x = [&](const ContourPoint& point) { return m_picture->xText(point.x, locale); };
+    const auto y = [&](const ContourPoint& point) {
+        return quantityText(point.y, m_picture->y, locale).trimmed();
+    };
+    const QString name = outputName(output), along = parameterName(*report.study.y.parameter);
+    switch (sideOf(m_picture->grid(), deciding->level)) {
+        case LevelSide::above:
+            return tr("%1 exceeds %2 only for %3 above %4, reached at %5.")
+                .arg(name, level, along, y(extent->lowest), x(extent->lowest));
+        case LevelSide::below:
+            return tr("%1 exceeds %2 only for %3 below %4, reached at %5.")
+                .arg(name, level, along, y(extent->highest), x(extent->highest));
+        case LevelSide::mixed:
+            break;
+    }
+    return tr("%1 passes %2 for %3 from %4, at %5, to %6, at %7.")
+        .arg(name, level, along, y(extent->lowest), x(extent->lowest), y(extent->highest),
+             x(extent->highest));
 }
 
 }  // namespace drillwave

@@ -42,6 +42,10 @@ class MapPlot : public StudyFrame {
     /// Anywhere on the map, to the presets.
     KeyPlaces keyPlaces() const override;
 
+    /// Returns where the output passes the level that decides, or the largest level with a contour; empty of
+    /// a map that is not complete, and where it passes none.
+    QString answer() const;
+
   private:
     void clear() override;
     void restyle() override;

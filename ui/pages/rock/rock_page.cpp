@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/job/output_text.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/plot/overlay.h"
 #include "ui/plot/plot_widget.h"
@@ -33,6 +34,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    layout->addLayout(makeAnswer());
     layout->addLayout(bar);
     layout->addWidget(m_plot, 1);
     constexpr int lines = 17;  // with legend, axes and table
@@ -81,6 +83,12 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
         return;  // solved for another page; the answer for this one follows
     }
     m_blow = blow;
+    answerLabel()->setText(
+        blow->fault.isEmpty() ? tr("The bit goes in by %1, and %2 remain. The rock keeps %3 % of the energy.")
+                                    .arg(outputText(*findOutput("max_penetration"), *blow),
+                                         outputText(*findOutput("residual_penetration"), *blow),
+                                         numberText(100 * blow->summary.energy.rockWork, 3, QLocale()))
+                              : QString());
     showTime();
     redraw();
 }

@@ -12,6 +12,7 @@
 #include "core/blow/string_blow.h"
 #include "core/model/blow_traits.h"
 #include "core/report/strength_words.h"
+#include "ui/job/output_text.h"
 #include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
@@ -53,6 +54,7 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    layout->addLayout(makeAnswer());
     layout->addLayout(bar);
     layout->addWidget(m_readout);
     layout->addWidget(m_plot, 1);
@@ -106,6 +108,7 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
         return;  // solved for another page; the answer for this one follows
     }
     m_blow = blow;
+    answerLabel()->setText(answer());
     showHere();
     redraw();
 }
@@ -140,10 +143,7 @@ std::optional<double> RodPage::stressAt(double section, double time) const {
 void RodPage::showReadout() {
     const RodCurves* shown = curves();
     if (!shown) return m_readout->setText(QStringLiteral(" "));
-    // Largest stresses are known without the waves.
-    if (shown->string && !shown->string->waves)
-        return m_readout->setText(
-            strengthText(shown->string->sectionAt(m_observation.section())).section(u'\n', 1));
+    if (shown->string && !shown->string->waves) return m_readout->setText(QStringLiteral(" "));
     const QLocale locale;
     const auto words = [&](Load line) {
         const RodForce force = shown->forceAt(line, m_observation.section());
@@ -161,26 +161,37 @@ void RodPage::showReadout() {
     }
     m_readout->setText(tr("At %1 in the blow: %2 and %3\nin the residual waves: %4 and %5")
                            .arg(place, words(Load::compression), words(Load::tension),
-                                words(Load::compressionAfter), words(Load::tensionAfter)) +
-                       strengthText(0));
+                                words(Load::compressionAfter), words(Load::tensionAfter)));
 }
 
-// The share of strength of the section, and which section breaks first.
-QString RodPage::strengthText(std::size_t section) const {
+std::vector<SectionStress> RodPage::stresses() const {
     const Scenario& scenario = m_blow->scenario;
     if (!hasUnits(scenario)) return {};
-    const std::vector<SectionStress> stresses =
-        hasSections(scenario)       ? sectionStresses(scenario, m_blow->impact)
-        : m_blow->summary.rodForces ? sectionStresses(scenario, *m_blow->summary.rodForces)
-                                    : std::vector<SectionStress>();
-    const std::vector<std::optional<StrengthUse>> uses = strengthUses(scenario, stresses);
-    if (section >= uses.size() || (!hasSections(scenario) && !uses[section])) return {};
-    QString text;
-    if (hasSections(scenario) && uses[section])
-        text = tr(", which uses %1 % of its strength")
-                   .arg(numberText(100 * uses[section]->share(), 3, QLocale()));
+    if (hasSections(scenario)) return sectionStresses(scenario, m_blow->impact);
+    return m_blow->summary.rodForces ? sectionStresses(scenario, *m_blow->summary.rodForces)
+                                     : std::vector<SectionStress>();
+}
+
+// The share of strength of the section.
+QString RodPage::strengthText(std::size_t section) const {
+    if (!hasSections(m_blow->scenario)) return {};
+    const std::vector<std::optional<StrengthUse>> uses = strengthUses(m_blow->scenario, stresses());
+    if (section >= uses.size() || !uses[section]) return {};
+    return tr(", which uses %1 % of its strength")
+        .arg(numberText(100 * uses[section]->share(), 3, QLocale()));
+}
+
+// Which section breaks first, or while no strength is known, where the stresses are largest.
+QString RodPage::answer() const {
+    if (!m_blow->fault.isEmpty()) return {};
+    const std::vector<SectionStress> known = stresses();
     const LocalStyle style(QLocale(), m_blow->units.system, m_blow->units.chosen);
-    return text + u'\n' + translated(strengthSentence(scenario, stresses, style));
+    const auto uses = strengthUses(m_blow->scenario, known);
+    const bool hasStrength = std::ranges::any_of(uses, [](const auto& use) { return use.has_value(); });
+    const QString strength = translated(strengthSentence(m_blow->scenario, known, style));
+    if (hasStrength) return strength;
+    const QString largest = largestStressText(*m_blow);
+    return hasSections(m_blow->scenario) ? (largest + QLatin1Char(' ') + strength).trimmed() : largest;
 }
 
 void RodPage::goTo(QPointF coordinates) {

@@ -2,6 +2,9 @@
 // Rod or string under the blow: the largest stresses at every section, where and when they occur.
 #pragma once
 
+#include <vector>
+
+#include "core/blow/string_blow.h"
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
@@ -30,7 +33,9 @@ class RodPage : public PlotPage {
   private:
     void showHere();
     void showReadout();
+    std::vector<SectionStress> stresses() const;
     QString strengthText(std::size_t section) const;
+    QString answer() const;
     std::optional<double> stressAt(double section, double time) const;
     void goTo(QPointF coordinates);
     const RodCurves* curves() const;

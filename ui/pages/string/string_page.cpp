@@ -87,9 +87,10 @@ void StringPage::fillTable() {
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setMinimumSectionSize(36);
-    // The results, for which the page is opened, come right after the sizes.
-    for (const int column :
-         {StringModel::reflected, StringModel::strengthShare, StringModel::tension, StringModel::compression})
+    // The share of strength, for which the page is opened, comes first; other results come after the sizes.
+    header->moveSection(header->visualIndex(StringModel::strengthShare),
+                        header->visualIndex(StringModel::sectionName) + 1);
+    for (const int column : {StringModel::reflected, StringModel::tension, StringModel::compression})
         header->moveSection(header->visualIndex(column), header->visualIndex(StringModel::bore) + 1);
     m_table->setWordWrap(false);
     header->setHighlightSections(false);

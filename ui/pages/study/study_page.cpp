@@ -39,26 +39,12 @@ StudyPage::StudyPage(Document& document, QWidget* parent) : PlotPage(parent), m_
 }
 
 PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside) {
-    m_answerWords = new QLabel(this);
-    m_answerWords->setObjectName(QStringLiteral("answer"));
-    QFont bold = m_answerWords->font();
-    bold.setBold(true);
-    m_answerWords->setFont(bold);
     auto* words = new QLabel;
     words->setObjectName(QStringLiteral("words"));
-    for (QLabel* label : {m_answerWords, words}) {
-        label->setWordWrap(true);
-        label->setMargin(4);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    }
+    words->setWordWrap(true);
+    words->setMargin(4);
+    words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_words = new ScrolledLabel(words, mostOfWindowForWords, this);
-    auto* copyAnswer = newButton(QStringLiteral("copyAnswer"), tr("Copy answer"),
-                                 tr("Copies answer and sentences below it as text"));
-    connect(copyAnswer, &QPushButton::clicked, this,
-            [this] { QGuiApplication::clipboard()->setText(answerText()); });
-    auto* answer = new QHBoxLayout;
-    answer->addWidget(m_answerWords, 1);
-    answer->addWidget(copyAnswer, 0, Qt::AlignTop);
 
     m_settings = new SectionBox(tr("Settings"), this);
     auto* row = new FlowLayout(m_settings->content());
@@ -71,7 +57,7 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    layout->addLayout(answer);
+    layout->addLayout(makeAnswer());
     layout->addWidget(m_words);
     layout->addWidget(m_settings);
     PlotWidget* plot = makePlot();
@@ -81,7 +67,7 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     m_center->addWidget(plot, 3);
     layout->addLayout(m_center, 1);
     m_veil = new StaleVeil(plot);
-    m_veil->cover(m_answerWords);
+    m_veil->cover(answerLabel());
     m_veil->cover(m_words);
     connect(&m_late, &QTimer::timeout, this, [this] { setStale(true); });
     if (beside) {
@@ -91,15 +77,8 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     return plot;
 }
 
-QPushButton* StudyPage::newButton(const QString& name, const QString& text, const QString& tip) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(name);
-    button->setToolTip(tip);
-    return button;
-}
-
 QString StudyPage::answerText() const {
-    QString text = m_answerWords->text();
+    QString text = PlotPage::answerText();
     if (!m_words->text().isEmpty()) text += QLatin1Char('\n') + m_words->text();
     return text;
 }
@@ -250,7 +229,7 @@ void StudyPage::showNothingAsked(const QString& why) {
 void StudyPage::showWords() {
     const QString fault = !m_refusal.isEmpty() ? m_refusal : m_activity->problem();
     const bool hasAnswer = fault.isEmpty() && !m_isForeign;
-    m_answerWords->setText(!fault.isEmpty() ? QStringLiteral("⚠ ") + fault
+    answerLabel()->setText(!fault.isEmpty() ? QStringLiteral("⚠ ") + fault
                            : m_isForeign    ? QString()
                                             : m_sentence);
     m_words->setText(hasAnswer ? m_more : QString());

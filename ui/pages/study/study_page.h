@@ -10,9 +10,6 @@
 #include "ui/job/study_job.h"
 #include "ui/pages/plot_page.h"
 
-class QLabel;
-class QPushButton;
-
 namespace drillwave {
 
 class ScrolledLabel;
@@ -62,8 +59,7 @@ class StudyPage : public PlotPage {
     /// none.
     virtual QStringList commandWords() const = 0;
 
-    /// Returns the answer as text, for the clipboard.
-    virtual QString answerText() const;
+    QString answerText() const override;
 
     /// Builds the page: answer, controls in a row that wraps, plot with `beside` at its right. Returns the
     /// plot. Call it once.
@@ -117,7 +113,6 @@ class StudyPage : public PlotPage {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
     void takeIntoAnswer(QWidget* widget);
     template <class Take>
     void takeStep(const Take& take, const QString& step);
@@ -134,7 +129,6 @@ class StudyPage : public PlotPage {
     QVector<StudyActivity*> m_beside;
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input
-    QLabel* m_answerWords = nullptr;
     ScrolledLabel* m_words = nullptr;
     SectionBox* m_settings = nullptr;
     QBoxLayout* m_center = nullptr;  // the plot and what stands beside it

@@ -58,6 +58,7 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    layout->addLayout(makeAnswer());
     layout->addLayout(makeBar());
     layout->addWidget(m_readout);
     constexpr int profiles = 5;  // as high as the picture
@@ -101,7 +102,8 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_readout->setText(QStringLiteral(" "));
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
-    fitButton->setMinimumWidth(50);
+    constexpr int edges = 16;  // of a button that is only as wide as its word
+    fitButton->setMinimumWidth(fitButton->fontMetrics().horizontalAdvance(fitButton->text()) + edges);
     connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
 
     auto* bar = new QHBoxLayout;
@@ -174,6 +176,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
         m_picture->showNothing(tr("Nothing to show: there are too many waves to keep."));
     else
         return;  // the answer to an older request, before this page was there to ask
+    answerLabel()->setText(largestStressText(*blow));
     m_profile->setBlow(m_picture->shown());
     m_strip->setBlow(m_picture->shown());
     showSpan();

@@ -27,6 +27,7 @@ class TestContours : public QObject {
   private slots:
     void theBorderOfSuperReboundSolvesToOne();
     void theBorderSeparatesThePointsOfTheGrid();
+    void sidesAndEndsOfALevelAreFound();
     void aLineCrossesEverySquareFromOneEdgeToAnother();
     void theContourThroughNoGapIsThatOfTheCurve();
     void nothingDependsOnTheNumberOfThreads();
@@ -54,6 +55,30 @@ void TestContours::theBorderOfSuperReboundSolvesToOne() {
         }
     // Smooth crossings take Brent's method some half dozen blows.
     QVERIFY(contour.solves < 12 * contour.pointCount());
+}
+
+void TestContours::sidesAndEndsOfALevelAreFound() {
+    for (const bool isDescending : {false, true}) {
+        const std::vector<double> ys =
+            isDescending ? std::vector<double>{3, 2, 1} : std::vector<double>{1, 2, 3};
+        const auto sideOfRows = [&](double first, double second, double last) {
+            MapGrid grid({1, 2}, ys);
+            for (std::size_t row = 0; row < 3; ++row)
+                for (std::size_t column = 0; column < 2; ++column)
+                    grid.set(column, row, row == 0 ? first : row == 1 ? second : last);
+            return sideOf(grid, 1);
+        };
+        QCOMPARE(sideOfRows(0, 0, 2), isDescending ? LevelSide::below : LevelSide::above);
+        QCOMPARE(sideOfRows(2, 0, 0), isDescending ? LevelSide::above : LevelSide::below);
+        QCOMPARE(sideOfRows(0, 2, 0), LevelSide::mixed);
+        QCOMPARE(sideOfRows(2, 2, 2), LevelSide::mixed);
+        QCOMPARE(sideOfRows(0, 0, 0), LevelSide::mixed);
+    }
+    Contour contour;
+    QVERIFY(!extentOf(contour));
+    contour.lines = {{{.x = 1, .y = 3}, {.x = 2, .y = 1}}, {{.x = 5, .y = 4}}};
+    QCOMPARE(extentOf(contour)->lowest.x, 2.0);
+    QCOMPARE(extentOf(contour)->highest.x, 5.0);
 }
 
 void TestContours::theBorderSeparatesThePointsOfTheGrid() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Blow: section, time cursor, readings, ghosts.
+#include <QAbstractButton>
+#include <QClipboard>
 #include <QDoubleSpinBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +15,7 @@
 #include "ui/document/measured_list.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/output_text.h"
 #include "ui/job/solve_job.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_page.h"
@@ -47,6 +51,7 @@ class TestBlowPage : public QObject {
   private slots:
     void initTestCase();
     void init();
+    void theAnswerHasTheLargestForcesAndTheRebound();
     void arrowKeysMoveTheSection();
     void aSectionOfManyDigitsIsKept();
     void thePlaceIsGivenInMetresWhereThereIsALength();
@@ -104,6 +109,20 @@ void TestBlowPage::inOtherUnitsAMeasuredCurveIsFittedLikeTheRest() {
     constexpr double kipOfKilonewton = 1 / 4.4482216;
     QVERIFY2(std::abs(largest() / kilonewtons / kipOfKilonewton - 1) < 0.02,
              qPrintable(QStringLiteral("%1 kip of %2 kN").arg(largest()).arg(kilonewtons)));
+}
+
+void TestBlowPage::theAnswerHasTheLargestForcesAndTheRebound() {
+    const SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
+    m_page->setResult(blow);
+    const QString answer = label("answer")->text();
+    const QString peak = outputText(*findOutput("peak_force"), *blow);
+    QVERIFY2(answer.startsWith(QStringLiteral("Largest impact force %1 at ").arg(peak)), qPrintable(answer));
+    QVERIFY2(answer.contains(QStringLiteral("At this section the force is from −")), qPrintable(answer));
+    QVERIFY2(answer.endsWith(
+                 QStringLiteral("The rod rebounds with e = %1.").arg(outputText(*findOutput("cor"), *blow))),
+             qPrintable(answer));
+    m_page->findChild<QAbstractButton*>(QStringLiteral("copyAnswer"))->click();
+    QCOMPARE(QGuiApplication::clipboard()->text(), answer);
 }
 
 void TestBlowPage::arrowKeysMoveTheSection() {

@@ -54,6 +54,7 @@ class TestRodPage : public QObject {
     /// Clicks where a force of the line is drawn.
     void click(Load line, const RodForce& force, QPoint beside = {}) const;
     int visibleStrengths() const;
+    QString answer() const { return m_page->findChild<QLabel*>(QStringLiteral("answer"))->text(); }
     QString readout() const {
         QString text = m_page->findChild<QLabel*>(QStringLiteral("readout"))->text();
         return text.replace(QChar(QChar::Nbsp), QLatin1Char(' '));
@@ -326,8 +327,9 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
     QCOMPARE(range.lower, curves.rear() * blow->units.length.factor);
     QCOMPARE(range.upper, blow->units.length.factor);
     QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("shank")));
-    QVERIFY2(readout().contains(QStringLiteral("in 2nd rod\nNo section has a strength")),
-             qPrintable(readout()));
+    QVERIFY2(readout().endsWith(QStringLiteral("in 2nd rod")), qPrintable(readout()));
+    QVERIFY2(answer().startsWith(QStringLiteral("Largest compression ")), qPrintable(answer()));
+    QVERIFY2(answer().contains(QStringLiteral(". No section has a strength")), qPrintable(answer()));
 }
 
 void TestRodPage::aStringHasItsJointsAndStrengthsAsSteps() {
@@ -340,7 +342,7 @@ void TestRodPage::aStringHasItsJointsAndStrengthsAsSteps() {
     });
     m_page->setResult(blow);
     QVERIFY2(readout().contains(QStringLiteral("in 2nd rod, which uses ")), qPrintable(readout()));
-    QVERIFY2(readout().contains(QStringLiteral("\nFirst to break: ")), qPrintable(readout()));
+    QVERIFY2(answer().startsWith(QStringLiteral("First to break: ")), qPrintable(answer()));
     const RodCurves& curves = *blow->page<RodCurves>();
     QCOMPARE(straightLines(QStringLiteral("grid")), static_cast<int>(curves.string->stretches.size()) - 1);
     QCOMPARE(visibleStrengths(), 0);
