@@ -70,7 +70,7 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     // As long as the user has not edited them, zero, sign and times follow from what the table now is.
     connect(m_table, &TableFields::changed, this, [this] {
         m_proposal = Proposal::zero;
-        askSoon();
+        requestUpdate();
     });
     connect(m_table, &TableFields::changed, this,
             [this] { m_lines->present(m_table->lines(), m_table->source().firstLine); });
@@ -78,7 +78,7 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
         m_signal->setUnit(m_table->valueUnit(), m_table->valueKind());
         m_proposal = Proposal::zero;
     });
-    connect(m_signal, &SignalFields::changed, this, &ImportDialog::askSoon);
+    connect(m_signal, &SignalFields::changed, this, &ImportDialog::requestUpdate);
     connect(m_signal, &SignalFields::timesAroundPeakWanted, this, [this] {
         if (const ImportPreview* preview = m_study.value(); preview && preview->aroundPeak)
             m_signal->setTimes(preview->aroundPeak);
@@ -256,7 +256,7 @@ void ImportDialog::setUse(ImportUse use) {
     m_signal->setUse(use);
 }
 
-void ImportDialog::askSoon() {
+void ImportDialog::requestUpdate() {
     m_refusal.clear();
     m_ask.start(0);
     showState();

@@ -69,7 +69,7 @@ class ImportDialog : public QDialog {
     QVBoxLayout* makePreview();
     QWidget* makeButtons();
     void readStart();
-    void askSoon();
+    void requestUpdate();
     void ask();
     void showAnswer();
     void proposeFrom(const ImportPreview& preview);
@@ -98,7 +98,7 @@ class ImportDialog : public QDialog {
     QTimer m_ask;
     QString m_refusal;  // of the present result
     Proposal m_proposal = Proposal::zero;
-    AskedStudy<ImportQuestion, ImportPreview> m_study{ImportStudy()};
+    StudyRunner<ImportQuestion, ImportPreview> m_study{ImportStudy()};
 };
 
 }  // namespace drillwave

@@ -274,12 +274,12 @@ void StudyJob<Value>::end(std::uint64_t number, const End& end) {
 
 /// Runs `study` of a question away from the window's thread. Question is a value with ==.
 template <class Question, class Value>
-class AskedStudy {
+class StudyRunner {
   public:
     /// Called on the job's thread: holds nothing of the window.
     using Study = std::function<Value(const Question&, const StudyFeed<Value>&)>;
 
-    explicit AskedStudy(Study study) : m_study(std::move(study)) {}
+    explicit StudyRunner(Study study) : m_study(std::move(study)) {}
 
     /// Runs the study unless it runs for the same question, or has been finished for it. Whether it was
     /// started.

@@ -64,7 +64,7 @@ class AccuracyPage : public StudyPage {
     bool m_stabilityIsWhole = false;
     const void* m_shown = nullptr;  // what the plot draws
     int m_runs = 0;
-    AskedStudy<ProofQuestion, ProofAnswer> m_study;  // goes first: its thread works
+    StudyRunner<ProofQuestion, ProofAnswer> m_study;  // goes first: its thread works
 };
 
 }  // namespace drillwave

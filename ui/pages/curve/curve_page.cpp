@@ -55,7 +55,7 @@ CurvePage::CurvePage(Document& document, QWidget* parent)
     watchBeside(m_runLines.activity());
     useFrame(*m_plot, tr("A result over a parameter"));
     connect(plot, &PlotWidget::placeTaken, this, &CurvePage::click);
-    connect(&document.units(), &UnitChoice::changed, this, &CurvePage::askSoon);
+    connect(&document.units(), &UnitChoice::changed, this, &CurvePage::requestUpdate);
     connect(&document, &Document::scenarioChanged, this, &CurvePage::followForm);
 }
 
@@ -81,12 +81,13 @@ QList<QWidget*> CurvePage::makeControls() {
     m_reference->addItem(tr("rod without waves: none"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
-    connect(m_axis, &AxisFields::changed, this, &CurvePage::askSoon);
-    connect(m_family, &FamilyFields::changed, this, &CurvePage::askSoon);
-    connect(m_output, &OutputBox::changed, this, &CurvePage::askSoon);
+    connect(m_axis, &AxisFields::changed, this, &CurvePage::requestUpdate);
+    connect(m_family, &FamilyFields::changed, this, &CurvePage::requestUpdate);
+    connect(m_output, &OutputBox::changed, this, &CurvePage::requestUpdate);
     connect(m_goal, &GoalField::changed, this, &CurvePage::takeGoal);
-    connect(m_reference, &QComboBox::currentIndexChanged, this, &CurvePage::askSoon);
-    for (QCheckBox* box : {m_own, m_closedForm}) connect(box, &QCheckBox::toggled, this, &CurvePage::askSoon);
+    connect(m_reference, &QComboBox::currentIndexChanged, this, &CurvePage::requestUpdate);
+    for (QCheckBox* box : {m_own, m_closedForm})
+        connect(box, &QCheckBox::toggled, this, &CurvePage::requestUpdate);
     m_pointsPart = makePointsBox();
     QWidget* goal = labelled(tr("goal"), m_goal, this);
     return {m_axis, m_output, goal, m_family, m_own, m_pointsPart, m_closedForm, m_reference};
@@ -99,7 +100,7 @@ QWidget* CurvePage::makePointsBox() {
     m_points->setToolTip(tr("Number of blows solved along a curve of a drill string"));
     for (const int points : pointsOfCurve) m_points->addItem(QString::number(points), points);
     m_points->setCurrentIndex(m_points->findData(int(sampledPoints)));
-    connect(m_points, &QComboBox::currentIndexChanged, this, &CurvePage::askSoon);
+    connect(m_points, &QComboBox::currentIndexChanged, this, &CurvePage::requestUpdate);
     QWidget* part = labelled(tr("points"), m_points, this);
     part->hide();
     return part;
@@ -145,7 +146,7 @@ void CurvePage::takeGoal() {
     const OutputColumn of = column();
     m_goals.erase(of.output);
     if (m_goal->value()) m_goals[of.output] = {*m_goal->value(), of.units};
-    askSoon();
+    requestUpdate();
 }
 
 // Converts the goal if the results have other units since, by the scales of the scenario.

@@ -38,7 +38,7 @@ class CurvePage : public StudyPage {
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     GoalField* goal() const { return m_goal; }
-    const AskedStudy<CurvePageQuestion, CurvePageStudy>& study() const { return m_study; }
+    const StudyRunner<CurvePageQuestion, CurvePageStudy>& study() const { return m_study; }
     /// Varies the gap, from none to a few times what the bit moves in a blow.
     void varyGap();
     /// Varies that parameter around its value, for a goal to be typed. Requires that it can be varied.
@@ -116,8 +116,8 @@ class CurvePage : public StudyPage {
     Shown m_shown;
     std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as drawn
     RunListPtr m_shownRuns;
-    AskedStudy<CurvePageQuestion, CurvePageStudy> m_study;  // goes first: its threads work
-    RunLines m_runLines;                                    // goes even before
+    StudyRunner<CurvePageQuestion, CurvePageStudy> m_study;  // goes first: its threads work
+    RunLines m_runLines;                                     // goes even before
 };
 
 }  // namespace drillwave

@@ -87,7 +87,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
         setDraws({});
         forget();
     });
-    connect(&document, &Document::designChanged, this, &DesignPage::askSoon);
+    connect(&document, &Document::designChanged, this, &DesignPage::requestUpdate);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -183,7 +183,7 @@ void DesignPage::setDraws(std::optional<GivenDraws> draws) {
                                  .arg(m_draws->draws.rows())
                                  .arg(names.join(QStringLiteral(", "))));
     }
-    askSoon();
+    requestUpdate();
 }
 
 /// Returns the file that copied commands read the draws from, which is where saving them proposes to.
@@ -279,10 +279,10 @@ DesignSetup DesignPage::setup() const {
 
 // Stores an edit of the user in the document, and so in its file once it is saved.
 void DesignPage::keepSetup() {
-    if (!m_isSetUp) return askSoon();
+    if (!m_isSetUp) return requestUpdate();
     m_keepEnergy->setEnabled(canKeepEnergy());
     m_setup = setup();
-    if (m_setup == document().design()) return askSoon();
+    if (m_setup == document().design()) return requestUpdate();
     document().setDesign(m_setup);  // which asks
 }
 
@@ -348,7 +348,7 @@ void DesignPage::ask() {
 void DesignPage::refine() {
     m_refined = wish().study;
     m_refine->hide();
-    askSoon();
+    requestUpdate();
 }
 
 void DesignPage::showRefine(const DesignAnswer& answer) {

@@ -107,10 +107,10 @@ class DesignPage : public StudyPage {
     int m_customary = 0;             // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
-    DesignSetup m_setup;                               // of the document, as it was shown last
-    bool m_isSetUp = false;                            // the controls are of the document
-    std::optional<DesignStudy> m_refined;              // which may take what it needs
-    AskedStudy<DesignQuestion, DesignAnswer> m_study;  // goes first: its thread works
+    DesignSetup m_setup;                                // of the document, as it was shown last
+    bool m_isSetUp = false;                             // the controls are of the document
+    std::optional<DesignStudy> m_refined;               // which may take what it needs
+    StudyRunner<DesignQuestion, DesignAnswer> m_study;  // goes first: its thread works
 };
 
 }  // namespace drillwave

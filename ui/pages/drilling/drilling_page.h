@@ -92,8 +92,8 @@ class DrillingPage : public StudyPage {
     std::shared_ptr<const DrillingAnswer> m_complete;  // the last that came to its end
     std::shared_ptr<const DrillingAnswer> m_before;    // that of an earlier scenario
     bool m_wantsScan = false;                          // it was stopped because it is out of sight
-    AskedStudy<DrillingQuestion, DrillingAnswer> m_march;
-    AskedStudy<DrillingScanQuestion, DrillingScanAnswer> m_scan;
+    StudyRunner<DrillingQuestion, DrillingAnswer> m_march;
+    StudyRunner<DrillingScanQuestion, DrillingScanAnswer> m_scan;
     RunDrilling m_runMeans;
 };
 

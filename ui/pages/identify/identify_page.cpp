@@ -75,8 +75,8 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     useFrame(*m_frame, tr("Record with the model, what the model leaves over, and force over penetration"));
     watch(m_asked.job());
     m_asked.job().setTimeLimit(std::chrono::milliseconds(0));  // the user has asked for it
-    connect(m_gauges, &GaugeFields::changed, this, &IdentifyPage::askSoon);
-    connect(m_known, &KnownFields::changed, this, &IdentifyPage::askSoon);
+    connect(m_gauges, &GaugeFields::changed, this, &IdentifyPage::requestUpdate);
+    connect(m_known, &KnownFields::changed, this, &IdentifyPage::requestUpdate);
     connect(m_records, &RecordList::removeWanted, this, &IdentifyPage::removeRecord);
     connect(m_records, &RecordList::chosen, this, [this](int row) {
         m_chosen = m_records->item(row, 0)->text();
@@ -89,7 +89,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     connect(m_frame, &FigureFrame::handleMoved, this, &IdentifyPage::moveArrival);
     connect(m_frame, &FigureFrame::handleReleased, this, [this](double time) {
         moveArrival(time);
-        askSoon();
+        requestUpdate();
     });
     connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
@@ -126,7 +126,7 @@ ChoiceBox* IdentifyPage::makeChoice(const char* name, const QString& title, cons
     box->setAccessibleName(title);
     box->setToolTip(tip);
     box->addItems(entries);
-    connect(box, &QComboBox::currentIndexChanged, this, &IdentifyPage::askSoon);
+    connect(box, &QComboBox::currentIndexChanged, this, &IdentifyPage::requestUpdate);
     return box;
 }
 
@@ -173,7 +173,7 @@ void IdentifyPage::openRecords(const QStringList& paths, const SignalOptions& se
 void IdentifyPage::addRecords(const QStringList& paths) {
     if (paths.isEmpty()) return;
     takeFiles(paths);
-    askSoon();
+    requestUpdate();
 }
 
 void IdentifyPage::takeFiles(const QStringList& paths) {
@@ -187,7 +187,7 @@ void IdentifyPage::takeFiles(const QStringList& paths) {
 void IdentifyPage::removeRecord(const QString& path) {
     m_paths.removeAll(path);
     showNames();
-    askSoon();
+    requestUpdate();
 }
 
 void IdentifyPage::showNames() {

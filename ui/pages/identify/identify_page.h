@@ -107,7 +107,7 @@ class IdentifyPage : public StudyPage {
     FigureFrame* m_frame;
     IdentifiedRecordPtr m_shown;
     ShownUnits m_shownUnits;
-    AskedStudy<RecordQuestion, IdentifiedRecordPtr> m_asked{
+    StudyRunner<RecordQuestion, IdentifiedRecordPtr> m_asked{
         identifiedRecord};  // goes first: its thread works
 };
 

@@ -73,12 +73,12 @@ ChoiceBox* MapPage::pointsBox() {
 
 void MapPage::wire() {
     for (const AxisFields* fields : {m_x, m_y})
-        connect(fields, &AxisFields::changed, this, &MapPage::askSoon);
-    connect(m_points, &QComboBox::currentIndexChanged, this, &MapPage::askSoon);
-    connect(m_levels, &LevelField::changed, this, &MapPage::askSoon);
+        connect(fields, &AxisFields::changed, this, &MapPage::requestUpdate);
+    connect(m_points, &QComboBox::currentIndexChanged, this, &MapPage::requestUpdate);
+    connect(m_levels, &LevelField::changed, this, &MapPage::requestUpdate);
     connect(m_output, &OutputBox::changed, this, [this] {
         takeUsualLevels();
-        askSoon();
+        requestUpdate();
     });
     connect(plot(), &PlotWidget::placeTaken, this,
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {

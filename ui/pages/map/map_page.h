@@ -68,7 +68,7 @@ class MapPage : public StudyPage {
     std::shared_ptr<const MapReport> m_shown;
     ShownUnits m_shownUnits;
     std::shared_ptr<std::atomic<int>> m_newest;
-    AskedStudy<MapQuestion, MapReport> m_study;  // goes first: its thread works
+    StudyRunner<MapQuestion, MapReport> m_study;  // goes first: its thread works
 };
 
 }  // namespace drillwave

@@ -95,7 +95,7 @@ FigurePage::FigurePage(const Study& study, Document& document, QWidget* parent)
     useFrame(*m_frame, translated(study.plotTitle));
     watch(m_asked.job());
     watchBeside(m_ofRuns.activity());
-    connect(m_options, &OptionFields::changed, this, &FigurePage::askSoon);
+    connect(m_options, &OptionFields::changed, this, &FigurePage::requestUpdate);
     connect(plot, &PlotWidget::placeTaken, this, &FigurePage::takePlace);
     connect(m_frame, &FigureFrame::seriesHeld, this, &FigurePage::hold);
     connect(m_frame, &FigureFrame::seriesMoved, this, &FigurePage::moveHeld);

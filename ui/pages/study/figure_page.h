@@ -81,8 +81,8 @@ class FigurePage : public StudyPage {
     Shown m_shown;
     std::shared_ptr<const RunAnswers::Answers> m_shownAnswers;  // of runs, as they are drawn
     RunListPtr m_shownRuns;
-    AskedStudy<StudyQuestion, StudyAnswerPtr> m_asked;  // goes first: its thread works
-    RunAnswers m_ofRuns;                                // the same
+    StudyRunner<StudyQuestion, StudyAnswerPtr> m_asked;  // goes first: its thread works
+    RunAnswers m_ofRuns;                                 // the same
 };
 
 }  // namespace drillwave

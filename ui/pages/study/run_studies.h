@@ -99,7 +99,7 @@ class RunStudies {
     int started() const { return m_study.started(); }
 
   private:
-    AskedStudy<std::vector<Question>, Answers> m_study;
+    StudyRunner<std::vector<Question>, Answers> m_study;
 };
 
 }  // namespace drillwave

@@ -33,7 +33,7 @@ StudyPage::StudyPage(Document& document, QWidget* parent) : PlotPage(parent), m_
     m_late.setInterval(patienceMilliseconds);
     connect(&document, &Document::scenarioChanged, this, [this] {
         m_refusal.clear();
-        askSoon();
+        requestUpdate();
     });
     connect(&document, &Document::replaced, this, &StudyPage::forget);
 }
@@ -157,7 +157,7 @@ void StudyPage::setCurrent(bool current) {
     follow();
 }
 
-void StudyPage::askSoon() {
+void StudyPage::requestUpdate() {
     if (isVisible())
         askNow();
     else

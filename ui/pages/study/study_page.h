@@ -80,7 +80,7 @@ class StudyPage : public PlotPage {
     /// be asked again by present().
     void watchBeside(StudyActivity& activity);
     /// The question may be another one: ask() now, or as soon as the page can be seen.
-    void askSoon();
+    void requestUpdate();
     /// Shows the answer in bold and further sentences below it. A problem of the study replaces both.
     void say(const QString& answer, const QString& more = {});
     /// The same with the first sentence as the answer.

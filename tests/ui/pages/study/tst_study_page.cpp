@@ -57,7 +57,7 @@ class StiffnessPage : public StudyPage {
     std::atomic<bool> m_slow = false;
     std::atomic<double> m_held = HUGE_VAL;
     double m_shown = 0;
-    AskedStudy<double, double> m_study;
+    StudyRunner<double, double> m_study;
 };
 
 }  // namespace
