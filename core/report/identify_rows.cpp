@@ -79,6 +79,7 @@ Message causeWords(const std::string& source, const std::string& key, const Scen
     if (source == "place") return translatable("distance between the gauges");
     if (source == "resolution") return translatable("steepness of the rock in noise");
     if (source == "law") return translatable("law of the rock");
+    if (source == "minimum") return translatable("another solution, as good");
     if (source == "step") return translatable("step of the recorder");
     if (source == "unexplained_wave") return translatable("unexplained waves");
     return source;
@@ -90,7 +91,7 @@ std::string percentOf(double share, const ReadingStyle& style) {
 
 Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {
     if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" ||
-        row.source == "timing" || row.source == "resolution")
+        row.source == "timing" || row.source == "resolution" || row.source == "minimum")
         return {};
     const std::string value = row.unit == "m"     ? shortLength(row.tolerance, 2, style)
                               : row.unit == "m^2" ? style.quantity(row.tolerance, Quantity::area, 2)
@@ -176,7 +177,8 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
     for (const IdentifiedParameter& parameter : answer.parameters)
         if (parameter.verdict == ParameterVerdict::notSeen && parameter.reason == "no_unloading")
             return translatable("To know more: record until the rock has unloaded.");
-    if (next->source == "noise" || next->source == "law" || next->source == "resolution")
+    if (next->source == "noise" || next->source == "law" || next->source == "resolution" ||
+        next->source == "minimum")
         return {translatable("To know more: average 4 blows: %1."), {gain}};
     if (next->source == "unexplained_wave" || next->source == "tail")
         return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."), {gain}};

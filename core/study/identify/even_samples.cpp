@@ -76,6 +76,19 @@ void interpolateToEven(const std::vector<double>& time, double start, double ste
     values = std::move(even);
 }
 
+/// Marks even samples with no recorded one within three quarters of a step.
+std::vector<bool> missingSamples(const std::vector<double>& time, double start, double step,
+                                 std::size_t count) {
+    std::vector<bool> isMissing(count);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double wanted = start + static_cast<double>(i) * step;
+        while (at + 2 < time.size() && time[at + 1] < wanted) ++at;
+        isMissing[i] = std::min(std::abs(wanted - time[at]), std::abs(time[at + 1] - wanted)) > 0.75 * step;
+    }
+    return isMissing;
+}
+
 }  // namespace
 
 EvenSamples evenSamples(const GaugeRecord& record) {
@@ -118,6 +131,7 @@ EvenSamples evenSamples(const GaugeRecord& record) {
             even.step = span / static_cast<double>(steps.size());
         const auto count = static_cast<std::size_t>(
             std::min(span / even.step + 1.5, 4.0 * static_cast<double>(time.size())));
+        even.isMissing = missingSamples(time, even.start, even.step, count);
         for (std::vector<double>& values : even.force)
             interpolateToEven(time, even.start, even.step, count, values);
         for (std::vector<double>& values : even.opposite)

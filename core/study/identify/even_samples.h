@@ -19,6 +19,7 @@ struct EvenSamples {
     std::vector<std::vector<double>> opposite;     ///< of each gauge; empty where it is no pair
     std::vector<double> recorderStep;              ///< of each gauge, smallest difference between values [N]
     std::vector<std::vector<bool>> isClipped;      ///< of each gauge; empty: none
+    std::vector<bool> isMissing;                   ///< interpolated across a pause; empty: none
     std::optional<std::pair<double, double>> gap;  ///< first pause of more than 20 steps, from and to [s]
     std::size_t count() const { return force.front().size(); }
 };

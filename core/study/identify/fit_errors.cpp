@@ -350,7 +350,8 @@ Eigen::VectorXd FitErrors::halfWidths() const {
     Eigen::VectorXd squares = noise.cwiseAbs2() * std::max(1.0, misfit.ratio * misfit.ratio);
     for (const BudgetEffect& row : budget) squares += row.effect.cwiseAbs2();
     squares += unexplainedEffect.cwiseAbs2();
-    for (Index i = 0; i < squares.size(); ++i) squares[i] += std::pow(i == gap ? gapOfCells : ofCells, 2);
+    for (Index i = 0; i < squares.size(); ++i)
+        squares[i] += std::pow(i == gap ? std::hypot(gapOfCells, gapOfSample) : ofCells, 2);
     return squares.cwiseSqrt();
 }
 
@@ -400,6 +401,7 @@ FitErrors fitErrors(RecordModel& model, const LawFit& fit, const IdentifyQuestio
     FitErrors errors;
     const PreparedRecord& record = model.record();
     errors.hasCorner = model.law() == TrialLaw::corner;
+    errors.gapOfSample = record.step * record.peak / record.places.front().end.impedance;
     drawNoise(model, fit, seed, stop, errors);
     errors.misfit = misfitOf(model, fit, errors.misfit.noise, errors.misfit.scatter);
     addSizes(model, fit, sizes, errors);

@@ -46,6 +46,7 @@ struct FitErrors {
     Eigen::VectorXd unexplainedEffect;
     std::vector<std::string> remarks;
     Eigen::Index gap = 0;                ///< unknown of the gap
+    double gapOfSample = 0;              ///< advance of the bit in half a sample [m]
     bool hasCorner = false;              ///< one unknown is a corner of the loading curve
     Eigen::VectorXd halfWidths() const;  ///< of all together
 };

@@ -46,15 +46,20 @@ PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record,
     return isNear || keptRms < 0.8 * movedRms ? other.record : seen;
 }
 
-/// The record with the distance between its gauges that fits best, up to twice its tolerance away; nothing
-/// where that explains little.
+/// The record with the transit time between its gauges that fits best, up to twice its tolerance away;
+/// nothing where there is little to explain, or where that explains little.
 std::optional<PreparedRecord> transitChosen(const PreparedRecord& record, const IdentifyQuestion& question,
                                             const SizeTolerances& sizes, const std::stop_token& stop) {
     constexpr double explained = 0.5;  // share of Σr² that a better distance removes at least
     constexpr int steps = 4;           // to either side, half a tolerance each
-    const double tolerance = placeTolerance(question) / record.places.front().waveSpeed;
+    constexpr double enough = 0.004;   // rms left over, share of the peak
+    const GaugePlace& place = record.places.front();
+    const double tolerance = std::hypot(placeTolerance(question) / place.waveSpeed,
+                                        materialTolerance(question, place).tolerance * record.transit);
     RecordModel model(record, question, sizes, TrialLaw::bilinear);
-    const double unmoved = fitFromStarts(model, stop).cost;
+    const LawFit fit = fitFromStarts(model, stop);
+    if (misfitOf(model, fit, 1, 0).rms < enough) return std::nullopt;
+    const double unmoved = fit.cost;
     PreparedRecord best = record;
     double least = unmoved;
     for (const int way : {-1, 1}) {
@@ -107,7 +112,7 @@ void fillMatch(const LawTrials& trials, RecordAnswer& answer) {
     match.unexplained = chosen.errors.unexplained;
     match.before = record.before;
     match.bending = record.bending;
-    match.isClipped = !record.isLost.empty();
+    match.isClipped = std::ranges::find(record.remarks, "clipped") != record.remarks.end();
     match.step = record.gauges.front().recorderStep / record.peak;
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         const std::string number = std::to_string(g + 1);
@@ -353,12 +358,12 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
         checkFileLaw(question, given, record, stop, answer);
         return answer;
     }
-    RecordAnswer fitted = fittedAnswer(answer, question, given, record, sizes, stop, showFirst);
-    if (!record.isPair() || fitted.model != ModelVerdict::rejected || stop.stop_requested()) return fitted;
-    const std::optional<PreparedRecord> moved = transitChosen(record, question, tolerances, stop);
-    if (!moved) return fitted;
-    RecordAnswer other = fittedAnswer(answer, question, given, *moved, sizes, stop, {});
-    return other.model == ModelVerdict::rejected ? fitted : other;
+    if (record.isPair())
+        if (const auto moved = transitChosen(record, question, tolerances, stop)) {
+            RecordAnswer fitted = fittedAnswer(answer, question, given, *moved, sizes, stop, showFirst);
+            if (fitted.model != ModelVerdict::rejected || stop.stop_requested()) return fitted;
+        }
+    return fittedAnswer(answer, question, given, record, sizes, stop, showFirst);
 }
 
 }  // namespace drillwave

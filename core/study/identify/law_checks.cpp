@@ -135,6 +135,18 @@ bool addNearbyLaws(LawCandidate& bilinear, const IdentifyQuestion& question, con
     return gains;
 }
 
+/// Adds to the budget what takes the interval as far as other minima and their own half-widths.
+void addOtherMinima(LawCandidate& bilinear) {
+    if (bilinear.fit.others.empty()) return;
+    const Eigen::VectorXd own = bilinear.errors.halfWidths();
+    BudgetEffect row{"minimum", "", 0, "1", false, Eigen::VectorXd::Zero(own.size())};
+    for (const Eigen::VectorXd& other : bilinear.fit.others) {
+        const Eigen::ArrayXd way = (other - bilinear.fit.values).array().abs();
+        row.effect = row.effect.cwiseMax((way * (way + 2 * own.array())).sqrt().matrix());
+    }
+    bilinear.errors.budget.push_back(std::move(row));
+}
+
 /// Whether a law counts beside the answer.
 bool counts(const LawTrials& trials, std::size_t i) {
     const LawCandidate& candidate = trials.candidates[i];
@@ -161,7 +173,9 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     };
     auto model = modelOf(TrialLaw::bilinear);
     LawFit fit = fitFromStarts(*model, stop);
+    searchMinima(*model, fit, stop);
     trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
+    addOtherMinima(trials.candidates[0]);
     if (stop.stop_requested()) return trials;
     showFirst(trials);
     const auto tryLaw = [&](const char* name, TrialLaw law) {

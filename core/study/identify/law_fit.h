@@ -20,7 +20,8 @@ class LawFit {
     TrialLaw law = TrialLaw::bilinear;
     Eigen::VectorXd values;  ///< of the unknowns
     Eigen::VectorXd residuals;
-    double cost = 0;  ///< Σr²
+    double cost = 0;                      ///< Σr²
+    std::vector<Eigen::VectorXd> others;  ///< values of other minima of Σr² that are about as low
 
     /// Takes the Jacobian at the solution.
     void linearise(RecordModel& model);
@@ -56,6 +57,10 @@ double largestForce(RecordModel& model, const LawFit& fit);
 /// Bilinear, or the file's law with its timing, from many starts; sizes and dispersion are freed from the
 /// best on, and the weights of the quiet stretch follow what is seen in it.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
+
+/// Takes the lowest minimum of Σr² about the solution, and keeps the others: a gap, the zero lines and the
+/// stiffness together can explain a record twice.
+void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
 /// Another law from the solution of the bilinear one; where that fits badly, from several shares of
 /// dispersion.

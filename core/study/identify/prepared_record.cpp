@@ -19,7 +19,8 @@ constexpr double quietSpan = 20e-6;           ///< [s]
 constexpr double arrivalShare = 0.22;         ///< of the peak: the reflection
 constexpr double longestPairWindow = 1.4e-3;  ///< of two gauges after the reflection [s]
 constexpr double defaultPlaceTolerance = 5e-3;
-constexpr double clippedMost = 5e-6;  ///< of the incident wave [s]
+constexpr double longestPause = 5e-6;  ///< within f that a line may bridge [s]
+constexpr double clippedMost = 5e-6;   ///< of the incident wave [s]
 
 std::string microseconds(double seconds) {
     return formatNumber(std::round(seconds * 1e7) / 10) + " us";
@@ -295,6 +296,22 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
             record.isLost = std::move(lost);
             record.remarks.emplace_back("clipped");
         }
+    }
+    // A line across a pause is no measurement: within f it drives the model, within b it would be compared.
+    double paused = 0;  // length of the present pause [s]
+    for (std::size_t i = near; i < std::min(to, even.isMissing.size()); ++i) {
+        const double t = record.timeOf(i - from);
+        if (t > record.end) break;
+        paused = even.isMissing[i] ? paused + record.step : 0;
+        if (paused == 0) continue;
+        const bool drives = record.isPair() || t < record.incidentEnd;
+        if (drives && paused > std::max(longestPause, 3.5 * record.step))
+            return refused(
+                std::move(record), "gap",
+                {translatable("samples are missing from %1 to %2; record without a pause"),
+                 {microseconds(record.startTime + t - paused), microseconds(record.startTime + t)}});
+        if (record.isLost.empty()) record.isLost.resize(record.count(), false);
+        if (!drives) record.isLost[i - from] = true;
     }
     // Nothing behind the window is looked at again.
     const auto used =

@@ -42,7 +42,7 @@ struct PreparedRecord {
     double end = 0;                     ///< of the window [s]
     double before = 0;                  ///< A_pre, waves before the front, share of the peak
     double bending = 0;                 ///< rms of half the difference of a pair, share of the peak
-    std::vector<bool> isLost;           ///< samples of the near gauge that are clipped; empty: none
+    std::vector<bool> isLost;           ///< samples of the near gauge, clipped or missing; empty: none
     double transit = 0;                 ///< ϑ between two gauges [s]
     double secondShift = 0;             ///< θ of the far gauge [s]
     double secondGain = 1;              ///< of the far gauge relative to the near one
