@@ -135,14 +135,18 @@ bool addNearbyLaws(LawCandidate& bilinear, const IdentifyQuestion& question, con
     return gains;
 }
 
-/// Adds to the budget what takes the interval as far as other minima and their own half-widths.
-void addOtherMinima(LawCandidate& bilinear) {
-    if (bilinear.fit.others.empty()) return;
-    const Eigen::VectorXd own = bilinear.errors.halfWidths();
+/// Adds to the budget what other solutions widen: to another minimum and its own half-width, and to where Σr²
+/// has risen as much as 95 % of the records allow.
+void addNearbySolutions(LawCandidate& bilinear) {
+    constexpr double rise95 = 3.84, leastRise = 0.5;
+    const Eigen::ArrayXd own = bilinear.errors.halfWidths().array();
     BudgetEffect row{"minimum", "", 0, "1", false, Eigen::VectorXd::Zero(own.size())};
-    for (const Eigen::VectorXd& other : bilinear.fit.others) {
-        const Eigen::ArrayXd way = (other - bilinear.fit.values).array().abs();
-        row.effect = row.effect.cwiseMax((way * (way + 2 * own.array())).sqrt().matrix());
+    for (const NearbySolution& other : bilinear.fit.nearby) {
+        const Eigen::ArrayXd way = (other.values - bilinear.fit.values).array().abs();
+        const Eigen::ArrayXd wanted = other.isMinimum
+                                          ? Eigen::ArrayXd(way + own)
+                                          : way * std::sqrt(rise95 / std::max(other.rise, leastRise));
+        row.effect = row.effect.cwiseMax((wanted.square() - own.square()).max(0).sqrt().matrix());
     }
     bilinear.errors.budget.push_back(std::move(row));
 }
@@ -175,7 +179,7 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     LawFit fit = fitFromStarts(*model, stop);
     searchMinima(*model, fit, stop);
     trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
-    addOtherMinima(trials.candidates[0]);
+    addNearbySolutions(trials.candidates[0]);
     if (stop.stop_requested()) return trials;
     showFirst(trials);
     const auto tryLaw = [&](const char* name, TrialLaw law) {

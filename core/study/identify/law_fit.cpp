@@ -463,35 +463,41 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
 }
 
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
-    constexpr double asLow = 8;       // Σr² of three unknowns, in 95 of 100 records
-    constexpr double sameGap = 5e-6;  // [m]
+    constexpr double mostRise = 15, mostRiseOfMinimum = 8;  // of Σr²; 8 of three unknowns is 95 %
+    constexpr double sameGap = 5e-6;                        // [m]
     const std::size_t unknown = model.find(Unknown::Kind::gap);
     const auto gap = static_cast<Index>(unknown);
     const double own = fit.values[gap];
-    std::vector<Start> minima{{fit.values, fit.cost}};
+    std::vector<Start> minima{{fit.values, fit.cost}}, held;
     for (const double trial : {0.0, own / 2, own + 40e-6, own + 100e-6}) {
         if (stop.stop_requested()) return;
         if (std::abs(trial - own) < sameGap) continue;
         Start other{fit.values, 0};
         other.values[gap] = trial;
         model.unknowns()[unknown].isHeld = true;
-        minimise(model, other.values, 20, stop);
+        other.cost = minimise(model, other.values, 20, stop);
+        held.push_back(other);
         model.unknowns()[unknown].isHeld = false;
         other.cost = minimise(model, other.values, 40, stop);
         minima.push_back(std::move(other));
     }
     const Start lowest = *std::ranges::min_element(minima, {}, &Start::cost);
+    const double scale = std::max(1.0, lowest.cost / static_cast<double>(model.returningCount()));
     if (lowest.cost < fit.cost) {
         fit.values = lowest.values;
         followQuiet(model, fit.values, stop);
         followDispersion(model, fit.values, stop);
         fit = finished(model, fit.values);
     }
-    const double scale = std::max(1.0, lowest.cost / static_cast<double>(model.returningCount()));
-    for (const Start& other : minima)
-        if (std::abs(other.values[gap] - fit.values[gap]) > sameGap &&
-            other.cost < lowest.cost + asLow * scale)
-            fit.others.push_back(other.values);
+    const auto keep = [&](const std::vector<Start>& found, double most, bool areMinima) {
+        for (const Start& other : found) {
+            const double rise = (other.cost - lowest.cost) / scale;
+            if (rise < most && std::abs(other.values[gap] - fit.values[gap]) > sameGap)
+                fit.nearby.push_back({other.values, rise, areMinima});
+        }
+    };
+    keep(minima, mostRiseOfMinimum, true);
+    keep(held, mostRise, false);
 }
 
 void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {

@@ -12,6 +12,13 @@
 
 namespace drillwave {
 
+/// A solution about as good as that of a fit.
+struct NearbySolution {
+    Eigen::VectorXd values;
+    double rise = 0;         ///< of Σr² over the lowest one, in units of its mean
+    bool isMinimum = false;  ///< a minimum of its own; otherwise the best one of another gap
+};
+
 /// Solution of a fit and its linearisation: changes δr of the residuals move the unknowns by −J⁺δr.
 class LawFit {
   public:
@@ -20,8 +27,8 @@ class LawFit {
     TrialLaw law = TrialLaw::bilinear;
     Eigen::VectorXd values;  ///< of the unknowns
     Eigen::VectorXd residuals;
-    double cost = 0;                      ///< Σr²
-    std::vector<Eigen::VectorXd> others;  ///< values of other minima of Σr² that are about as low
+    double cost = 0;  ///< Σr²
+    std::vector<NearbySolution> nearby;
 
     /// Takes the Jacobian at the solution.
     void linearise(RecordModel& model);
@@ -58,8 +65,9 @@ double largestForce(RecordModel& model, const LawFit& fit);
 /// best on, and the weights of the quiet stretch follow what is seen in it.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
-/// Takes the lowest minimum of Σr² about the solution, and keeps the others: a gap, the zero lines and the
-/// stiffness together can explain a record twice.
+/// Takes the lowest minimum of Σr² about the solution. Keeps other minima, and the best solutions for other
+/// gaps: a gap, the zero lines and the stiffness together can explain a record twice, and Σr² rises less
+/// towards another gap than its curvature says.
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
 /// Another law from the solution of the bilinear one; where that fits badly, from several shares of
