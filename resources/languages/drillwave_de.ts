@@ -12877,6 +12877,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>Single blows need no more feed.</source>
         <translation>Einzelne Schläge brauchen nicht mehr Andruck.</translation>
     </message>
+    <message>
+        <source>another solution, as good</source>
+        <translation>eine andere Lösung, ebenso gut</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -12859,7 +12859,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 more covers this blow, %2 more rigid rock.</source>
-        <translation>%1 mer täcker detta slag, %2 mer styvt berg.</translation>
+        <translation>%1 mer täcker detta slag, %2 mer stelt berg.</translation>
     </message>
     <message>
         <source>%1 more covers every gap.</source>
@@ -12867,7 +12867,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 more covers rigid rock.</source>
-        <translation>%1 mer täcker styvt berg.</translation>
+        <translation>%1 mer täcker stelt berg.</translation>
     </message>
     <message>
         <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
@@ -12876,6 +12876,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Single blows need no more feed.</source>
         <translation>Enskilda slag behöver inte mer matning.</translation>
+    </message>
+    <message>
+        <source>another solution, as good</source>
+        <translation>en annan lösning, lika bra</translation>
     </message>
 </context>
 <context>
