@@ -90,11 +90,18 @@ class Listing {
 ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     std::optional<std::string> path;
     std::string kind;
-    for (const std::string& operand : arguments.operands())
-        if (const std::string named = kindOf(operand); !named.empty())
-            kind = named;
-        else
+    for (const std::string& operand : arguments.operands()) {
+        const std::string named = kindOf(operand);
+        if (named.empty() ? path.has_value() : !kind.empty())
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("unexpected argument `%1`; the command takes %2, see "
+                                                    "drillwave %3 --help"),
+                                       {operand, "[KIND] [FILE.yaml]", "presets"}));
+        if (named.empty())
             path = operand;
+        else
+            kind = named;
+    }
     const PresetFile file = presetsOf(path, arguments.style());
     const std::string search = arguments.value("search").value_or("");
     Listing listing(kind, search, arguments.style());

@@ -143,7 +143,9 @@ class Page {
             const std::vector<Message> sentences = thrustSentences(
                 blow().scenario, m_report.thrust->study.feed, m_report.thrust->study.shareFull, m_style);
             // The estimate and its note stand at the top.
-            for (const Message& sentence : sentences | std::views::drop(2)) html += paragraph(sentence);
+            const std::vector<Message> atTop = estimateSentences(blow().scenario, blow().feed, m_style);
+            for (const Message& sentence : sentences)
+                if (std::ranges::find(atTop, sentence) == atTop.end()) html += paragraph(sentence);
             return html;
         }
         return html + paragraph(asSentence(said(m_report.thrustProblem)));

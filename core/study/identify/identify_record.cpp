@@ -62,19 +62,25 @@ std::optional<PreparedRecord> transitChosen(const PreparedRecord& record, const 
     const double unmoved = fit.cost;
     PreparedRecord best = record;
     double least = unmoved;
-    for (const int way : {-1, 1}) {
-        double before = unmoved;
-        for (int step = 1; step <= steps && !stop.stop_requested(); ++step) {
-            PreparedRecord moved = record;
-            moved.transit += way * step * tolerance / 2;
-            RecordModel other(moved, question, sizes, TrialLaw::bilinear);
-            const double cost = fitFromStarts(other, stop).cost;
-            if (cost > before) break;
-            before = cost;
-            if (cost >= least) continue;
-            least = cost;
-            best = std::move(moved);
-        }
+    // Whether the fit with another transit time is better than all before it.
+    const auto isBetter = [&](double transit) {
+        PreparedRecord moved = record;
+        moved.transit = transit;
+        RecordModel other(moved, question, sizes, TrialLaw::bilinear);
+        const double cost = fitFromStarts(other, stop).cost;
+        if (cost >= least) return false;
+        least = cost;
+        best = std::move(moved);
+        return true;
+    };
+    double size = tolerance / 2;
+    for (const int way : {-1, 1})
+        for (int step = 1; step <= steps && !stop.stop_requested(); ++step)
+            if (!isBetter(record.transit + way * step * size)) break;
+    for (int round = 0; round < 3 && !stop.stop_requested(); ++round) {
+        size /= 2;
+        const double middle = best.transit;
+        if (!isBetter(middle - size)) isBetter(middle + size);
     }
     if (least > (1 - explained) * unmoved) return std::nullopt;
     return best;
