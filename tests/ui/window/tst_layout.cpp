@@ -56,6 +56,11 @@ QStringList docksOverThePage(const MainWindow& window) {
     return found;
 }
 
+QStringList problemsOf(const MainWindow& window) {
+    return clippedTexts(window) + cutTabs(window) + flatPlots(window) + overlaps(window) +
+           docksOverThePage(window) + namelessControls(window) + faintTexts(window);
+}
+
 }  // namespace
 
 class TestLayout : public QObject {
@@ -174,9 +179,11 @@ void TestLayout::everythingCanBeReadAndReached() {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         for (int pass = 0; pass < 2; ++pass)
             for (QLayout* each : window.findChildren<QLayout*>()) each->activate();
-        const QStringList found = clippedTexts(window) + cutTabs(window) + flatPlots(window) +
-                                  overlaps(window) + docksOverThePage(window) + namelessControls(window) +
-                                  faintTexts(window);
+        QStringList found = problemsOf(window);
+        if (!found.isEmpty()) {  // a study that ends meanwhile has its words laid out in the next turns
+            QTest::qWait(300);
+            found = problemsOf(window);
+        }
         for (const QString& each : found)
             problems.append(pages->page(page).title() + QStringLiteral(": ") + each);
         if (window.width() > size.width() || window.height() > size.height())
