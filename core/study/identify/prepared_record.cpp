@@ -20,6 +20,7 @@ constexpr double arrivalShare = 0.22;         ///< of the peak: the reflection
 constexpr double longestPairWindow = 1.4e-3;  ///< of two gauges after the reflection [s]
 constexpr double defaultPlaceTolerance = 5e-3;
 constexpr double longestPause = 5e-6;  ///< within f that a line may bridge [s]
+constexpr double bridgedMost = 0.05;   ///< force that a line may bridge for longer, share of the peak
 constexpr double clippedMost = 5e-6;   ///< of the incident wave [s]
 
 std::string microseconds(double seconds) {
@@ -297,21 +298,31 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
             record.remarks.emplace_back("clipped");
         }
     }
-    // A line across a pause is no measurement: within f it drives the model, within b it would be compared.
-    double paused = 0;  // length of the present pause [s]
-    for (std::size_t i = near; i < std::min(to, even.isMissing.size()); ++i) {
-        const double t = record.timeOf(i - from);
-        if (t > record.end) break;
-        paused = even.isMissing[i] ? paused + record.step : 0;
-        if (paused == 0) continue;
-        const bool drives = record.isPair() || t < record.incidentEnd;
-        if (drives && paused > std::max(longestPause, 3.5 * record.step))
-            return refused(
-                std::move(record), "gap",
-                {translatable("samples are missing from %1 to %2; record without a pause"),
-                 {microseconds(record.startTime + t - paused), microseconds(record.startTime + t)}});
-        if (record.isLost.empty()) record.isLost.resize(record.count(), false);
-        if (!drives) record.isLost[i - from] = true;
+    // A line across a pause is no measurement: in f it drives the model, in b it would be compared.
+    const auto missing = [&](std::size_t i) { return i < even.isMissing.size() && even.isMissing[i]; };
+    for (std::size_t i = near; i < to && record.timeOf(i - from) <= record.end; ++i) {
+        if (!missing(i)) continue;
+        std::size_t last = i;
+        while (last + 1 < to && missing(last + 1)) ++last;
+        const double pausedAt = record.timeOf(i - from),
+                     paused = static_cast<double>(last - i + 1) * record.step;
+        const bool drives = record.isPair() || pausedAt < record.incidentEnd;
+        double bridged = 0;  // beside and across the pause
+        for (const PreparedGauge& gauge : record.gauges)
+            for (std::size_t k = i - from - 1; k <= std::min(last - from + 1, gauge.force.size() - 1); ++k)
+                bridged = std::max(bridged, std::abs(gauge.force[k]));
+        if (drives && paused > std::max(longestPause, 3.5 * record.step) &&
+            bridged > bridgedMost * record.peak)
+            return refused(std::move(record), "gap",
+                           {translatable("samples are missing from %1 to %2; record without a pause"),
+                            {microseconds(record.startTime + pausedAt),
+                             microseconds(record.startTime + pausedAt + paused)}});
+        if (!drives) {
+            record.isLost.resize(record.count(), false);
+            for (std::size_t k = i; k <= last && k - from < record.isLost.size(); ++k)
+                record.isLost[k - from] = true;
+        }
+        i = last;
     }
     // Nothing behind the window is looked at again.
     const auto used =
