@@ -188,7 +188,7 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
                                trials.candidates[0].misfit() > strainedBilinear, stop);
         trials.candidates.push_back(candidateOf(name, other, std::move(found), question, sizes, stop));
     };
-    const MisfitFound& misfit = trials.candidates[0].errors.misfit;
+    const MisfitFound misfit = trials.candidates[0].errors.misfit;
     const bool isBent = addNearbyLaws(trials.candidates[0], question, tolerances, {}, stop);
     const UsedUp used = usedUp(*model, trials.candidates[0].fit);
     const bool isOpen =
