@@ -483,12 +483,7 @@ void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop) 
     }
     const Start lowest = *std::ranges::min_element(minima, {}, &Start::cost);
     const double scale = std::max(1.0, lowest.cost / static_cast<double>(model.returningCount()));
-    if (lowest.cost < fit.cost) {
-        fit.values = lowest.values;
-        followQuiet(model, fit.values, stop);
-        followDispersion(model, fit.values, stop);
-        fit = finished(model, fit.values);
-    }
+    if (lowest.cost < fit.cost) fit = finished(model, lowest.values);
     const auto keep = [&](const std::vector<Start>& found, double most, bool areMinima) {
         for (const Start& other : found) {
             const double rise = (other.cost - lowest.cost) / scale;
