@@ -91,7 +91,7 @@ std::string percentOf(double share, const ReadingStyle& style) {
 
 Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {
     if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" ||
-        row.source == "timing" || row.source == "resolution" || row.source == "minimum")
+        row.source == "timing" || row.source == "resolution")
         return {};
     const std::string value = row.unit == "m"     ? shortLength(row.tolerance, 2, style)
                               : row.unit == "m^2" ? style.quantity(row.tolerance, Quantity::area, 2)

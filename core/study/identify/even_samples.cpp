@@ -62,17 +62,25 @@ void averageInGroups(std::vector<double>& values, std::size_t group) {
     values.resize(count);
 }
 
-void interpolateToEven(const std::vector<double>& time, double start, double step, std::size_t count,
-                       std::vector<double>& values) {
-    if (values.empty()) return;
-    std::vector<double> even(count);
+/// Calls `use` with the number of each even time, the time, and the recorded sample before it.
+template <class Use>
+void visitEvenTimes(const std::vector<double>& time, double start, double step, std::size_t count, Use use) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double wanted = start + static_cast<double>(i) * step;
         while (at + 2 < time.size() && time[at + 1] < wanted) ++at;
+        use(i, wanted, at);
+    }
+}
+
+void interpolateToEven(const std::vector<double>& time, double start, double step, std::size_t count,
+                       std::vector<double>& values) {
+    if (values.empty()) return;
+    std::vector<double> even(count);
+    visitEvenTimes(time, start, step, count, [&](std::size_t i, double wanted, std::size_t at) {
         const double share = std::clamp((wanted - time[at]) / (time[at + 1] - time[at]), 0.0, 1.0);
         even[i] = values[at] + share * (values[at + 1] - values[at]);
-    }
+    });
     values = std::move(even);
 }
 
@@ -80,12 +88,9 @@ void interpolateToEven(const std::vector<double>& time, double start, double ste
 std::vector<bool> missingSamples(const std::vector<double>& time, double start, double step,
                                  std::size_t count) {
     std::vector<bool> isMissing(count);
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double wanted = start + static_cast<double>(i) * step;
-        while (at + 2 < time.size() && time[at + 1] < wanted) ++at;
+    visitEvenTimes(time, start, step, count, [&](std::size_t i, double wanted, std::size_t at) {
         isMissing[i] = std::min(std::abs(wanted - time[at]), std::abs(time[at + 1] - wanted)) > 0.75 * step;
-    }
+    });
     return isMissing;
 }
 
