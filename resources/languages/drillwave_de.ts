@@ -4011,10 +4011,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Stelle x/L</translation>
     </message>
     <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
         <source>Bring all curves into view (double-click in the plots)</source>
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
     </message>
@@ -13349,6 +13345,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <source>Copies answer and sentences below it as text</source>
         <translation>Kopiert die Antwort und die Sätze darunter als Text</translation>
     </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::PlotViewMenu</name>
@@ -13991,10 +13991,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Zustand des Gesteins am Zeitcursor, dem größeren Punkt auf dem Weg</translation>
     </message>
     <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
         <source>Shows the whole path (double-click in the plot)</source>
         <translation>Den ganzen Weg ins Bild bringen (Doppelklick im Diagramm)</translation>
     </message>
@@ -14097,10 +14093,6 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
     <message>
         <source>The largest stresses at the section, and when they occur</source>
         <translation>Die größten Spannungen an der Stelle, und wann sie auftreten</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Bring the whole rod into view (double-click in the plot)</source>
@@ -15680,10 +15672,6 @@ Festigkeit</translation>
     <message>
         <source>Value at the pointer</source>
         <translation>Wert am Zeiger</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Bring the whole blow into view (double-click in the picture)</source>

@@ -4011,10 +4011,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Läge x/L</translation>
     </message>
     <message>
-        <source>Fit</source>
-        <translation>Anpassa</translation>
-    </message>
-    <message>
         <source>Bring all curves into view (double-click in the plots)</source>
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
     </message>
@@ -13349,6 +13345,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <source>Copies answer and sentences below it as text</source>
         <translation>Kopierar svaret och meningarna därunder som text</translation>
     </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::PlotViewMenu</name>
@@ -13991,10 +13991,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Bergets tillstånd vid tidsmarkören, den större punkten på banan</translation>
     </message>
     <message>
-        <source>Fit</source>
-        <translation>Anpassa</translation>
-    </message>
-    <message>
         <source>Shows the whole path (double-click in the plot)</source>
         <translation>Visa hela banan (dubbelklick i diagrammet)</translation>
     </message>
@@ -14097,10 +14093,6 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
     <message>
         <source>The largest stresses at the section, and when they occur</source>
         <translation>De största spänningarna i tvärsnittet, och när de uppträder</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Anpassa</translation>
     </message>
     <message>
         <source>Bring the whole rod into view (double-click in the plot)</source>
@@ -15680,10 +15672,6 @@ fastheten</translation>
     <message>
         <source>Value at the pointer</source>
         <translation>Värde vid pekaren</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Anpassa</translation>
     </message>
     <message>
         <source>Bring the whole blow into view (double-click in the picture)</source>

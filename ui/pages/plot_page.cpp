@@ -44,6 +44,14 @@ QPushButton* PlotPage::newButton(const QString& name, const QString& text, const
     return button;
 }
 
+QPushButton* PlotPage::newFitButton(const QString& tip) {
+    constexpr int padding = 16;  // left and right of the word together [px]
+    QPushButton* button = newButton({}, tr("Fit"), tip);
+    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + padding);
+    connect(button, &QPushButton::clicked, this, &PlotPage::fit);
+    return button;
+}
+
 PlotWidget* PlotPage::makePlot() {
     assert(!m_plot);
     m_plot = new PlotWidget(this);

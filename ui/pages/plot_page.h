@@ -31,6 +31,8 @@ class PlotPage : public Page {
     /// Returns the answer as text, for the clipboard.
     virtual QString answerText() const;
     QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
+    /// Makes the button *Fit*, which may become as narrow as its word.
+    QPushButton* newFitButton(const QString& tip);
     /// The page's plot, made by the page once, where it comes in the order of its widgets.
     PlotWidget* makePlot();
     /// Connects a frame that draws in the plot with the window's style, fitting and keyboard.

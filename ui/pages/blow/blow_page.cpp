@@ -117,11 +117,7 @@ QHBoxLayout* BlowPage::makeBar() {
     // Asks for no width: it is there when there is room.
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    auto* fitButton = new QPushButton(tr("Fit"), this);
-    fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
-    constexpr int edges = 16;  // of a button that is only as wide as its word
-    fitButton->setMinimumWidth(fitButton->fontMetrics().horizontalAdvance(fitButton->text()) + edges);
-    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
+    QPushButton* fitButton = newFitButton(tr("Bring all curves into view (double-click in the plots)"));
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
     bar->addWidget(label);

@@ -24,8 +24,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     m_instant->setWordWrap(true);
     m_instant->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_instant->setToolTip(tr("State of the rock at the time cursor, shown by the larger point"));
-    auto* fitButton = new QPushButton(tr("Fit"), this);
-    fitButton->setToolTip(tr("Shows the whole path (double-click in the plot)"));
+    QPushButton* fitButton = newFitButton(tr("Shows the whole path (double-click in the plot)"));
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
@@ -46,7 +45,6 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
         showTime();
         redrawOverlay(*m_plot);
     });
-    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     showTime();
 }
 

@@ -41,9 +41,7 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     m_readout->setContentsMargins(8, 0, 8, 0);
     m_readout->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_readout->setToolTip(tr("The largest stresses at the section, and when they occur"));
-    auto* fitButton = new QPushButton(tr("Fit"), this);
-    fitButton->setToolTip(tr("Bring the whole rod into view (double-click in the plot)"));
-    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
+    QPushButton* fitButton = newFitButton(tr("Bring the whole rod into view (double-click in the plot)"));
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);

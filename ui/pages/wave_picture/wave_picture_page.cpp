@@ -100,11 +100,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_readout->setContentsMargins(8, 0, 8, 0);
     m_readout->setText(QStringLiteral(" "));
-    auto* fitButton = new QPushButton(tr("Fit"), this);
-    fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
-    constexpr int edges = 16;  // of a button that is only as wide as its word
-    fitButton->setMinimumWidth(fitButton->fontMetrics().horizontalAdvance(fitButton->text()) + edges);
-    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
+    QPushButton* fitButton = newFitButton(tr("Bring the whole blow into view (double-click in the picture)"));
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
