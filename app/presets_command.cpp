@@ -43,7 +43,7 @@ const char* usePattern(SectionPresetKind kind) {
     return "";
 }
 
-/// Returns the kind of presets of an operand, "rock" of "rock" or "rocks"; empty for anything else.
+/// Returns the kind of presets that an operand names, "rock" for "rock" and "rocks"; otherwise an empty text.
 std::string kindOf(std::string_view operand) {
     const auto isKind = [&](std::string_view kind) {
         return operand == kind || operand == std::string(kind) + "s";

@@ -463,7 +463,7 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
 }
 
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
-    constexpr double mostRise = 15, mostRiseOfMinimum = 8;  // of Σr²; 8 of three unknowns is 95 %
+    constexpr double mostRise = 15, mostRiseOfMinimum = 8;  // of Σr²; 95 % of three unknowns are below 8
     constexpr double sameGap = 5e-6;                        // [m]
     const std::size_t unknown = model.find(Unknown::Kind::gap);
     const auto gap = static_cast<Index>(unknown);

@@ -18,8 +18,8 @@ class DesignCard : public QTextBrowser {
 
     /// Returns what to do, for a report with a best design; of a study without choices its warning.
     static QString headline(const DesignReport& report, const DesignUnits& units);
-    /// Returns what is to be known beside the headline: its warning, and which other design is as good as the
-    /// one to keep.
+    /// Returns the sentences that follow the headline: its warning, and the design that is as good as the one
+    /// to keep.
     static QStringList besideHeadline(const DesignReport& report, const DesignUnits& units);
     /// The design to change to; nothing where the present one is to stay.
     static std::optional<std::uint64_t> designToLoad(const DesignReport& report);

@@ -107,7 +107,7 @@ class DesignPage : public StudyPage {
     int m_customary = 0;             // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
-    DesignSetup m_setup;                                // of the document, as it was shown last
+    DesignSetup m_setup;                                // set-up of the document when last shown
     bool m_isSetUp = false;                             // the controls are of the document
     std::optional<DesignStudy> m_refined;               // which may take what it needs
     StudyRunner<DesignQuestion, DesignAnswer> m_study;  // goes first: its thread works

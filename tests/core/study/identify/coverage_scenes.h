@@ -19,7 +19,7 @@ struct CoverageRock {
 inline constexpr CoverageRock coverageRocks[] = {
     {60e6, 0.08, 0}, {60e6, 0.2, 0.1e-3},   {60e6, 0.4, 0.25e-3}, {130e6, 0.08, 1e-4}, {130e6, 0.2, 2.5e-4},
     {130e6, 0.4, 0}, {250e6, 0.08, 2.5e-4}, {250e6, 0.2, 0},      {250e6, 0.4, 1e-4}};
-inline constexpr double coverageNoises[] = {0.005, 0.02, 0.05};  // of the peak
+inline constexpr double coverageNoises[] = {0.005, 0.02, 0.05};  // deviation over the peak
 
 /// A blow of 200 kN and 220 µs (sine squared) on a rod, with noise of a colour of addNoise().
 inline GaugeScene coverageScene(const std::string& colour, const CoverageRock& rock, double noise,

@@ -97,7 +97,7 @@ void TestIdentifyOracles::slopeOfTheModelIsThatOfTheClosedForm() {
     };
     at(UnknownKind::gamma) = 0;
     at(UnknownKind::gap) = 0;
-    constexpr double change = 1e-4;  // of ln k
+    constexpr double change = 1e-4;  // step of ln k
     at(UnknownKind::stiffness) = std::log(k) + change;
     model.solved(values);
     const std::vector<double> above = model.modelReturning();
