@@ -12938,6 +12938,17 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::Page</name>
+    <message>
+        <source>Copy answer</source>
+        <translation>Antwort kopieren</translation>
+    </message>
+    <message>
+        <source>Copies answer and sentences below it as text</source>
+        <translation>Kopiert die Antwort und die Sätze darunter als Text</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::PageTabs</name>
     <message>
         <source>THIS BLOW</source>
@@ -13336,14 +13347,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>The present view, as PNG, SVG or PDF</source>
         <translation>Im gegenwärtigen Ausschnitt, als PNG, SVG oder PDF</translation>
-    </message>
-    <message>
-        <source>Copy answer</source>
-        <translation>Antwort kopieren</translation>
-    </message>
-    <message>
-        <source>Copies answer and sentences below it as text</source>
-        <translation>Kopiert die Antwort und die Sätze darunter als Text</translation>
     </message>
     <message>
         <source>Fit</source>

@@ -12938,6 +12938,17 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::Page</name>
+    <message>
+        <source>Copy answer</source>
+        <translation>Kopiera svaret</translation>
+    </message>
+    <message>
+        <source>Copies answer and sentences below it as text</source>
+        <translation>Kopierar svaret och meningarna därunder som text</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::PageTabs</name>
     <message>
         <source>THIS BLOW</source>
@@ -13336,14 +13347,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>The present view, as PNG, SVG or PDF</source>
         <translation>Som den är zoomad, som PNG, SVG eller PDF</translation>
-    </message>
-    <message>
-        <source>Copy answer</source>
-        <translation>Kopiera svaret</translation>
-    </message>
-    <message>
-        <source>Copies answer and sentences below it as text</source>
-        <translation>Kopierar svaret och meningarna därunder som text</translation>
     </message>
     <message>
         <source>Fit</source>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interface of all pages of the window.
+// Interface of all pages of the window, and the answer with which a page begins.
 #pragma once
 
 #include <QWidget>
@@ -7,6 +7,10 @@
 #include "ui/job/solved_blow.h"
 #include "ui/pages/page_export.h"
 #include "ui/runs/runs.h"
+
+class QLabel;
+class QLayout;
+class QPushButton;
 
 namespace drillwave {
 
@@ -67,6 +71,17 @@ class Page : public QWidget {
     void elsewhereRequested();
     /// The user wants one of the exports.
     void exportRequested(const drillwave::PageExport& wanted);
+
+  protected:
+    /// Makes the answer in bold with the button that copies it, once.
+    QLayout* makeAnswer();
+    QLabel* answerLabel() const { return m_answerLabel; }
+    /// Returns the answer as text, for the clipboard.
+    virtual QString answerText() const;
+    QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
+
+  private:
+    QLabel* m_answerLabel = nullptr;
 };
 
 }  // namespace drillwave

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page around one plot, which is what it exports, with its answer as a sentence above it.
+// A page around one plot, which is what it exports.
 #pragma once
 
 #include "ui/pages/page.h"
 
-class QLabel;
-class QLayout;
 class QPushButton;
 
 namespace drillwave {
@@ -25,12 +23,6 @@ class PlotPage : public Page {
     PlotWidget* plot() const { return m_plot; }
 
   protected:
-    /// Makes the answer in bold with the button that copies it, once.
-    QLayout* makeAnswer();
-    QLabel* answerLabel() const { return m_answerLabel; }
-    /// Returns the answer as text, for the clipboard.
-    virtual QString answerText() const;
-    QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
     /// Makes the button *Fit*, which may become as narrow as its word.
     QPushButton* newFitButton(const QString& tip);
     /// The page's plot, made by the page once, where it comes in the order of its widgets.
@@ -45,7 +37,6 @@ class PlotPage : public Page {
     void setLeastLines(int lines);
 
   private:
-    QLabel* m_answerLabel = nullptr;
     PlotWidget* m_plot = nullptr;
     StudyFrame* m_frame = nullptr;
 };

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/blow/string_blow.h"
 #include "core/model/scales.h"
 #include "core/model/section_words.h"
 #include "core/report/strength_words.h"
@@ -45,13 +46,15 @@ StringPage::StringPage(Document& document, QWidget* parent)
     m_words->setObjectName(QStringLiteral("words"));
     m_words->setWordWrap(true);
     m_words->setMargin(4);
-    // Three lines are reserved: nothing jumps.
-    m_words->setMinimumHeight(3 * m_words->fontMetrics().lineSpacing() + 8);
+    // Two lines each are reserved: nothing jumps.
+    m_words->setMinimumHeight(2 * m_words->fontMetrics().lineSpacing() + 8);
     m_words->setToolTip(tr("Stresses of uniform sections: threads and shoulders raise them locally"));
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
+    layout->addLayout(makeAnswer());
+    answerLabel()->setMinimumHeight(2 * answerLabel()->fontMetrics().lineSpacing() + 8);
     layout->addWidget(m_drawing, 2);
     layout->addWidget(m_words);
     layout->addWidget(makeBar());
@@ -154,7 +157,8 @@ void StringPage::setResult(const SolvedBlowPtr& blow) {
 
 void StringPage::say(const QString& refusal) {
     m_refusal = refusal;
-    m_words->setText(refusal.isEmpty() ? sentence() : QStringLiteral("⚠ ") + refusal);
+    showAnswer();
+    if (!refusal.isEmpty()) m_words->setText(QStringLiteral("⚠ ") + refusal);
 }
 
 // "6 rods, 3 couplings, 23.1 m".
@@ -165,24 +169,40 @@ QString StringPage::contents() const {
         m_document.units().text(stringProperties(drill).length, UnitKind::length, 3));
 }
 
-// Describes the string, the section that breaks first, and the places of the largest stresses.
-QString StringPage::sentence() const {
-    const SolvedBlowPtr& blow = m_model->blow();
-    if (blow && !blow->fault.isEmpty()) return tr("Not solved: %1").arg(blow->fault);
-    const std::optional<StringResults>& results = m_model->results();
-    if (m_model->rows().empty()) return {};
-    if (!results || results->rows.empty()) return contents();
+// Returns the places of the largest stresses.
+QString StringPage::largestStresses() const {
+    const StringResults& results = *m_model->results();
     const auto worst = [&](RowPeak RowResult::*peak) {
         const auto size = [peak](const RowResult& row) { return (row.*peak).size; };
-        const auto row = std::ranges::max_element(results->rows, {}, size);
-        const StringRow& section = m_model->rows()[std::size_t(row - results->rows.begin())];
+        const auto row = std::ranges::max_element(results.rows, {}, size);
+        const StringRow& section = m_model->rows()[std::size_t(row - results.rows.begin())];
         return tr("in %1, %2").arg(section.nameAt(((*row).*peak).section), m_model->peakText((*row).*peak));
     };
-    const LocalStyle style = LocalStyle::of(m_document.units());
-    return QStringLiteral("%1. %2\n%3")
-        .arg(contents(), translated(strengthSentence(blow->scenario, results->sections, style)),
-             tr("Largest tension %1; largest compression %2.")
-                 .arg(worst(&RowResult::tension), worst(&RowResult::compression)));
+    return tr("Largest tension %1; largest compression %2.")
+        .arg(worst(&RowResult::tension), worst(&RowResult::compression));
+}
+
+// The answer is the section that breaks first, or while no strength is known, where the stresses are largest.
+void StringPage::showAnswer() {
+    const SolvedBlowPtr& blow = m_model->blow();
+    QStringList sentences;
+    if (blow && !blow->fault.isEmpty()) {
+        sentences << tr("Not solved: %1").arg(blow->fault);
+    } else if (const auto& results = m_model->results(); results && !results->rows.empty()) {
+        const LocalStyle style = LocalStyle::of(m_document.units());
+        sentences << translated(strengthSentence(blow->scenario, results->sections, style))
+                  << largestStresses();
+        const auto uses = strengthUses(blow->scenario, results->sections);
+        if (!mostUsedSection(uses)) std::swap(sentences.front(), sentences.back());
+    }
+    answerLabel()->setText(sentences.value(0));
+    QStringList words = sentences.mid(1);
+    if (!m_model->rows().empty()) words.prepend(contents() + QLatin1Char('.'));
+    m_words->setText(words.join(QLatin1Char(' ')));
+}
+
+QString StringPage::answerText() const {
+    return answerLabel()->text() + QLatin1Char('\n') + m_words->text();
 }
 
 void StringPage::goTo(const SectionAddress& address) {

@@ -45,6 +45,9 @@ class StringPage : public Page {
     /// The user wants the value of that number for a given result.
     void goalRequested(const QString& key);
 
+  protected:
+    QString answerText() const override;
+
   private:
     QWidget* makeBar();
     void offerGoal();
@@ -53,7 +56,8 @@ class StringPage : public Page {
     void showColumns();
     void say(const QString& refusal);
     QString contents() const;
-    QString sentence() const;
+    QString largestStresses() const;
+    void showAnswer();
     QByteArray csv() const;
 
     Document& m_document;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page String in the window: opened, edited, undone by name, saved and read again.
+#include <QClipboard>
 #include <QFile>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -92,6 +94,7 @@ class TestStringPage : public QObject, private WindowFixture {
     StringModel& model() { return *page().model(); }
     Document& document() { return window().document(); }
     QString text(int row, int column) { return model().index(row, column).data().toString(); }
+    QString answer() { return page().findChild<QLabel*>(QStringLiteral("answer"))->text(); }
     QString words() { return page().findChild<QLabel*>(QStringLiteral("words"))->text(); }
     QString undoText() { return document().undoStack().undoText(); }
     void select(int row) { page().edits()->select(model().rows()[std::size_t(row)].spot); }
@@ -183,7 +186,7 @@ void TestStringPage::aStringIsOpenedOnThePageOnShow() {
     settle();
     QVERIFY(window().shown()->isOfString());
     QCOMPARE(window().shown()->fault, QString());
-    QVERIFY(words().contains(QStringLiteral("3rd rod")));
+    QVERIFY2(answer().contains(QStringLiteral("3rd rod")), qPrintable(answer()));
     // Its examples are on the menu, and so is a file of one.
     const QString path = m_folder.filePath(QStringLiteral("a.yaml"));
     QCOMPARE(document().save(path), QString());
@@ -596,13 +599,17 @@ void TestStringPage::thePageSaysWhatTheStringIsAndWhatBreaksFirst() {
     QVERIFY2(words().startsWith(QStringLiteral("3 rods, 3 couplings, 3 other sections, ")),
              qPrintable(words()));
     QVERIFY2(words().contains(QStringLiteral("No section has a strength")), qPrintable(words()));
+    QVERIFY2(answer().startsWith(QStringLiteral("Largest tension in ")), qPrintable(answer()));
     QCOMPARE(text(4, StringModel::strengthShare), noNumber);
     Scenario scenario = document().scenario();
     for (StringPart& part : scenario.drillString.parts)
         for (Section& section : part.sections) section.fatigueStrength = 400e6;
     QCOMPARE(document().useScenario(scenario, QStringLiteral("strengths")), QString());
     settle();
-    QVERIFY2(words().contains(QStringLiteral("First to break: ")), qPrintable(words()));
+    QVERIFY2(answer().startsWith(QStringLiteral("First to break: ")), qPrintable(answer()));
+    QVERIFY2(words().contains(QStringLiteral("Largest tension in ")), qPrintable(words()));
+    page().findChild<QPushButton*>(QStringLiteral("copyAnswer"))->click();
+    QCOMPARE(QGuiApplication::clipboard()->text(), answer() + QLatin1Char('\n') + words());
     QCOMPARE(model().headerData(4, Qt::Vertical).toString(), QStringLiteral("1st to 3rd rod"));
     QCOMPARE(model().headerData(2, Qt::Vertical).toString(), QStringLiteral("adapter"));
     const QString share = text(4, StringModel::strengthShare);
