@@ -37,6 +37,9 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
         throw CommandError(ExitCode::usage,
                            Message(translatable("--goal needs one output; --outputs names %1"),
                                    {std::to_string(columns.size())}));
+    if (word->find('=') != std::string::npos)
+        throw CommandError(ExitCode::usage,
+                           translatable("--goal takes the value alone: --outputs cor --goal 1"));
     const OutputColumn& column = columns.front();
     const Quantity quantity = column.output->siQuantity();
     const bool hasUnit = column.hasUnit();
@@ -201,12 +204,12 @@ std::vector<OptionSpec> curveOptions() {
 
 const Command& curveCommand() {
     static constexpr std::string_view details =
-        "Follows outputs along a parameter by smooth pieces between kinks, which are found where the order\n"
-        "of events changes; no grid is needed. Prints where each output is least and largest, its local\n"
-        "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is "
-        "not\nsmooth within the work permitted, only points of it are known, and the table says so.\n"
-        "--goal asks the other way round: where along KEY the output is X. Prints each place with its\nerror "
-        "and whether there may be others; where there is none, the nearest value.\n"
+        "Follows outputs continuously along a parameter and finds every kink and jump on the way. Prints\n"
+        "where each output is least and largest, its local extremes, kinks, jumps and crossings of the\n"
+        "levels, each with its error. Where an output would take too much computing, only points of it\n"
+        "are known, and the table says so.\n"
+        "--goal X prints the values of KEY at which the output is X, each with its error, and whether\n"
+        "there may be others; where there is none, the nearest value.\n"
         "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
     static const Command command{
         .name = "curve",

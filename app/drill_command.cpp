@@ -139,13 +139,13 @@ const Command& drillCommand() {
         .operands = "FILE",
         .summary = "a sequence of blows under a feed: penetration rate, gap and contact, with errors",
         .details =
-            "Follows blow after blow: waves, motions and the machine on its damper live on between them,\n"
-            "the rock is new for every blow. Prints penetration and rate with their errors, how many blows\n"
-            "start in contact, whether the motion repeats and where the energy goes. FILE needs\n"
-            "drill.blow_frequency and drill.thrust.\n"
-            "Penetrations are upper limits. With --scan the same over a parameter, each value from rest\n"
-            "and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories\n"
-            "histories.csv, and with --plots drilling.png.",
+            "Follows blow after blow: waves, and the motion of the machine on its damper, carry over from one\n"
+            "blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how\n"
+            "many blows start in contact, whether the motion repeats and where the energy goes. FILE needs\n"
+            "drill.blow_frequency and drill.thrust. Penetrations are upper limits.\n"
+            "With --scan the same over a parameter; each value is followed twice, from rest and from bouncing.\n"
+            "DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with --plots\n"
+            "drilling.png.",
         .options = scenarioOptions(
             {shortFor("drill.blows", "blows",
                       "short for --set drill.blows=N (default: 1000, for a scan 300)"),

@@ -102,8 +102,8 @@ const Command& figuresCommand() {
         .summary = "reproduce the figures of the paper; compare each printed number with the exact one",
         .details =
             "DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and\n"
-            "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,\n"
-            "and with k0 = Z/t0, as it defines it.",
+            "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them\n"
+            "(T: time of a wave along the rod), and with k0 = Z/t0, as its text defines it.",
         .options = {{"o", "DIR", "where to write; - prints only discrepancies.csv"},
                     {"plots", "png,svg,pdf", "formats of the figures (default: png,svg)"},
                     {"force", "", "overwrite existing files"},

@@ -109,7 +109,7 @@ const Command& identifyCommand() {
         "Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a\n"
         "string. Prints the values with their 95 % intervals, what limits them, and what to measure better.\n"
         "The bit_rock of FILE is not used, except with --law file.\n"
-        "  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak\n"
+        "  --known gain=+-5% zero=+-1%          of the amplifier; zero in % of the peak\n"
         "  --known gauge=+-2mm                  place of the gauges\n"
         "  --known rod.diameter=+-0.1mm         sizes of gauge's section and of the sections towards the "
         "bit\n"

@@ -141,8 +141,7 @@ std::vector<OptionSpec> rowOptionSpecs() {
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
-             {"o", "FILE.csv",
-              "where to write, with FILE.csv.yaml beside it; - is standard output, as without"},
+             {"o", "FILE.csv", "write FILE.csv, and FILE.csv.yaml beside it; - or no -o prints the rows"},
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})
         options.push_back(option);

@@ -187,7 +187,7 @@ std::vector<OptionSpec> runOptions() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     options.push_back(workLimitSpec());
     for (const OptionSpec& option :
-         {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
+         {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes no files"},
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
           OptionSpec{"si", "", "with -o, CSV columns in SI (default for scenarios with units)"},
           OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless"},

@@ -26,10 +26,10 @@ Message whyNoString(const Scenario& scenario);
 /// with units.
 Scenario oneSectionOf(const Scenario& scenario);
 
-/// Returns the rod as a string of one section under the same force. A piston and a rectangular blow become a
-/// followed hammer: the piston itself; or one of the rod's impedance Z and the length c t0/2, to whole
-/// millimetres, of the same impulse. It is withdrawn once it has separated, as for the uniform rod: then both
-/// forms of a rectangular blow, or of a piston of no larger impedance than the rod, have the same results
+/// Returns the rod as a string of one section under the same force. A piston becomes a hammer whose motion is
+/// simulated. A rectangular blow becomes a hammer of the same impulse, with the impedance Z of the rod and the
+/// length c t0/2, to whole millimetres. The hammer does not strike again once it has separated. So results
+/// are those of the uniform rod for a rectangular blow, and for a piston of no larger impedance than the rod
 /// (theory of strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 

@@ -120,8 +120,8 @@ Real zeroOfFalling(const LocalPolynomial<Real>& p) {
     return high;
 }
 
-/// The same search where one curvature bound is too coarse. The interval is cut until a part is proven free
-/// of zeros or falls through one; a dip that stays within `noise` of zero is none.
+/// The same search for polynomials that one curvature bound does not decide. Cuts the interval until each
+/// part has no zero or one crossing. A dip that stays within `noise` of zero does not count as a zero.
 template <class Real>
 Zero<Real> firstZeroInParts(const Real* c, int count, Real end, Real from, Real noise, long& samples) {
     LocalPolynomial<Real> p;

@@ -123,7 +123,8 @@ PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, 
 /// answer the last before that has one. Requires a solved piece at or before x.
 const FitPiece& pieceAt(std::span<const FitPiece> pieces, double x);
 
-/// Places at which to draw: the ends of solved pieces, but for slivers, and no more than `farthest` apart.
+/// Places at which to draw: the ends of solved pieces, except very short ones, and no more than `farthest`
+/// apart.
 std::vector<double> samplePlaces(std::span<const FitPiece> pieces, double farthest);
 
 }  // namespace drillwave

@@ -169,8 +169,8 @@ Message closedFormInvalid(const Alert& alert, const ReadingStyle& style) {
 
 Message inputDecides(const Alert& alert, const ReadingStyle& style) {
     return {translatable("The bit chatters on the rock (%1 contacts), so e depends on the last digits of the "
-                         "input: no calculation can know it better than to %2. A longer rod, a shorter blow "
-                         "or a softer rock chatters less."),
+                         "input and can be known only to within %2. A longer rod, a shorter blow "
+                         "or a softer rock reduces the chatter."),
             {whole(alert, "contacts"), bound(alert, "cor_error", style)}};
 }
 

@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// A remark as one sentence or two. It must have the arguments that alertsFor(), resultAlerts() or
-/// stressAlerts() give with its code.
+/// Returns the one or two sentences of an alert. `alert` must have the arguments that alertsFor(),
+/// resultAlerts() or stressAlerts() give with its code.
 Message alertMessage(const Alert& alert, const ReadingStyle& style = plainStyle());
 /// The same in the language of the reader.
 std::string alertText(const Alert& alert, const ReadingStyle& style = plainStyle());

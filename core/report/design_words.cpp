@@ -56,8 +56,10 @@ Message bestNames(const DesignReport& report, const DesignNames& names) {
     const BestDesigns& best = report.findings.best;
     constexpr std::size_t enough = 6;
     Message list = names.design(*best.robust);
-    for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
-        list = {translatable("%1 or %2"), {list, names.design(best.ties[i])}};
+    const std::size_t named = std::min(best.ties.size(), enough);
+    for (std::size_t i = 0; i < named; ++i)
+        list = {i + 1 < best.ties.size() ? "%1, %2" : translatable("%1 or %2"),
+                {list, names.design(best.ties[i])}};
     if (best.ties.size() > enough)
         list = {translatable("%1 or %2 others"), {list, std::to_string(best.ties.size() - enough)}};
     return list;

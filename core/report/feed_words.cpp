@@ -85,13 +85,14 @@ class EstimateMessage {
             case FeedState::pushedBack:
             case FeedState::belowRequired:
                 return m_estimate.isOfAllGaps()
-                           ? Message(translatable("%1 more covers this blow, %2 more every gap."),
+                           ? Message(translatable("%1 more feed covers this blow, %2 more covers every gap."),
                                      {more(ofThisBlow), more(largest.thrust)})
-                           : Message(translatable("%1 more covers this blow, %2 more rigid rock."),
-                                     {more(ofThisBlow), more(largest.thrust)});
+                           : Message(
+                                 translatable("%1 more feed covers this blow, %2 more covers rigid rock."),
+                                 {more(ofThisBlow), more(largest.thrust)});
             case FeedState::requiredAtThisGap:
-                return {m_estimate.isOfAllGaps() ? translatable("%1 more covers every gap.")
-                                                 : translatable("%1 more covers rigid rock."),
+                return {m_estimate.isOfAllGaps() ? translatable("%1 more feed covers every gap.")
+                                                 : translatable("%1 more feed covers rigid rock."),
                         {more(largest.thrust)}};
             case FeedState::requiredMet:
                 return {translatable("Single blows need no more feed; from %1 an undamped rod would be back "

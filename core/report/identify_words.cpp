@@ -42,10 +42,10 @@ Message rejectionReason(const RecordAnswer& answer) {
     return hasTwoGauges ? translatable(
                               "The rock follows another law, or the sections towards the bit or the distance "
                               "between the gauges differ from the file: check the bit head and that "
-                              "distance, and look at the residual.")
+                              "distance, then where measured and modelled wave differ.")
                         : translatable(
                               "The rock follows another law, or the sections towards the bit differ from the "
-                              "file: check the bit head, and look at the residual.");
+                              "file: check the bit head, then where measured and modelled wave differ.");
 }
 
 Message identifySentence(const RecordAnswer& answer) {

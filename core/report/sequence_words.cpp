@@ -180,15 +180,16 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
     std::vector<Message> sentences;
     if (comparison->unresolved) {
         const Sequence& unresolved = comparison->unresolved->sequence;
-        sentences.push_back({translatable("The scan cannot resolve a difference: +- %1, because %2."),
-                             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
-                              reasonWords(*unresolved.unresolved)}});
+        sentences.push_back(
+            {translatable("The scan cannot tell the values apart: penetrations are +- %1, because %2."),
+             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
+              reasonWords(*unresolved.unresolved)}});
         sentences.push_back(remedyWords(*unresolved.unresolved, style));
     } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
         sentences.push_back({translatable("All values give the same rate within the errors, %1."),
                              {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
     } else {
-        sentences.push_back({translatable("%1 gives the highest rate, %2%3."),
+        sentences.push_back({translatable("%1 gives the highest rate of the values tried, %2%3."),
                              {settingOf(scan, comparison->best().at, style),
                               penetrationRateText(comparison->best().sequence.penetrationRate, style),
                               gainWords(*comparison, present, style)}});

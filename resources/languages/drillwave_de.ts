@@ -2198,10 +2198,6 @@ Trotzdem löschen?</translation>
         <translation>Derselbe Schlag auf Gestein, das den größten Teil der an ihm geleisteten Arbeit behält. Auf die Kraftspitzen achten: sie steigen wie in Abb. 4 (a), fallen aber zehnmal so schnell (Steigung k/γ, γ = 0,1), so dass das Gestein kürzer zurückdrückt und die Stange langsam zurückprallt: e = 0,407. Drei Viertel der Hammerarbeit bleiben im Gestein.</translation>
     </message>
     <message>
-        <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</source>
-        <translation>Welcher Schlag für Gestein, das niemand gemessen hat? Die Seite Auslegung ansehen: der Schlag, der in diesem Gestein am besten ist, verliert viel in weicherem und stärker federndem Gestein, ein längerer mit derselben Energie weniger. Der Befehl ist `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</translation>
-    </message>
-    <message>
         <source>assumed</source>
         <translation>angenommen</translation>
     </message>
@@ -2760,6 +2756,10 @@ Trotzdem löschen?</translation>
     <message>
         <source>bit head</source>
         <translation>Kronenkopf</translation>
+    </message>
+    <message>
+        <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
+        <translation>Welcher Schlag für Gestein, das niemand gemessen hat? Die Seite Auslegung ansehen: der Schlag, der in diesem Gestein am besten ist, verliert viel in weicherem und stärker federndem Gestein, ein längerer mit derselben Energie weniger. Der Befehl ist `drillwave design piston_for_unknown_rock`; der Block design enthält die Einstellungen dazu.</translation>
     </message>
 </context>
 <context>
@@ -6672,10 +6672,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
         <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1: ihr e = %2 weicht um %3 ab.</translation>
-    </message>
-    <message>
-        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input: no calculation can know it better than to %2. A longer rod, a shorter blow or a softer rock chatters less.</source>
-        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt: keine Rechnung kann es genauer als auf %2 kennen. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein rattert weniger.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -11202,16 +11198,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Der Vorschub ist mit %1 modelliert.</translation>
     </message>
     <message>
-        <source>The scan cannot resolve a difference: +- %1, because %2.</source>
-        <translation>Der Durchlauf kann keinen Unterschied auflösen: +- %1, weil %2.</translation>
-    </message>
-    <message>
         <source>All values give the same rate within the errors, %1.</source>
         <translation>Alle Werte ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
-    </message>
-    <message>
-        <source>%1 gives the highest rate, %2%3.</source>
-        <translation>%1 ergibt die höchste Rate, %2%3.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -12418,14 +12406,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Stange schwingt vor dem Schlag noch nach: einen einzelnen Schlag messen.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, and look at the residual.</source>
-        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen und den Rest ansehen.</translation>
-    </message>
-    <message>
-        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, and look at the residual.</source>
-        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin oder der Abstand der Messstellen voneinander weichen von der Datei ab: den Kronenkopf und diesen Abstand prüfen und das Residuum ansehen.</translation>
-    </message>
-    <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Das Modell stimmt nicht mit der Aufzeichnung überein, daher ist über das Gestein nichts bekannt. %1</translation>
     </message>
@@ -12850,22 +12830,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>stimmt nicht überein</translation>
     </message>
     <message>
-        <source>%1 more covers this blow, %2 more every gap.</source>
-        <translation>%1 mehr decken diesen Schlag ab, %2 mehr jeden Spalt.</translation>
-    </message>
-    <message>
-        <source>%1 more covers this blow, %2 more rigid rock.</source>
-        <translation>%1 mehr decken diesen Schlag ab, %2 mehr starres Gestein.</translation>
-    </message>
-    <message>
-        <source>%1 more covers every gap.</source>
-        <translation>%1 mehr decken jeden Spalt ab.</translation>
-    </message>
-    <message>
-        <source>%1 more covers rigid rock.</source>
-        <translation>%1 mehr decken starres Gestein ab.</translation>
-    </message>
-    <message>
         <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
         <translation>Einzelne Schläge brauchen nicht mehr Andruck; ab %1 wäre eine ungedämpfte Stange vor jedem nächsten Schlag zurück.</translation>
     </message>
@@ -12876,6 +12840,46 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>another solution, as good</source>
         <translation>eine andere Lösung, ebenso gut</translation>
+    </message>
+    <message>
+        <source>--goal takes the value alone: --outputs cor --goal 1</source>
+        <translation>--goal nimmt nur den Wert: --outputs cor --goal 1</translation>
+    </message>
+    <message>
+        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers this blow, %2 more covers every gap.</source>
+        <translation>%1 mehr Andruck decken diesen Schlag ab, %2 mehr jeden Spalt.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers this blow, %2 more covers rigid rock.</source>
+        <translation>%1 mehr Andruck decken diesen Schlag ab, %2 mehr starres Gestein.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers every gap.</source>
+        <translation>%1 mehr Andruck decken jeden Spalt ab.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers rigid rock.</source>
+        <translation>%1 mehr Andruck decken starres Gestein ab.</translation>
+    </message>
+    <message>
+        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, then where measured and modelled wave differ.</source>
+        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin oder der Abstand der Messstellen voneinander weichen von der Datei ab: den Kronenkopf und diesen Abstand prüfen, dann, wo gemessene und berechnete Welle auseinandergehen.</translation>
+    </message>
+    <message>
+        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, then where measured and modelled wave differ.</source>
+        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen, dann, wo gemessene und berechnete Welle auseinandergehen.</translation>
+    </message>
+    <message>
+        <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
+        <translation>Der Durchlauf kann die Werte nicht unterscheiden: Eindringungen sind auf +- %1 bekannt, weil %2.</translation>
+    </message>
+    <message>
+        <source>%1 gives the highest rate of the values tried, %2%3.</source>
+        <translation>%1 ergibt die höchste Rate der berechneten Werte, %2%3.</translation>
     </message>
 </context>
 <context>
@@ -15846,10 +15850,6 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
         <translation>dieses Gestein nehmen</translation>
     </message>
     <message>
-        <source>write the files of the run into DIR; - writes none</source>
-        <translation>die Dateien des Laufs nach DIR schreiben; - schreibt keine</translation>
-    </message>
-    <message>
         <source>with -o, also plots in these formats</source>
         <translation>mit -o auch Diagramme in diesen Formaten</translation>
     </message>
@@ -15897,10 +15897,6 @@ FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind: Version, Befehl, Achsen 
         <translation>nur Teil I von N zusammenhängenden, für `drillwave join`; Kopf nur in Teil 1</translation>
     </message>
     <message>
-        <source>where to write, with FILE.csv.yaml beside it; - is standard output, as without</source>
-        <translation>wohin geschrieben wird, dazu FILE.csv.yaml; - ist die Standardausgabe, wie ohne -o</translation>
-    </message>
-    <message>
         <source>with -o, also pictures in these formats, as in the window</source>
         <translation>mit -o auch Bilder in diesen Formaten, wie im Fenster</translation>
     </message>
@@ -15920,24 +15916,6 @@ CASES darf - oder eine Pipe sein. FILE.csv.yaml neben FILE.csv sagt, was die Zei
     <message>
         <source>follow outputs along a parameter; print extremes, kinks and crossings with errors</source>
         <translation>Ergebnisse entlang eines Parameters: Extreme, Knicke und Schnittpunkte mit Stellen und Fehlern</translation>
-    </message>
-    <message>
-        <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid is needed. Prints where each output is least and largest, its local
-extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
-smooth within the work permitted, only points of it are known, and the table says so.
---goal asks the other way round: where along KEY the output is X. Prints each place with its
-error and whether there may be others; where there is none, the nearest value.
-Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
-        <translation>Verfolgt Ergebnisse entlang eines Parameters in glatten Stücken zwischen Knicken, die sich dort
-finden, wo die Reihenfolge der Ereignisse wechselt; ein Raster ist nicht zu wählen. Sagt, wo jedes
-Ergebnis am kleinsten und am größten ist, und nennt seine lokalen Extreme, Knicke, Sprünge und
-Schnittpunkte mit den gegebenen Werten, jeweils mit Fehler. Wo der erlaubte Aufwand für glatte
-Stücke nicht reicht, ist ein Ergebnis nur von einzelnen Punkten bekannt, und die Tabelle sagt das.
---goal fragt umgekehrt: wo entlang KEY das Ergebnis X ist. Jede Stelle wird durch Lösen bestimmt,
-mit ihrem Fehler, und es wird gesagt, ob es weitere geben kann; wo es keine gibt, was am nächsten
-kommt.
-Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
         <source>parameter to vary: START:STOP or START:STOP:log</source>
@@ -16106,24 +16084,12 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>für wen er ist</translation>
     </message>
     <message>
-        <source>print this date in the report, any text (default: none)</source>
-        <translation>dieses Datum in den Bericht drucken, beliebiger Text (Vorgabe: keines)</translation>
-    </message>
-    <message>
         <source>where to write; - prints the HTML</source>
         <translation>wohin geschrieben wird; - gibt das HTML aus</translation>
     </message>
     <message>
         <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
         <translation>die Abbildungen der Veröffentlichung, und jede dort gedruckte Zahl neben der exakten</translation>
-    </message>
-    <message>
-        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
-index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,
-and with k0 = Z/t0, as it defines it.</source>
-        <translation>DIR bekommt die Daten der Abbildungen 3 bis 8 als CSV, die Abbildungen als Bilder, discrepancies.csv
-und index.html mit allem. Die Kurven des Referenzfalls gibt es mit k0 = Z/(2T), wie die
-Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</translation>
     </message>
     <message>
         <source>where to write; - prints only discrepancies.csv</source>
@@ -16335,10 +16301,6 @@ Zahl der Teile), je einmal da sein und Größe und Prüfsumme ihrer Protokolle h
 fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
     </message>
     <message>
-        <source>leave the plots out, and with them the PDF: works without the window</source>
-        <translation>die Diagramme und damit das PDF weglassen: geht ohne das Fenster</translation>
-    </message>
-    <message>
         <source>list the built-in scenarios, print those of NAME, or write them into a folder</source>
         <translation>eingebaute Szenarien auflisten, die von NAME ausgeben oder in einen Ordner schreiben</translation>
     </message>
@@ -16349,22 +16311,6 @@ fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
     <message>
         <source>a sequence of blows under a feed: penetration rate, gap and contact, with errors</source>
         <translation>eine Schlagfolge unter einem Vorschub: Bohrfortschritt, Spalt und Kontakt, mit Fehlern</translation>
-    </message>
-    <message>
-        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
-the rock is new for every blow. Prints penetration and rate with their errors, how many blows
-start in contact, whether the motion repeats and where the energy goes. FILE needs
-drill.blow_frequency and drill.thrust.
-Penetrations are upper limits. With --scan the same over a parameter, each value from rest
-and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
-histories.csv, and with --plots drilling.png.</source>
-        <translation>Verfolgt Schlag auf Schlag: Wellen, Bewegungen und die Maschine auf ihrem Dämpfer wirken von einem
-zum nächsten weiter, das Gestein ist für jeden Schlag neu. Gibt Eindringung und Bohrfortschritt mit
-ihren Fehlern aus, wie viele Schläge im Kontakt beginnen, ob sich die Bewegung wiederholt und wohin
-die Energie geht. FILE braucht drill.blow_frequency und drill.thrust. Eindringungen sind obere
-Grenzen. Mit --scan dasselbe über einem Parameter, jeder Wert aus der Ruhe und aus dem Springen. DIR
-bekommt scenario.yaml, summary.json, blows.csv, mit --histories histories.csv und mit --plots
-drilling.png.</translation>
     </message>
     <message>
         <source>take the blow from a record; the options below say how it is read</source>
@@ -16611,30 +16557,6 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>Gesteinseigenschaften aus Dehnungsmessstreifen, mit ihrer Unsicherheit</translation>
     </message>
     <message>
-        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
-string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
-The bit_rock of FILE is not used, except with --law file.
-  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak
-  --known gauge=+-2mm                  place of the gauges
-  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
-Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
-match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
-Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
-Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
-        <translation>Liest Steifigkeit, gamma und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange oder auf
-der letzten Stange eines Strangs. Gibt die Werte mit ihren 95&#xa0;%-Intervallen aus, was sie begrenzt
-und was besser zu messen ist. bit_rock von FILE wird nicht verwendet, außer mit --law file.
-  --known gain=+-5% zero=+-1%          des Verstärkers, in Anteilen der Spitze
-  --known gauge=+-2mm                  Ort der Messstellen
-  --known rod.diameter=+-0.1mm         Maße des Abschnitts der Messstelle und derer zur Krone hin
-Aufzeichnungen werden wie von `signal` gelesen. DIR erhält identified.yaml, posterior.csv (für
-design --draws), match.csv, force_penetration.csv, incident.csv, identify.json und bei mehreren
-Aufzeichnungen records.csv.
-Exit-Code 0, wenn Steifigkeit oder gamma bekannt ist, 6, wenn das Modell verworfen wird oder keines
-von beiden bekannt ist.
-Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
-    </message>
-    <message>
         <source>also write tables, draws and the identified scenario into DIR</source>
         <translation>auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
     </message>
@@ -16653,10 +16575,6 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
     <message>
         <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
         <translation>eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
-    </message>
-    <message>
-        <source>fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
-        <translation>auto, bilinear oder corner anpassen; file prüft das Gestein von FILE (Vorgabe: auto)</translation>
     </message>
     <message>
         <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
@@ -16805,6 +16723,92 @@ adapter, coupling oder bit. Ein Befehl nimmt sie mit --rod NAME,
 --hammer NAME und --rock NAME; der Anfang eines Namens genügt, wo nur einer ihn hat. Kolben,
 Einsteckenden, Kupplungsmuffen und Bohrkronen sind Teile von Bohrsträngen, die auf der Seite Strang
 des Fensters eingesetzt werden.</translation>
+    </message>
+    <message>
+        <source>write the files of the run into DIR; - writes no files</source>
+        <translation>die Dateien des Laufs nach DIR schreiben; - schreibt keine Dateien</translation>
+    </message>
+    <message>
+        <source>write FILE.csv, and FILE.csv.yaml beside it; - or no -o prints the rows</source>
+        <translation>FILE.csv und daneben FILE.csv.yaml schreiben; - oder kein -o gibt die Zeilen aus</translation>
+    </message>
+    <message>
+        <source>Follows outputs continuously along a parameter and finds every kink and jump on the way. Prints
+where each output is least and largest, its local extremes, kinks, jumps and crossings of the
+levels, each with its error. Where an output would take too much computing, only points of it
+are known, and the table says so.
+--goal X prints the values of KEY at which the output is X, each with its error, and whether
+there may be others; where there is none, the nearest value.
+Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Verfolgt Ergebnisse stetig entlang eines Parameters und findet jeden Knick und Sprung. Sagt, wo jedes
+Ergebnis am kleinsten und am größten ist, und nennt seine lokalen Extreme, Knicke, Sprünge und
+Schnittpunkte mit den gegebenen Werten, jeweils mit Fehler. Wo ein Ergebnis zu viel Rechnung
+brauchte, ist es nur von einzelnen Punkten bekannt, und die Tabelle sagt das.
+--goal X nennt die Werte von KEY, bei denen das Ergebnis X ist, mit ihrem Fehler und ob es weitere
+geben kann; wo es keine gibt, was am nächsten kommt.
+Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+    </message>
+    <message>
+        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
+string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
+The bit_rock of FILE is not used, except with --law file.
+  --known gain=+-5% zero=+-1%          of the amplifier; zero in % of the peak
+  --known gauge=+-2mm                  place of the gauges
+  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
+Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
+match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
+Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
+Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
+        <translation>Liest Steifigkeit, gamma und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange oder auf
+der letzten Stange eines Strangs. Gibt die Werte mit ihren 95&#xa0;%-Intervallen aus, was sie begrenzt
+und was besser zu messen ist. bit_rock von FILE wird nicht verwendet, außer mit --law file.
+  --known gain=+-5% zero=+-1%          des Verstärkers; zero in % der Spitze
+  --known gauge=+-2mm                  Ort der Messstellen
+  --known rod.diameter=+-0.1mm         Maße des Abschnitts der Messstelle und derer zur Krone hin
+Aufzeichnungen werden wie von `signal` gelesen. DIR erhält identified.yaml, posterior.csv (für
+design --draws), match.csv, force_penetration.csv, incident.csv, identify.json und bei mehreren
+Aufzeichnungen records.csv.
+Exit-Code 0, wenn Steifigkeit oder gamma bekannt ist, 6, wenn das Modell verworfen wird oder keines
+von beiden bekannt ist.
+Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
+    </message>
+    <message>
+        <source>law to fit: auto, bilinear or corner; with file, the law of FILE is tested (default: auto)</source>
+        <translation>Gesetz, das angepasst wird: auto, bilinear oder corner; mit file wird das Gesetz von FILE geprüft (Vorgabe: auto)</translation>
+    </message>
+    <message>
+        <source>date printed in the report, any text (default: none)</source>
+        <translation>Datum, das im Bericht steht, beliebiger Text (Vorgabe: keines)</translation>
+    </message>
+    <message>
+        <source>write no plots and no PDF; needs no display</source>
+        <translation>keine Diagramme und kein PDF schreiben; braucht keinen Bildschirm</translation>
+    </message>
+    <message>
+        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
+index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them
+(T: time of a wave along the rod), and with k0 = Z/t0, as its text defines it.</source>
+        <translation>DIR bekommt die Daten der Abbildungen 3 bis 8 als CSV, die Abbildungen als Bilder, discrepancies.csv
+und index.html mit allem. Die Kurven des Referenzfalls gibt es mit k0 = Z/(2T), wie die
+Veröffentlichung sie zeichnet (T: Laufzeit einer Welle durch die Stange), und mit k0 = Z/t0, wie ihr
+Text es definiert.</translation>
+    </message>
+    <message>
+        <source>Follows blow after blow: waves, and the motion of the machine on its damper, carry over from one
+blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how
+many blows start in contact, whether the motion repeats and where the energy goes. FILE needs
+drill.blow_frequency and drill.thrust. Penetrations are upper limits.
+With --scan the same over a parameter; each value is followed twice, from rest and from bouncing.
+DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with --plots
+drilling.png.</source>
+        <translation>Verfolgt Schlag auf Schlag: Wellen und die Bewegung der Maschine auf ihrem Dämpfer gehen von
+einem in den nächsten über; jeder Schlag trifft neues Gestein. Gibt Eindringung und Bohrfortschritt mit
+ihren Fehlern aus, wie viele Schläge im Kontakt beginnen, ob sich die Bewegung wiederholt und wohin
+die Energie geht. FILE braucht drill.blow_frequency und drill.thrust. Eindringungen sind obere
+Grenzen. Mit --scan dasselbe über einem Parameter; jeder Wert wird zweimal verfolgt, aus
+der Ruhe und aus dem Springen. DIR
+bekommt scenario.yaml, summary.json, blows.csv, mit --histories histories.csv und mit --plots
+drilling.png.</translation>
     </message>
 </context>
 </TS>

@@ -2198,10 +2198,6 @@ Ta bort ändå?</translation>
         <translation>Samma slag på berg som behåller det mesta av det arbete som uträttas på det. Se på krafttopparna: de stiger som i fig. 4 (a) men faller tio gånger snabbare (lutning k/γ, γ = 0,1), så att berget trycker tillbaka under en kortare tid och stången studsar långsamt: e = 0,407. Tre fjärdedelar av hammarens arbete stannar i berget.</translation>
     </message>
     <message>
-        <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</source>
-        <translation>Vilket slag för berg som ingen har mätt? Se på sidan Konstruktion: det slag som är bäst i detta berg förlorar mycket i mjukare och mer fjädrande berg, ett längre med samma energi mindre. Kommandot är `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</translation>
-    </message>
-    <message>
         <source>assumed</source>
         <translation>antaget</translation>
     </message>
@@ -2760,6 +2756,10 @@ Ta bort ändå?</translation>
     <message>
         <source>bit head</source>
         <translation>kronhuvud</translation>
+    </message>
+    <message>
+        <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
+        <translation>Vilket slag för berg som ingen har mätt? Se på sidan Konstruktion: det slag som är bäst i detta berg förlorar mycket i mjukare och mer fjädrande berg, ett längre med samma energi mindre. Kommandot är `drillwave design piston_for_unknown_rock`; blocket design innehåller dess inställningar.</translation>
     </message>
 </context>
 <context>
@@ -6672,10 +6672,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
         <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1: dess e = %2 avviker med %3.</translation>
-    </message>
-    <message>
-        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input: no calculation can know it better than to %2. A longer rod, a shorter blow or a softer rock chatters less.</source>
-        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror: ingen beräkning kan känna det bättre än på %2 när. En längre stång, ett kortare slag eller mjukare berg skallrar mindre.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -11202,16 +11198,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Matningen är modellerad som %1.</translation>
     </message>
     <message>
-        <source>The scan cannot resolve a difference: +- %1, because %2.</source>
-        <translation>Svepet kan inte lösa upp någon skillnad: +- %1, eftersom %2.</translation>
-    </message>
-    <message>
         <source>All values give the same rate within the errors, %1.</source>
         <translation>Alla värden ger samma borrsjunkning inom felen, %1.</translation>
-    </message>
-    <message>
-        <source>%1 gives the highest rate, %2%3.</source>
-        <translation>%1 ger den högsta takten, %2%3.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -12418,14 +12406,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Stången svänger fortfarande före slaget: mät ett enstaka slag.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, and look at the residual.</source>
-        <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och se på resten.</translation>
-    </message>
-    <message>
-        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, and look at the residual.</source>
-        <translation>Berget följer en annan lag, eller sektionerna mot kronan eller avståndet mellan givarna avviker från filen: kontrollera kronhuvudet och det avståndet, och titta på residualen.</translation>
-    </message>
-    <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Modellen stämmer inte med mätningen, så inget är känt om berget. %1</translation>
     </message>
@@ -12850,22 +12830,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>stämmer inte</translation>
     </message>
     <message>
-        <source>%1 more covers this blow, %2 more every gap.</source>
-        <translation>%1 mer täcker detta slag, %2 mer varje spalt.</translation>
-    </message>
-    <message>
-        <source>%1 more covers this blow, %2 more rigid rock.</source>
-        <translation>%1 mer täcker detta slag, %2 mer stelt berg.</translation>
-    </message>
-    <message>
-        <source>%1 more covers every gap.</source>
-        <translation>%1 mer täcker varje spalt.</translation>
-    </message>
-    <message>
-        <source>%1 more covers rigid rock.</source>
-        <translation>%1 mer täcker stelt berg.</translation>
-    </message>
-    <message>
         <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
         <translation>Enskilda slag behöver inte mer matning; från %1 vore en odämpad stång tillbaka före varje nästa slag.</translation>
     </message>
@@ -12876,6 +12840,46 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>another solution, as good</source>
         <translation>en annan lösning, lika bra</translation>
+    </message>
+    <message>
+        <source>--goal takes the value alone: --outputs cor --goal 1</source>
+        <translation>--goal tar bara värdet: --outputs cor --goal 1</translation>
+    </message>
+    <message>
+        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers this blow, %2 more covers every gap.</source>
+        <translation>%1 mer matning täcker detta slag, %2 mer täcker varje spalt.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers this blow, %2 more covers rigid rock.</source>
+        <translation>%1 mer matning täcker detta slag, %2 mer täcker stelt berg.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers every gap.</source>
+        <translation>%1 mer matning täcker varje spalt.</translation>
+    </message>
+    <message>
+        <source>%1 more feed covers rigid rock.</source>
+        <translation>%1 mer matning täcker stelt berg.</translation>
+    </message>
+    <message>
+        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, then where measured and modelled wave differ.</source>
+        <translation>Berget följer en annan lag, eller sektionerna mot kronan eller avståndet mellan givarna avviker från filen: kontrollera kronhuvudet och det avståndet, och därefter var uppmätt och beräknad våg skiljer sig åt.</translation>
+    </message>
+    <message>
+        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, then where measured and modelled wave differ.</source>
+        <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och därefter var uppmätt och beräknad våg skiljer sig åt.</translation>
+    </message>
+    <message>
+        <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
+        <translation>Svepet kan inte skilja värdena åt: inträngningarna är kända på +- %1, eftersom %2.</translation>
+    </message>
+    <message>
+        <source>%1 gives the highest rate of the values tried, %2%3.</source>
+        <translation>%1 ger den högsta takten av de beräknade värdena, %2%3.</translation>
     </message>
 </context>
 <context>
@@ -15845,10 +15849,6 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
         <translation>ta detta berg</translation>
     </message>
     <message>
-        <source>write the files of the run into DIR; - writes none</source>
-        <translation>skriv körningens filer till DIR; - skriver inga</translation>
-    </message>
-    <message>
         <source>with -o, also plots in these formats</source>
         <translation>med -o: även diagram i dessa format</translation>
     </message>
@@ -15895,10 +15895,6 @@ FILE.csv.yaml bredvid FILE.csv anger vad raderna är: version, kommando, axlar o
         <translation>bara del I av N sammanhängande delar, för `drillwave join`; huvud bara i del 1</translation>
     </message>
     <message>
-        <source>where to write, with FILE.csv.yaml beside it; - is standard output, as without</source>
-        <translation>vart raderna skrivs, med FILE.csv.yaml bredvid; - är standard ut, liksom utan -o</translation>
-    </message>
-    <message>
         <source>with -o, also pictures in these formats, as in the window</source>
         <translation>med -o: även bilder i dessa format, som i fönstret</translation>
     </message>
@@ -15918,22 +15914,6 @@ raderna är.</translation>
     <message>
         <source>follow outputs along a parameter; print extremes, kinks and crossings with errors</source>
         <translation>resultat längs en parameter: extremvärden, knäckar och korsningar med lägen och fel</translation>
-    </message>
-    <message>
-        <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid is needed. Prints where each output is least and largest, its local
-extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
-smooth within the work permitted, only points of it are known, and the table says so.
---goal asks the other way round: where along KEY the output is X. Prints each place with its
-error and whether there may be others; where there is none, the nearest value.
-Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
-        <translation>Följer resultat längs en parameter i släta stycken mellan knäckar, som hittas där händelsernas
-ordning ändras; inget rutnät behöver väljas. Anger var varje resultat är minst och störst, dess
-lokala extremvärden, knäckar, språng och korsningar av nivåerna, allt med sitt fel. Där ett resultat
-inte är slätt inom det tillåtna arbetet är det känt bara i enstaka punkter, och tabellen säger det.
---goal frågar åt andra hållet: var längs KEY resultatet är X. Varje ställe beräknas, med sitt fel,
-och det anges om det kan finnas fler; där inget finns, vad som kommer närmast.
-Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
         <source>parameter to vary: START:STOP or START:STOP:log</source>
@@ -16102,24 +16082,12 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>vem den är avsedd för</translation>
     </message>
     <message>
-        <source>print this date in the report, any text (default: none)</source>
-        <translation>skriv detta datum i rapporten, valfri text (standard: inget)</translation>
-    </message>
-    <message>
         <source>where to write; - prints the HTML</source>
         <translation>vart rapporten skrivs; - skriver ut HTML-texten</translation>
     </message>
     <message>
         <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
         <translation>artikelns figurer, och varje tal som den trycker bredvid det exakta</translation>
-    </message>
-    <message>
-        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
-index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,
-and with k0 = Z/t0, as it defines it.</source>
-        <translation>DIR får data till fig. 3 till 8 som CSV, figurerna som bilder, discrepancies.csv och index.html med
-alltsammans. Referenskurvorna finns med både k0 = Z/(2T), som artikeln ritar dem med, och
-k0 = Z/t0, som artikeln definierar det.</translation>
     </message>
     <message>
         <source>where to write; - prints only discrepancies.csv</source>
@@ -16330,10 +16298,6 @@ och ha protokollens storlek och kontrollsumma: det som saknas, är dubbelt, frä
 nämns, med avslutningskod 5.</translation>
     </message>
     <message>
-        <source>leave the plots out, and with them the PDF: works without the window</source>
-        <translation>utelämna diagrammen och därmed PDF-filen: fungerar utan fönstret</translation>
-    </message>
-    <message>
         <source>list the built-in scenarios, print those of NAME, or write them into a folder</source>
         <translation>lista de inbyggda scenarierna, skriva ut dem som NAME anger eller skriva dem i en mapp</translation>
     </message>
@@ -16344,21 +16308,6 @@ nämns, med avslutningskod 5.</translation>
     <message>
         <source>a sequence of blows under a feed: penetration rate, gap and contact, with errors</source>
         <translation>en slagföljd under en matning: borrsjunkning, spalt och kontakt, med fel</translation>
-    </message>
-    <message>
-        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
-the rock is new for every blow. Prints penetration and rate with their errors, how many blows
-start in contact, whether the motion repeats and where the energy goes. FILE needs
-drill.blow_frequency and drill.thrust.
-Penetrations are upper limits. With --scan the same over a parameter, each value from rest
-and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
-histories.csv, and with --plots drilling.png.</source>
-        <translation>Följer slag efter slag: vågor, rörelser och maskinen på sin dämpare lever vidare mellan slagen,
-berget är nytt för varje slag. Skriver inträngning och borrsjunkning med sina fel, hur många slag som
-börjar i kontakt, om rörelsen upprepar sig och vart energin tar vägen. FILE behöver
-drill.blow_frequency och drill.thrust. Inträngningar är övre gränser. Med --scan detsamma över en
-parameter, varje värde från vila och från studsande. DIR får scenario.yaml, summary.json, blows.csv,
-med --histories histories.csv och med --plots drilling.png.</translation>
     </message>
     <message>
         <source>take the blow from a record; the options below say how it is read</source>
@@ -16605,28 +16554,6 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>bergets egenskaper från töjningsgivare, med deras osäkerhet</translation>
     </message>
     <message>
-        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
-string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
-The bit_rock of FILE is not used, except with --law file.
-  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak
-  --known gauge=+-2mm                  place of the gauges
-  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
-Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
-match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
-Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
-Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
-        <translation>Läser bergets styvhet, gamma och spalt från töjningsgivare på stången eller på den sista stången i
-en sträng. Skriver ut värdena med deras 95&#xa0;%-intervall, vad som begränsar dem och vad som bör mätas
-bättre. bit_rock i FILE används inte, utom med --law file.
-  --known gain=+-5% zero=+-1%          för förstärkaren, i andelar av toppen
-  --known gauge=+-2mm                  givarnas plats
-  --known rod.diameter=+-0.1mm         mått på givarens sektion och på sektionerna mot kronan
-Mätningar läses som av `signal`. DIR får identified.yaml, posterior.csv (för design --draws),
-match.csv, force_penetration.csv, incident.csv, identify.json och, för flera mätningar, records.csv.
-Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen av dem är känd.
-Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
-    </message>
-    <message>
         <source>also write tables, draws and the identified scenario into DIR</source>
         <translation>skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
     </message>
@@ -16645,10 +16572,6 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
     <message>
         <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
         <translation>använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
-    </message>
-    <message>
-        <source>fit auto, bilinear or corner; file checks the rock of FILE (default: auto)</source>
-        <translation>anpassa auto, bilinear eller corner; file prövar berget i FILE (standard: auto)</translation>
     </message>
     <message>
         <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
@@ -16795,6 +16718,87 @@ adapters, couplings and bits are pieces of drill strings, to be put in on the pa
 adapter, coupling eller bit. Ett kommando tar dem med --rod NAME, --hammer NAME
 och --rock NAME; början av ett namn räcker där bara ett börjar så. Kolvar, nackadaptrar, skarvhylsor
 och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida Sträng.</translation>
+    </message>
+    <message>
+        <source>write the files of the run into DIR; - writes no files</source>
+        <translation>skriv körningens filer till DIR; - skriver inga filer</translation>
+    </message>
+    <message>
+        <source>write FILE.csv, and FILE.csv.yaml beside it; - or no -o prints the rows</source>
+        <translation>skriv FILE.csv och FILE.csv.yaml bredvid; - eller inget -o skriver ut raderna</translation>
+    </message>
+    <message>
+        <source>Follows outputs continuously along a parameter and finds every kink and jump on the way. Prints
+where each output is least and largest, its local extremes, kinks, jumps and crossings of the
+levels, each with its error. Where an output would take too much computing, only points of it
+are known, and the table says so.
+--goal X prints the values of KEY at which the output is X, each with its error, and whether
+there may be others; where there is none, the nearest value.
+Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Följer resultat kontinuerligt längs en parameter och hittar varje knäck och språng. Anger var varje
+resultat är minst och störst, dess lokala extremvärden, knäckar, språng och korsningar av nivåerna,
+allt med sitt fel. Där ett resultat skulle kräva för mycket beräkning är det känt bara i enstaka
+punkter, och tabellen säger det.
+--goal X skriver de värden på KEY där resultatet är X, med deras fel och om det kan finnas fler;
+där inget finns, vad som kommer närmast.
+Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+    </message>
+    <message>
+        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
+string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
+The bit_rock of FILE is not used, except with --law file.
+  --known gain=+-5% zero=+-1%          of the amplifier; zero in % of the peak
+  --known gauge=+-2mm                  place of the gauges
+  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
+Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
+match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
+Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
+Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
+        <translation>Läser bergets styvhet, gamma och spalt från töjningsgivare på stången eller på den sista stången i
+en sträng. Skriver ut värdena med deras 95&#xa0;%-intervall, vad som begränsar dem och vad som bör mätas
+bättre. bit_rock i FILE används inte, utom med --law file.
+  --known gain=+-5% zero=+-1%          för förstärkaren; zero i % av toppen
+  --known gauge=+-2mm                  givarnas plats
+  --known rod.diameter=+-0.1mm         mått på givarens sektion och på sektionerna mot kronan
+Mätningar läses som av `signal`. DIR får identified.yaml, posterior.csv (för design --draws),
+match.csv, force_penetration.csv, incident.csv, identify.json och, för flera mätningar, records.csv.
+Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen av dem är känd.
+Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
+    </message>
+    <message>
+        <source>law to fit: auto, bilinear or corner; with file, the law of FILE is tested (default: auto)</source>
+        <translation>lag som anpassas: auto, bilinear eller corner; med file prövas lagen i FILE (standard: auto)</translation>
+    </message>
+    <message>
+        <source>date printed in the report, any text (default: none)</source>
+        <translation>datum som står i rapporten, valfri text (standard: inget)</translation>
+    </message>
+    <message>
+        <source>write no plots and no PDF; needs no display</source>
+        <translation>skriv inga diagram och ingen PDF; behöver ingen skärm</translation>
+    </message>
+    <message>
+        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
+index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them
+(T: time of a wave along the rod), and with k0 = Z/t0, as its text defines it.</source>
+        <translation>DIR får data till fig. 3 till 8 som CSV, figurerna som bilder, discrepancies.csv och index.html med
+alltsammans. Referenskurvorna finns med både k0 = Z/(2T), som artikeln ritar dem med (T: en vågs tid längs
+stången), och k0 = Z/t0, som artikelns text definierar det.</translation>
+    </message>
+    <message>
+        <source>Follows blow after blow: waves, and the motion of the machine on its damper, carry over from one
+blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how
+many blows start in contact, whether the motion repeats and where the energy goes. FILE needs
+drill.blow_frequency and drill.thrust. Penetrations are upper limits.
+With --scan the same over a parameter; each value is followed twice, from rest and from bouncing.
+DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with --plots
+drilling.png.</source>
+        <translation>Följer slag efter slag: vågor och maskinens rörelse på dämparen går vidare från ett slag till
+nästa; varje slag möter nytt berg. Skriver inträngning och borrsjunkning med sina fel, hur många slag som
+börjar i kontakt, om rörelsen upprepar sig och vart energin tar vägen. FILE behöver
+drill.blow_frequency och drill.thrust. Inträngningar är övre gränser. Med --scan detsamma över en
+parameter; varje värde följs två gånger, från vila och från studsande. DIR får scenario.yaml, summary.json, blows.csv,
+med --histories histories.csv och med --plots drilling.png.</translation>
     </message>
 </context>
 </TS>

@@ -175,7 +175,7 @@ void TestDrill::aScanTellsEveryValue() {
     const QByteArray text = output(words);
     QVERIFY(text.contains("pushed_back") &&
             text.contains("Friction, rotation and buckling are not modelled."));
-    QVERIFY2(text.contains("A feed of 8 kN gives the highest rate, "), text.constData());
+    QVERIFY2(text.contains("A feed of 8 kN gives the highest rate of the values tried, "), text.constData());
     const auto rows = rowsOf(read(path));
     QVERIFY(rows.size() >= 4);
     QVERIFY(rows[0].join(',').startsWith("drill.thrust [kN],start,drill_gap_mean [m],"));

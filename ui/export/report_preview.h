@@ -21,7 +21,7 @@ namespace drillwave {
 /// if the user wants one.
 ReportHead rememberedHead();
 
-/// A separate window, which stays open during the work.
+/// A separate window, which stays open while the scenario is edited.
 class ReportPreview : public QWidget {
     Q_OBJECT
 

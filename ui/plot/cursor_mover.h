@@ -23,7 +23,7 @@ class CursorMover {
     void drag(PlotCursor cursor, double pixel);
     /// Puts a cursor at a point, or in the middle if there is none or it is beside the axes.
     void placeAt(PlotCursor cursor, std::optional<QPoint> at);
-    /// Moves the cursor moved last.
+    /// Moves the cursor that was moved last.
     void step(double pixels);
 
   private:

@@ -99,7 +99,7 @@ class ResultPanel : public SteadyScrollArea {
     void changeEvent(QEvent* event) override;
 
   private:
-    /// `name`: of the object and of its key in the settings.
+    /// Adds a section that folds; `name` is that of its object and of its key in the settings.
     SectionBox* addSection(const QString& title, const char* name);
     void addNumbers(const QString& title, const char* name, const QList<ResultEntry>& entries);
     void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);

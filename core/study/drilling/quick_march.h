@@ -6,7 +6,7 @@
 
 namespace drillwave {
 
-/// Work of a core in a second, on a machine of usual speed [cells times nodes].
+/// Work of a core in a second, on a typical computer [cells times nodes].
 inline constexpr double workOfSecond = 2e7;
 
 /// Returns the usual length of a sequence in the window: the blows of the scenario; by default 300, of which
@@ -19,7 +19,7 @@ DrillingRequest quickWants();
 /// Way of following a sequence that was not requested.
 struct QuickMarch {
     DrillingSettings settings;
-    double seconds = 0;        ///< that it takes, on a machine of usual speed
+    double seconds = 0;        ///< that it takes, on a typical computer
     bool isWithinTime = true;  ///< otherwise it has the fewest blows and is followed on request
 };
 

@@ -14,7 +14,7 @@ namespace drillwave {
 
 enum class OutputUnits { dimensionless, si };
 
-/// Output of files §4 as a CSV column.
+/// CSV column of one output (manual, files §4).
 struct OutputColumn {
     const Output* output = nullptr;  ///< of outputs()
     OutputUnits units = OutputUnits::dimensionless;

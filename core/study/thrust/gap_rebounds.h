@@ -48,7 +48,7 @@ GapRebound worstOf(const GapCurve& elastic);
 /// object per thread; results do not depend on earlier calls.
 class GapReboundFinder {
   public:
-    /// Limits the wave pieces of a curve: with more, it has no result.
+    /// Sets the most wave pieces of a curve: one that needs more has no result.
     explicit GapReboundFinder(long mostPieces = anyNumberOfPieces) : m_mostPieces(mostPieces) {}
 
     /// Returns the rebounds of the problem, whatever its gap.

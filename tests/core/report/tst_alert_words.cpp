@@ -102,9 +102,9 @@ const std::vector<Example>& examples() {
          "The closed form for elastic rock does not apply, because the bit is still on the rock when the "
          "next reflection arrives: its e = 0.5 has an error of 0.125."},
         {{warning, AlertCode::inputDecides, "", {{"contacts", 40}, {"cor_error", 2e-4}}},
-         "The bit chatters on the rock (40 contacts), so e depends on the last digits of the input: no "
-         "calculation can know it better than to 0.00021. A longer rod, a shorter blow or a softer rock "
-         "chatters less."},
+         "The bit chatters on the rock (40 contacts), so e depends on the last digits of the input and "
+         "can be known only to within 0.00021. A longer rod, a shorter blow or a softer rock reduces the "
+         "chatter."},
         {{warning, AlertCode::reducedAccuracy, "", {{"cor_error", 2e-8}}},
          "The numerical error of e may be as large as 2.1e-08."},
         {{warning,

@@ -118,13 +118,13 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     };
     row("pushed back", "t38_medium_rock", 2e3,
         "The feed of 2 kN is less than the mean force of the blows, 3.06 kN: the machine is pushed back.",
-        "2.38 kN more covers this blow, 5.26 kN more every gap.");
+        "2.38 kN more feed covers this blow, 5.26 kN more covers every gap.");
     row("below required", "t38_medium_rock", 3.5e3,
         "3.5 kN is below the 4.375 kN that this blow requires: penetration will probably be lost.",
-        "875 N more covers this blow, 3.76 kN more every gap.");
+        "875 N more feed covers this blow, 3.76 kN more covers every gap.");
     row("required at this gap", "t38_medium_rock", 6e3,
         "6 kN covers this blow (4.375 kN required), but not every gap (up to 7.253 kN).",
-        "1.26 kN more covers every gap.");
+        "1.26 kN more feed covers every gap.");
     row("required met", "t38_medium_rock", 8e3, "8 kN covers every single blow (7.253 kN required).",
         "Single blows need no more feed; from 11.5 kN an undamped rod would be back before every next blow.");
     row("return met", "t38_medium_rock", 12e3,
@@ -132,7 +132,7 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "Single blows need no more feed.");
     row("a string, at this gap", "t38_string", 8e3,
         "8 kN covers this blow (4.509 kN required), but not rigid rock (9.017 kN); gaps were not examined.",
-        "1.02 kN more covers rigid rock.");
+        "1.02 kN more feed covers rigid rock.");
     row("a string, required met", "t38_string", 10e3,
         "10 kN covers this blow and rigid rock (9.017 kN required); gaps were not examined.",
         "Single blows need no more feed; from 13.6 kN an undamped rod would be back before every next blow.");

@@ -69,7 +69,7 @@ inline constexpr std::uint64_t scanPoints = 25;
 inline constexpr double strongDashpot = 0.5;
 
 DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyRange& range, bool hasBracket);
-/// Time of a scan on a machine of usual speed [s].
+/// Time of a scan on a typical computer [s].
 double scanSeconds(const DrillingScanQuestion& question);
 /// The axis as the command takes it.
 std::string scanAxisText(const StudyRange& range);
