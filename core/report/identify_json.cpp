@@ -71,7 +71,8 @@ JsonObject matchJson(const RecordAnswer& answer) {
                       {"clipped", match.isClipped},
                       {"step", match.step},
                       {"zero", std::move(zero)},
-                      {"droop", match.droop}};
+                      {"droop", match.droop},
+                      {"gain_of_return", match.gainOfReturn}};
     if (match.dispersion)
         object["dispersion"] =
             JsonObject{{"share", *match.dispersion}, {"half_width", Json(match.dispersionHalfWidth)}};

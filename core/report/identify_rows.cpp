@@ -75,6 +75,7 @@ Message causeWords(const std::string& source, const std::string& key, const Scen
     if (source == "tail") return translatable("tail of the blow");
     if (source == "timing") return translatable("arrival of the reflection");
     if (source == "material") return translatable("modulus and density");
+    if (source == "gain_change") return translatable("gain within the record");
     if (source == "gain") return translatable("gain of the amplifier");
     if (source == "place") return translatable("distance between the gauges");
     if (source == "resolution") return translatable("steepness of the rock in noise");
@@ -182,6 +183,10 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
         return {translatable("To know more: average 4 blows: %1."), {gain}};
     if (next->source == "unexplained_wave" || next->source == "tail")
         return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."), {gain}};
+    if (next->source == "gain_change")
+        return {translatable("To know more: use a larger range of the amplifier, and check glue and cable of "
+                             "the gauge: %1."),
+                {gain}};
     if (next->source == "step")
         return {translatable("To know more: use a smaller range or more bits: %1."), {gain}};
     if (next->source == "timing")

@@ -124,6 +124,13 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
     if (code == "zero_jumps" && match.jumpTime)
         return {translatable("the zero level jumps %1 after the front; check cable and amplifier"),
                 {time(*match.jumpTime)}};
+    if (code == "gain_changes")
+        return {match.gainOfReturn < 1
+                    ? translatable("the returning wave fits better with %1 less gain than the incident wave; "
+                                   "check range, glue and cable of the gauge")
+                    : translatable("the returning wave fits better with %1 more gain than the incident wave; "
+                                   "check range, glue and cable of the gauge"),
+                {percent(std::abs(match.gainOfReturn - 1))}};
     constexpr std::array<std::pair<std::string_view, const char*>, 16> sentences{{
         {"crater",
          translatable("the rock begins as steep as it springs back: the bit may stand in the crater of a "

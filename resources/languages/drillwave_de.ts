@@ -12881,6 +12881,22 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>%1 gives the highest rate of the values tried, %2%3.</source>
         <translation>%1 ergibt die höchste Rate der berechneten Werte, %2%3.</translation>
     </message>
+    <message>
+        <source>gain within the record</source>
+        <translation>Verstärkung innerhalb der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>To know more: use a larger range of the amplifier, and check glue and cable of the gauge: %1.</source>
+        <translation>Um mehr zu wissen: einen größeren Messbereich wählen und Klebung und Kabel des Dehnungsmessstreifens prüfen: %1.</translation>
+    </message>
+    <message>
+        <source>the returning wave fits better with %1 less gain than the incident wave; check range, glue and cable of the gauge</source>
+        <translation>die zurückkehrende Welle passt besser mit %1 weniger Verstärkung als die einfallende; Messbereich, Klebung und Kabel des Dehnungsmessstreifens prüfen</translation>
+    </message>
+    <message>
+        <source>the returning wave fits better with %1 more gain than the incident wave; check range, glue and cable of the gauge</source>
+        <translation>die zurückkehrende Welle passt besser mit %1 mehr Verstärkung als die einfallende; Messbereich, Klebung und Kabel des Dehnungsmessstreifens prüfen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

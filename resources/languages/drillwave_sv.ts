@@ -12881,6 +12881,22 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1 gives the highest rate of the values tried, %2%3.</source>
         <translation>%1 ger den högsta takten av de beräknade värdena, %2%3.</translation>
     </message>
+    <message>
+        <source>gain within the record</source>
+        <translation>förstärkning inom mätningen</translation>
+    </message>
+    <message>
+        <source>To know more: use a larger range of the amplifier, and check glue and cable of the gauge: %1.</source>
+        <translation>För att veta mer: använd ett större mätområde, och kontrollera givarens lim och kabel: %1.</translation>
+    </message>
+    <message>
+        <source>the returning wave fits better with %1 less gain than the incident wave; check range, glue and cable of the gauge</source>
+        <translation>den återvändande vågen passar bättre med %1 lägre förstärkning än den infallande; kontrollera mätområde, lim och kabel för givaren</translation>
+    </message>
+    <message>
+        <source>the returning wave fits better with %1 more gain than the incident wave; check range, glue and cable of the gauge</source>
+        <translation>den återvändande vågen passar bättre med %1 högre förstärkning än den infallande; kontrollera mätområde, lim och kabel för givaren</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -79,7 +79,8 @@ struct MatchFigures {
     bool isClipped = false;
     double step = 0;  ///< of the recorder, share of the peak
     std::vector<ZeroLine95> zero;
-    double droop = 0;  ///< 1 ms over the time constant
+    double droop = 0;         ///< 1 ms over the time constant
+    double gainOfReturn = 1;  ///< gain of the returning wave over that of the incident one
     std::optional<double> dispersion, dispersionHalfWidth;
     std::optional<double> jumpTime;  ///< after the front [s]
 };

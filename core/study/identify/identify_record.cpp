@@ -127,6 +127,7 @@ void fillMatch(const LawTrials& trials, RecordAnswer& answer) {
         };
         match.zero.push_back({at("offset." + number), at("slope." + number)});
         match.droop = at("droop");
+        match.gainOfReturn = 1 + at("gain");
     }
     if (model.hasDispersion()) {
         const auto share = static_cast<Index>(model.shapeUnknown("dispersion"));

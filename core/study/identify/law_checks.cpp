@@ -151,6 +151,43 @@ void addNearbySolutions(LawCandidate& bilinear) {
     bilinear.errors.budget.push_back(std::move(row));
 }
 
+/// Lets the gain fall further up to the peak than a usual amplifier.
+void allowOverload(RecordModel& model) {
+    constexpr double further = 5;
+    Unknown& curvature = model.unknowns()[model.shapeUnknown("curvature")];
+    curvature.low *= further;
+    curvature.high *= further;
+    curvature.deviation *= further;
+}
+
+/// Adds to the budget how far the answer is from that with the same gain for both waves, and where the gain
+/// falls up to the peak as much as is allowed, from that of an overload. Each way counts by what Σr² gains.
+void addNearbyGains(LawCandidate& bilinear, const std::stop_token& stop) {
+    constexpr double atBound = 0.9, leastTold = 0.01;
+    BudgetEffect row{"gain_change", "", 0, "1", false, Eigen::VectorXd::Zero(bilinear.fit.values.size())};
+    const auto addWay = [&](RecordModel& model, Eigen::VectorXd values) {
+        const double gain = std::abs(minimise(model, values, 40, stop) - bilinear.fit.cost);
+        const double share = gain > likelyGain ? 1 : std::sqrt(gain / nearbyGain);
+        row.effect = row.effect.cwiseMax(share * (values - bilinear.fit.values).cwiseAbs());
+        return gain;
+    };
+    RecordModel model = *bilinear.model;
+    const std::size_t ofReturn = model.shapeUnknown("gain"), curvature = model.shapeUnknown("curvature");
+    const auto value = [&](std::size_t unknown) { return bilinear.fit.values[static_cast<Index>(unknown)]; };
+    Eigen::VectorXd equal = bilinear.fit.values;
+    equal[static_cast<Index>(ofReturn)] = 0;
+    model.unknowns()[ofReturn].isHeld = true;
+    if (addWay(model, equal) > std::max(nearbyGain, nearbyShare * bilinear.fit.cost) &&
+        std::abs(value(ofReturn)) > leastTold)
+        bilinear.errors.remarks.emplace_back("gain_changes");
+    model.unknowns()[ofReturn].isHeld = false;
+    if (std::abs(value(curvature)) > atBound * model.unknowns()[curvature].high) {
+        allowOverload(model);
+        addWay(model, bilinear.fit.values);
+    }
+    bilinear.errors.budget.push_back(std::move(row));
+}
+
 /// Whether a law counts beside the answer.
 bool counts(const LawTrials& trials, std::size_t i) {
     const LawCandidate& candidate = trials.candidates[i];
@@ -180,6 +217,7 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     searchMinima(*model, fit, stop);
     trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
     addNearbySolutions(trials.candidates[0]);
+    addNearbyGains(trials.candidates[0], stop);
     if (stop.stop_requested()) return trials;
     showFirst(trials);
     const auto tryLaw = [&](const char* name, TrialLaw law) {
@@ -200,6 +238,12 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         tryLaw("crater", TrialLaw::crater);
         tryLaw("power", TrialLaw::power);
         if (record.places.front().end.bitMass == 0) tryLaw("dashpot", TrialLaw::dashpot);
+        auto overloaded = std::make_shared<RecordModel>(*trials.candidates[0].model);
+        allowOverload(*overloaded);
+        LawFit overload = trials.candidates[0].fit;
+        refit(*overloaded, overload, stop);
+        trials.candidates.push_back(
+            candidateOf("overload", overloaded, std::move(overload), question, sizes, stop));
         if (auto jump = jumpCandidate(trials.candidates[0], question, sizes, trials.jumpTime, stop))
             trials.candidates.push_back(std::move(*jump));
     }

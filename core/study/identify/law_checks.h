@@ -15,7 +15,7 @@ namespace drillwave {
 
 /// One law with its fit and errors.
 struct LawCandidate {
-    std::string name;  ///< "bilinear", "corner", "crater", "power", "dashpot", "jump"
+    std::string name;  ///< "bilinear", "corner", "crater", "power", "dashpot", "overload", "jump"
     std::shared_ptr<RecordModel> model;
     LawFit fit;
     FitErrors errors;

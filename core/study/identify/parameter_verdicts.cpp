@@ -150,7 +150,9 @@ void fillCovariance(const LawTrials& trials, const std::vector<UnknownKind>& kin
         for (std::size_t j = 0; j < count; ++j)
             answer.covariance[i][j] = covariance(static_cast<Index>(i), static_cast<Index>(j));
     for (const BudgetEffect& row : chosen.errors.budget) {
-        if (row.source == "tail" || row.source == "timing" || row.source == "minimum") continue;
+        if (row.source == "tail" || row.source == "timing" || row.source == "minimum" ||
+            row.source == "gain_change")
+            continue;
         std::vector<double> moved;
         for (const Index unknown : at) moved.push_back(row.effect[unknown]);
         answer.common.push_back(std::move(moved));

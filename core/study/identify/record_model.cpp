@@ -23,8 +23,10 @@ constexpr double zeroTolerance = 0.02;     ///< of the peak, and in a millisecon
 constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant
 constexpr double bendingTolerance = 0.08;  ///< of half the difference of a pair stays in the mean
 constexpr double curveTolerance = 0.04;    ///< of the peak: gain at the peak less than at small values
-constexpr double leastBending = 0.005;     ///< of the peak
-constexpr std::size_t frontReach = 4;      ///< samples over which the smoothing spreads a front
+constexpr double returnTolerance =
+    0.02;                               ///< gain of the returning wave over that of the incident one, less 1
+constexpr double leastBending = 0.005;  ///< of the peak
+constexpr std::size_t frontReach = 4;   ///< samples over which the smoothing spreads a front
 
 double knownOr(const IdentifyQuestion& question, const char* key, double otherwise) {
     for (const KnownTolerance& known : question.known)
@@ -216,6 +218,16 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     curvature.low = -curveTolerance;
     curvature.high = curveTolerance;
     addShape(std::move(curvature), all);
+    // A gain that changes between the incident and the returning wave.
+    LinearShape gain = shapeOf("gain", returnTolerance);
+    std::vector<double> returning = m_waves.returning;
+    smoothSamples(returning, record.step, 3e-6);
+    const auto first = returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning);
+    gain.incident.assign(m_gridCount, 0);
+    gain.returning.assign(first, first + static_cast<std::ptrdiff_t>(m_returning.size()));
+    gain.quiet.assign(m_quiet.size(), 0);
+    m_shapes.push_back(std::move(gain));
+    setShapeUnknown(m_shapes.size() - 1);
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         if (record.gauges[g].opposite.empty() || record.bending < leastBending) continue;
         std::vector<const std::vector<double>*> signals(record.gauges.size(), &none);
