@@ -21,11 +21,11 @@ struct Answer {
     RecordAnswer record;
     double value(std::size_t i) const { return record.parameters[i].value; }
     double halfWidth(std::size_t i) const { return record.parameters[i].halfWidth; }
-    /// Whether value `i` is `factor` times that of another answer, to 2 % of its half-width.
+    /// Whether value `i` is `factor` times that of another answer, to 5 % of its half-width.
     bool isNear(const Answer& other, std::size_t i, double factor) const {
         const double change =
             i == 2 ? value(i) - factor * other.value(i) : std::log(value(i) / (factor * other.value(i)));
-        return std::abs(change) < 0.02 * halfWidth(i);
+        return std::abs(change) < 0.05 * halfWidth(i);
     }
     QByteArray against(const Answer& other) const {
         QByteArray text;
