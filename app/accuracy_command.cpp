@@ -14,9 +14,8 @@
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
-#include "core/numeric/run_time.h"
-#include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
+#include "core/report/proof_answer.h"
 #include "core/text/decimal_text.h"
 #include "core/text/handy_text.h"
 
@@ -70,43 +69,6 @@ void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
                  std::to_string(limit)}));
 }
 
-/// Output of a study: the CSV instead of its words or into a folder, with pictures.
-struct AccuracyFiles {
-    std::string csv;
-    std::string words;  ///< the table, or JSON
-    std::vector<NamedFile> pictures;
-};
-
-/// Measures with progress on a terminal.
-AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& document,
-                      const std::vector<int>& ladder, const StudyPlots& plots, const Drawing* drawing,
-                      const Interruption& interruption) {
-    const Scenario& scenario = document.scenario;
-    const Stopwatch watch;
-    const auto told = [&](const auto& accuracy, bool isSolved, const Message& reason) -> AccuracyFiles {
-        interruption.check();
-        if (!isSolved)
-            throw CommandError(ExitCode::unsolvedOrFailed,
-                               couldNotBeSolved(arguments.operands().front(), reason));
-        return {accuracyCsv(accuracy),
-                arguments.has("json") ? accuracyJson({.scenario = scenario,
-                                                      .scenarioText = completeScenarioText(document),
-                                                      .runTime = watch.seconds()},
-                                                     accuracy)
-                                      : accuracyText(scenario, accuracy, arguments.style()),
-                plots.draw(&accuracy, drawing, interruption)};
-    };
-    ShareBar bar(arguments.style());
-    if (!isFollowedByEvents(scenario)) {
-        const StringAccuracy accuracy =
-            measureStringAccuracy(scenario, interruption.token(),
-                                  [&](const StringAccuracy&, double done) { bar.progress()(done); });
-        return told(accuracy, accuracy.reason.isEmpty(), accuracy.reason);
-    }
-    const Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), bar.progress());
-    return told(accuracy, accuracy.exact.outcome == Outcome::rebounded, accuracy.exact.reason);
-}
-
 ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -129,19 +91,25 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
-    AccuracyFiles files = measure(arguments, document, ladder, plots, drawing, interruption);
-    files.csv.insert(0, scenarioHeader(completeScenarioText(document)));
+    ShareBar bar(arguments.style());
+    const StudyAnswerPtr answer =
+        studyAccuracy(document.scenario, ladder, {.stop = interruption.token(), .progress = bar.progress()});
+    interruption.check();
+    if (const Message gap = answer->gap(); !gap.isEmpty())
+        throw CommandError(ExitCode::unsolvedOrFailed, about(path, gap));
+    const std::string scenarioText = completeScenarioText(document);
+    const std::string csv = scenarioHeader(scenarioText) + answer->csv(OutputUnits::dimensionless);
     if (directory == "-") {
-        printText(inCsvSigns(files.csv));
+        printText(inCsvSigns(csv));
         return ExitCode::done;
     }
     if (inFolder) {
-        FolderFiles folder{std::move(files.pictures),
+        FolderFiles folder{plots.draw(answer.get(), drawing, interruption),
                            [](const std::string& there) { return studyFilesThere(there, accuracyCsvName); }};
-        folder.files.push_back({accuracyCsvName, files.csv});
+        folder.files.push_back({accuracyCsvName, csv});
         writeFolder(directory, folder, overwrite, &interruption);
     }
-    printText(files.words);
+    printText(arguments.has("json") ? answer->json(scenarioText) : answer->text(arguments.style()));
     return ExitCode::done;
 }
 

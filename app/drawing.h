@@ -16,7 +16,6 @@
 
 namespace drillwave {
 
-struct Accuracy;
 struct BlowReport;
 struct CurveReport;
 struct DesignReport;
@@ -24,17 +23,14 @@ struct DrillingReport;
 struct DrillingScanReport;
 struct IdentifyReport;
 struct MapReport;
-struct StabilityReport;
-struct StringAccuracy;
 struct SweepRows;
 class StudyAnswer;
 
 /// Result of a study. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
 using StudyValue =
-    std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const DesignReport*,
-                 const DrillingReport*, const DrillingScanReport*, const IdentifyReport*, const MapReport*,
-                 const StringAccuracy*, const StudyAnswer*, const SweepRows*>;
+    std::variant<const CurveReport*, const DesignReport*, const DrillingReport*, const DrillingScanReport*,
+                 const IdentifyReport*, const MapReport*, const StudyAnswer*, const SweepRows*>;
 
 /// Draws in the language of the command, numbers too; its means belong to another program (desktop.h). All
 /// functions throw CommandError (unwritable output) if something could not be drawn, and return not all

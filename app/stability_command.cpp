@@ -8,7 +8,7 @@
 #include "app/study_plots.h"
 #include "core/numeric/available_threads.h"
 #include "core/numeric/run_time.h"
-#include "core/report/stability_report.h"
+#include "core/report/proof_answer.h"
 
 namespace drillwave {
 
@@ -35,20 +35,19 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const StabilityReport report =
         checkStability(cases, availableThreads(), interruption.token(),
                        [&bar](const StabilityReport& soFar) { bar.show(soFar.rows.size()); });
-    const double runTime = watch.seconds();
+    const StudyAnswerPtr answer = stabilityAnswer(report, watch.seconds());
     interruption.check();
     if (directory == "-") {
-        printText(inCsvSigns(stabilityCsv(report)));
+        printText(inCsvSigns(answer->csv(OutputUnits::dimensionless)));
         return endOf(report);
     }
     if (inFolder) {
-        FolderFiles folder{plots.draw(&report, drawing, interruption),
+        FolderFiles folder{plots.draw(answer.get(), drawing, interruption),
                            [](const std::string& there) { return studyFilesThere(there, stabilityCsvName); }};
-        folder.files.push_back({stabilityCsvName, stabilityCsv(report)});
+        folder.files.push_back({stabilityCsvName, answer->csv(OutputUnits::dimensionless)});
         writeFolder(directory, folder, overwrite, &interruption);
     }
-    printText(arguments.has("json") ? stabilityJson(report, runTime)
-                                    : stabilityText(report, arguments.style()));
+    printText(arguments.has("json") ? answer->json({}) : answer->text(arguments.style()));
     return endOf(report);
 }
 

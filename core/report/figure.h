@@ -16,8 +16,9 @@
 
 namespace drillwave {
 
-/// A mere number, or a number of hundredths that is followed by "%".
-enum class PlainNumber { number, percent };
+/// A mere number, a number of hundredths that is followed by "%", a number of which the power of ten matters
+/// (errors), or seconds that the program takes.
+enum class PlainNumber { number, percent, magnitude, runTime };
 
 /// Multiple of a characteristic quantity of the blow (theory §1): t0, F0, I0, d0, k0, W0, F0/A, L, v0.
 enum class BlowScale { time, force, impulse, penetration, stiffness, energy, stress, length, velocity };
@@ -46,17 +47,22 @@ struct FigureAxis {
     bool isFromZero = false;                              ///< from zero to a little above all values
 };
 
-/// line: y over ascending x. path: through points in their order. area: the same, closed and filled.
+/// line: y over ascending x, or marked points in any order. path: through points in their order. area: the
+/// same, closed and filled.
 enum class SeriesKind { line, path, area };
 
 /// The pen and colour of a series; `reference` is a strong line in the colour of the words.
 enum class SeriesRole { result, second, third, fourth, reference };
+
+/// Marks at the points of a line: none, with the line through them, without it, or stars without it.
+enum class SeriesPoints { none, joined, apart, stars };
 
 /// A number in a caption.
 struct FigureNumber {
     double value = 0;
     FigureQuantity quantity = PlainNumber::number;
     int digits = 4;
+    Message words = {};  ///< instead of the number: a name or a reason
 };
 
 /// A sentence with numbers in the places %1, %2 and so on.
@@ -76,7 +82,10 @@ struct FigureSeries {
     bool isFaint = false;                             ///< stays behind the others
     std::vector<double> upper = {};                   ///< of a line, the other edge of a strip, drawn thin
     bool isFilled = false;                            ///< whether the strip is shaded
-    FigureText startText = {};                        ///< beside the first point
+    SeriesPoints points = SeriesPoints::none;
+    std::vector<FigureText> texts = {};      ///< beside the first points, empty ones beside those without
+    bool isTextBelow = false;                ///< texts are left below their points, not right above
+    std::vector<std::size_t> rows = {};      ///< row of the study's table of each point
     std::optional<AxisTarget> dragged = {};  ///< changes by as much as the user drags the line up or down
 };
 

@@ -116,19 +116,23 @@ class StudyAnswer {
     virtual Message gapInRows() const { return {}; }
     /// Whether there are rows, although there may be a gap().
     virtual bool hasRows() const { return gap().isEmpty(); }
-    /// The answer in sentences, of a complete study.
-    virtual std::vector<Message> sentences(const ReadingStyle& style) const = 0;
+    /// The answer in sentences, of a complete study (default: none).
+    virtual std::vector<Message> sentences(const ReadingStyle& /*style*/) const { return {}; }
     /// One of Study::views; also of a first look.
     virtual StudyFigure figure(std::size_t view) const = 0;
     /// Where a scenario that differs in the parameters on the axes only is in that figure; nothing where it
     /// is outside.
-    virtual std::optional<FigurePoint> placeOf(const Scenario& scenario, std::size_t view) const = 0;
+    virtual std::optional<FigurePoint> placeOf(const Scenario& /*scenario*/, std::size_t /*view*/) const {
+        return std::nullopt;
+    }
     /// The series that is laid over the figure of another answer, up to a value of x (default: the first).
     virtual std::optional<FigureSeries> overlay(std::size_t view, double until) const;
     /// Where the blow of a pinned run is in the figure of Study::marksBlows.
     virtual std::optional<FigurePoint> placeOfBlow(const Blow& /*blow*/) const { return std::nullopt; }
     /// The numbers of Study::tableName.
     virtual StudyTable table(const ReadingStyle& /*style*/) const { return {}; }
+    /// The scenario of a row of that table, which a click there loads; or nothing.
+    virtual std::optional<Scenario> scenarioOfRow(std::size_t /*row*/) const { return std::nullopt; }
     /// Table and remarks for a terminal.
     virtual std::string text(const ReadingStyle& style) const = 0;
     /// One JSON object; the text gives the scenario again.

@@ -219,8 +219,8 @@ StudyFigure thrustFigure(const ThrustReport& report) {
         feed.y = ofEach([](const ThrustPoint& point) { return *point.feed.effective(); });
         const bool isWeighted = points.front().feed.force->weight.has_value();
         if (isWeighted) feed.legend = translatable("effective force, with weight along the hole");
-        feed.startText = {isWeighted ? translatable("effective %1") : translatable("installed %1"),
-                          {{feed.y.front(), force}}};
+        feed.texts = {{isWeighted ? translatable("effective %1") : translatable("installed %1"),
+                       {{feed.y.front(), force}}}};
         if (axis.key() != installed->key) feed.dragged = AxisTarget{installed};
     }
     panel.layers = {

@@ -56,6 +56,10 @@ double roundedTo(double value, int digits, Rounding rounding) {
     return exponent < 0 ? whole / power : whole * power;
 }
 
+std::string ReadingStyle::magnitude(double value) const {
+    return withDecimalSign(numberText(value, std::chars_format::scientific, 1));
+}
+
 std::string ReadingStyle::said(const Message& message) const {
     return message.said([this](const std::string& english) { return patternFor(english); });
 }

@@ -49,6 +49,8 @@ class ReadingStyle {
 
     /// Returns a number with that many significant digits.
     virtual std::string number(double value, int digits = 6) const { return rounded(value, digits); }
+    /// Returns an error, of which the power of ten matters: "3.2e-16".
+    virtual std::string magnitude(double value) const;
     /// Returns the unit of its usual family that needs the fewest zeros.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;
     /// Returns the same for a penetration rate, which drillers count per minute.

@@ -742,38 +742,6 @@ Trotzdem löschen?</translation>
 <context>
     <name>core</name>
     <message>
-        <source>momentum</source>
-        <translation>Impuls</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>Energie</translation>
-    </message>
-    <message>
-        <source>continuity</source>
-        <translation>Stetigkeit</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>Grenzfall</translation>
-    </message>
-    <message>
-        <source>lattice</source>
-        <translation>Gitter</translation>
-    </message>
-    <message>
-        <source>pull</source>
-        <translation>Zug</translation>
-    </message>
-    <message>
-        <source>stated error</source>
-        <translation>angegebener Fehler</translation>
-    </message>
-    <message>
-        <source>return</source>
-        <translation>Rückkehr</translation>
-    </message>
-    <message>
         <source>Angle of the hole below the horizontal. With it, the weight of machine and rod along the hole adds to the feed force.</source>
         <translation>Neigung des Bohrlochs unter die Waagerechte. Damit kommt das Gewicht von Maschine und Stange längs des Lochs zum Andruck hinzu.</translation>
     </message>
@@ -2873,116 +2841,8 @@ Trotzdem löschen?</translation>
         <translation>%1 Zeilen ohne Zahl werden übergangen, die erste ist Zeile %2.</translation>
     </message>
     <message>
-        <source>%1, the paper&apos;s choice</source>
-        <translation>%1, die Wahl der Veröffentlichung</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>exakt</translation>
-    </message>
-    <message>
         <source>closed form</source>
         <translation>geschlossene Form</translation>
-    </message>
-    <message>
-        <source>lattice, moved waves, %1</source>
-        <translation>Gitter, verschobene Wellen, %1</translation>
-    </message>
-    <message>
-        <source>lattice, ring buffer, %1</source>
-        <translation>Gitter, Ringpuffer, %1</translation>
-    </message>
-    <message>
-        <source>processor time of a solve for e [s]</source>
-        <translation>Rechenzeit einer Lösung für e [s]</translation>
-    </message>
-    <message>
-        <source>error of e</source>
-        <translation>Fehler von e</translation>
-    </message>
-    <message>
-        <source>lattice, moved waves</source>
-        <translation>Gitter, verschobene Wellen</translation>
-    </message>
-    <message>
-        <source>lattice, ring buffer</source>
-        <translation>Gitter, Ringpuffer</translation>
-    </message>
-    <message>
-        <source>The exact solution has nothing to compare with: %1</source>
-        <translation>Die exakte Lösung hat keine andere, mit der sie zu vergleichen wäre: %1</translation>
-    </message>
-    <message>
-        <source>e is right to %1 in %2</source>
-        <translation>e stimmt auf %1 in %2</translation>
-    </message>
-    <message>
-        <source>; the paper&apos;s %1 segments give %2 in %3</source>
-        <translation>; die %1 Abschnitte der Veröffentlichung geben %2 in %3</translation>
-    </message>
-    <message>
-        <source>polynomial cells (studies)</source>
-        <translation>polynomiale Zellen (Studien)</translation>
-    </message>
-    <message>
-        <source>cut cells (a blow)</source>
-        <translation>geteilte Zellen (ein Schlag)</translation>
-    </message>
-    <message>
-        <source>plain lattice</source>
-        <translation>einfaches Gitter</translation>
-    </message>
-    <message>
-        <source>processor time of a solve [s]</source>
-        <translation>Rechenzeit einer Lösung [s]</translation>
-    </message>
-    <message>
-        <source>error of the efficiency</source>
-        <translation>Fehler des Wirkungsgrads</translation>
-    </message>
-    <message>
-        <source>cells of %1</source>
-        <translation>Zellen von %1</translation>
-    </message>
-    <message>
-        <source>efficiency right to %1 in %2</source>
-        <translation>Wirkungsgrad stimmt auf %1 in %2</translation>
-    </message>
-    <message>
-        <source>, in studies to %1 in %2</source>
-        <translation>, in Studien auf %1 in %2</translation>
-    </message>
-    <message>
-        <source>; plain lattice %1 in %2</source>
-        <translation>; einfaches Gitter %1 in %2</translation>
-    </message>
-    <message>
-        <source>stiffness over elasticity β/γ, the stiffest rate [1/t₀]</source>
-        <translation>Steifigkeit durch Elastizität β/γ, die steifste Rate [1/t₀]</translation>
-    </message>
-    <message>
-        <source>worst check over its limit</source>
-        <translation>schlechtestes Maß durch seine Marke</translation>
-    </message>
-    <message>
-        <source>a case above has failed</source>
-        <translation>ein Fall darüber ist durchgefallen</translation>
-    </message>
-    <message>
-        <source>%1 cases, all passed</source>
-        <translation>%1 Fälle, alle bestanden</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cases failed</source>
-        <translation>%1 von %2 Fällen durchgefallen</translation>
-    </message>
-    <message>
-        <source>; not solved: %1</source>
-        <translation>; nicht gelöst: %1</translation>
-    </message>
-    <message>
-        <source>; the worst: %1, %2 at %3 of its limit</source>
-        <translation>; der schlechteste: %1, %2 bei %3 seiner Marke</translation>
     </message>
     <message>
         <source>hammer blow</source>
@@ -3804,6 +3664,14 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>Fall</translation>
     </message>
 </context>
 <context>
@@ -12897,6 +12765,134 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>the returning wave fits better with %1 more gain than the incident wave; check range, glue and cable of the gauge</source>
         <translation>die zurückkehrende Welle passt besser mit %1 mehr Verstärkung als die einfallende; Messbereich, Klebung und Kabel des Dehnungsmessstreifens prüfen</translation>
     </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves, %1</source>
+        <translation>Gitter, verschobene Wellen, %1</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer, %1</source>
+        <translation>Gitter, Ringpuffer, %1</translation>
+    </message>
+    <message>
+        <source>%1, the paper&apos;s choice</source>
+        <translation>%1, die Wahl der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>The exact solution has nothing to compare with: %1</source>
+        <translation>Die exakte Lösung hat keine andere, mit der sie zu vergleichen wäre: %1</translation>
+    </message>
+    <message>
+        <source>e is right to %1 in %2</source>
+        <translation>e stimmt auf %1 in %2</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s %1 segments give %2 in %3</source>
+        <translation>die %1 Abschnitte der Veröffentlichung geben %2 in %3</translation>
+    </message>
+    <message>
+        <source>processor time of a solve for e [s]</source>
+        <translation>Rechenzeit einer Lösung für e [s]</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>Fehler von e</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves</source>
+        <translation>Gitter, verschobene Wellen</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer</source>
+        <translation>Gitter, Ringpuffer</translation>
+    </message>
+    <message>
+        <source>polynomial cells (studies)</source>
+        <translation>polynomiale Zellen (Studien)</translation>
+    </message>
+    <message>
+        <source>cut cells (a blow)</source>
+        <translation>geteilte Zellen (ein Schlag)</translation>
+    </message>
+    <message>
+        <source>plain lattice</source>
+        <translation>einfaches Gitter</translation>
+    </message>
+    <message>
+        <source>efficiency right to %1 in %2</source>
+        <translation>Wirkungsgrad stimmt auf %1 in %2</translation>
+    </message>
+    <message>
+        <source>in studies to %1 in %2</source>
+        <translation>in Studien auf %1 in %2</translation>
+    </message>
+    <message>
+        <source>plain lattice %1 in %2</source>
+        <translation>einfaches Gitter %1 in %2</translation>
+    </message>
+    <message>
+        <source>processor time of a solve [s]</source>
+        <translation>Rechenzeit einer Lösung [s]</translation>
+    </message>
+    <message>
+        <source>error of the efficiency</source>
+        <translation>Fehler des Wirkungsgrads</translation>
+    </message>
+    <message>
+        <source>cells of %1</source>
+        <translation>Zellen von %1</translation>
+    </message>
+    <message>
+        <source>%1 cases, all passed</source>
+        <translation>%1 Fälle, alle bestanden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases failed</source>
+        <translation>%1 von %2 Fällen durchgefallen</translation>
+    </message>
+    <message>
+        <source>the worst: %1, %2 at %3 of its limit</source>
+        <translation>der schlechteste: %1, %2 bei %3 seiner Marke</translation>
+    </message>
+    <message>
+        <source>momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenzfall</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>return</source>
+        <translation>Rückkehr</translation>
+    </message>
+    <message>
+        <source>stiffness over elasticity β/γ, the stiffest rate [1/t₀]</source>
+        <translation>Steifigkeit durch Elastizität β/γ, die steifste Rate [1/t₀]</translation>
+    </message>
+    <message>
+        <source>worst check over its limit</source>
+        <translation>schlechtestes Maß durch seine Marke</translation>
+    </message>
+    <message>
+        <source>a case above has failed</source>
+        <translation>ein Fall darüber ist durchgefallen</translation>
+    </message>
+    <message>
+        <source>worst check</source>
+        <translation>schlechteste</translation>
+    </message>
+    <message>
+        <source>of its limit</source>
+        <translation>ihrer Marke</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13484,48 +13480,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>%1 to choose from</source>
         <translation>%1 zur Wahl</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ProofStudy</name>
-    <message>
-        <source>Not solved: %1</source>
-        <translation>Nicht gelöst: %1</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ProofTable</name>
-    <message>
-        <source>method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>case</source>
-        <translation>Fall</translation>
-    </message>
-    <message>
-        <source>worst check</source>
-        <translation>schlechteste</translation>
-    </message>
-    <message>
-        <source>of its limit</source>
-        <translation>ihrer Marke</translation>
-    </message>
-    <message>
-        <source>shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>e</source>
-        <translation>e</translation>
-    </message>
-    <message>
-        <source>error of e</source>
-        <translation>Fehler von e</translation>
-    </message>
-    <message>
-        <source>pieces</source>
-        <translation>Stücke</translation>
     </message>
 </context>
 <context>

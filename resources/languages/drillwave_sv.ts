@@ -742,38 +742,6 @@ Ta bort ändå?</translation>
 <context>
     <name>core</name>
     <message>
-        <source>momentum</source>
-        <translation>rörelsemängd</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>energi</translation>
-    </message>
-    <message>
-        <source>continuity</source>
-        <translation>kontinuitet</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>gränsfall</translation>
-    </message>
-    <message>
-        <source>lattice</source>
-        <translation>gitter</translation>
-    </message>
-    <message>
-        <source>pull</source>
-        <translation>drag</translation>
-    </message>
-    <message>
-        <source>stated error</source>
-        <translation>angivet fel</translation>
-    </message>
-    <message>
-        <source>return</source>
-        <translation>återkomst</translation>
-    </message>
-    <message>
         <source>Angle of the hole below the horizontal. With it, the weight of machine and rod along the hole adds to the feed force.</source>
         <translation>Hålets vinkel under horisontalplanet. Med den läggs tyngden av maskin och stång längs hålet till matningskraften.</translation>
     </message>
@@ -2873,116 +2841,8 @@ Ta bort ändå?</translation>
         <translation>%1 rader utan tal hoppas över, den första är rad %2.</translation>
     </message>
     <message>
-        <source>%1, the paper&apos;s choice</source>
-        <translation>%1, artikelns val</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>exakt</translation>
-    </message>
-    <message>
         <source>closed form</source>
         <translation>sluten form</translation>
-    </message>
-    <message>
-        <source>lattice, moved waves, %1</source>
-        <translation>gitter, flyttade vågor, %1</translation>
-    </message>
-    <message>
-        <source>lattice, ring buffer, %1</source>
-        <translation>gitter, ringbuffert, %1</translation>
-    </message>
-    <message>
-        <source>processor time of a solve for e [s]</source>
-        <translation>processortid för en lösning av e [s]</translation>
-    </message>
-    <message>
-        <source>error of e</source>
-        <translation>fel i e</translation>
-    </message>
-    <message>
-        <source>lattice, moved waves</source>
-        <translation>gitter, flyttade vågor</translation>
-    </message>
-    <message>
-        <source>lattice, ring buffer</source>
-        <translation>gitter, ringbuffert</translation>
-    </message>
-    <message>
-        <source>The exact solution has nothing to compare with: %1</source>
-        <translation>Den exakta lösningen har ingen annan att jämföras med: %1</translation>
-    </message>
-    <message>
-        <source>e is right to %1 in %2</source>
-        <translation>e är rätt på %1 när, på %2</translation>
-    </message>
-    <message>
-        <source>; the paper&apos;s %1 segments give %2 in %3</source>
-        <translation>; artikelns %1 segment ger %2 på %3</translation>
-    </message>
-    <message>
-        <source>polynomial cells (studies)</source>
-        <translation>polynomceller (studier)</translation>
-    </message>
-    <message>
-        <source>cut cells (a blow)</source>
-        <translation>delade celler (ett slag)</translation>
-    </message>
-    <message>
-        <source>plain lattice</source>
-        <translation>enkelt gitter</translation>
-    </message>
-    <message>
-        <source>processor time of a solve [s]</source>
-        <translation>processortid för en lösning [s]</translation>
-    </message>
-    <message>
-        <source>error of the efficiency</source>
-        <translation>fel i verkningsgraden</translation>
-    </message>
-    <message>
-        <source>cells of %1</source>
-        <translation>celler på %1</translation>
-    </message>
-    <message>
-        <source>efficiency right to %1 in %2</source>
-        <translation>verkningsgraden rätt på %1 när, på %2</translation>
-    </message>
-    <message>
-        <source>, in studies to %1 in %2</source>
-        <translation>, i studier på %1 när, på %2</translation>
-    </message>
-    <message>
-        <source>; plain lattice %1 in %2</source>
-        <translation>; enkelt gitter %1 på %2</translation>
-    </message>
-    <message>
-        <source>stiffness over elasticity β/γ, the stiffest rate [1/t₀]</source>
-        <translation>styvhet genom elasticitet β/γ, den styvaste takten [1/t₀]</translation>
-    </message>
-    <message>
-        <source>worst check over its limit</source>
-        <translation>sämsta mått genom dess gräns</translation>
-    </message>
-    <message>
-        <source>a case above has failed</source>
-        <translation>ett fall ovanför har underkänts</translation>
-    </message>
-    <message>
-        <source>%1 cases, all passed</source>
-        <translation>%1 fall, alla godkända</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cases failed</source>
-        <translation>%1 av %2 fall underkända</translation>
-    </message>
-    <message>
-        <source>; not solved: %1</source>
-        <translation>; inte löst: %1</translation>
-    </message>
-    <message>
-        <source>; the worst: %1, %2 at %3 of its limit</source>
-        <translation>; det sämsta: %1, %2 vid %3 av sin gräns</translation>
     </message>
     <message>
         <source>hammer blow</source>
@@ -3804,6 +3664,14 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Accuracy</source>
         <translation>Noggrannhet</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>metod</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>fall</translation>
     </message>
 </context>
 <context>
@@ -12897,6 +12765,134 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>the returning wave fits better with %1 more gain than the incident wave; check range, glue and cable of the gauge</source>
         <translation>den återvändande vågen passar bättre med %1 högre förstärkning än den infallande; kontrollera mätområde, lim och kabel för givaren</translation>
     </message>
+    <message>
+        <source>closed form</source>
+        <translation>sluten form</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves, %1</source>
+        <translation>gitter, flyttade vågor, %1</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer, %1</source>
+        <translation>gitter, ringbuffert, %1</translation>
+    </message>
+    <message>
+        <source>%1, the paper&apos;s choice</source>
+        <translation>%1, artikelns val</translation>
+    </message>
+    <message>
+        <source>The exact solution has nothing to compare with: %1</source>
+        <translation>Den exakta lösningen har ingen annan att jämföras med: %1</translation>
+    </message>
+    <message>
+        <source>e is right to %1 in %2</source>
+        <translation>e är rätt på %1 när, på %2</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s %1 segments give %2 in %3</source>
+        <translation>artikelns %1 segment ger %2 på %3</translation>
+    </message>
+    <message>
+        <source>processor time of a solve for e [s]</source>
+        <translation>processortid för en lösning av e [s]</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>fel i e</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves</source>
+        <translation>gitter, flyttade vågor</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer</source>
+        <translation>gitter, ringbuffert</translation>
+    </message>
+    <message>
+        <source>polynomial cells (studies)</source>
+        <translation>polynomceller (studier)</translation>
+    </message>
+    <message>
+        <source>cut cells (a blow)</source>
+        <translation>delade celler (ett slag)</translation>
+    </message>
+    <message>
+        <source>plain lattice</source>
+        <translation>enkelt gitter</translation>
+    </message>
+    <message>
+        <source>efficiency right to %1 in %2</source>
+        <translation>verkningsgraden rätt på %1 när, på %2</translation>
+    </message>
+    <message>
+        <source>in studies to %1 in %2</source>
+        <translation>i studier på %1 när, på %2</translation>
+    </message>
+    <message>
+        <source>plain lattice %1 in %2</source>
+        <translation>enkelt gitter %1 på %2</translation>
+    </message>
+    <message>
+        <source>processor time of a solve [s]</source>
+        <translation>processortid för en lösning [s]</translation>
+    </message>
+    <message>
+        <source>error of the efficiency</source>
+        <translation>fel i verkningsgraden</translation>
+    </message>
+    <message>
+        <source>cells of %1</source>
+        <translation>celler på %1</translation>
+    </message>
+    <message>
+        <source>%1 cases, all passed</source>
+        <translation>%1 fall, alla godkända</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases failed</source>
+        <translation>%1 av %2 fall underkända</translation>
+    </message>
+    <message>
+        <source>the worst: %1, %2 at %3 of its limit</source>
+        <translation>det sämsta: %1, %2 vid %3 av sin gräns</translation>
+    </message>
+    <message>
+        <source>momentum</source>
+        <translation>rörelsemängd</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>gränsfall</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>drag</translation>
+    </message>
+    <message>
+        <source>return</source>
+        <translation>återkomst</translation>
+    </message>
+    <message>
+        <source>stiffness over elasticity β/γ, the stiffest rate [1/t₀]</source>
+        <translation>styvhet genom elasticitet β/γ, den styvaste takten [1/t₀]</translation>
+    </message>
+    <message>
+        <source>worst check over its limit</source>
+        <translation>sämsta mått genom dess gräns</translation>
+    </message>
+    <message>
+        <source>a case above has failed</source>
+        <translation>ett fall ovanför har underkänts</translation>
+    </message>
+    <message>
+        <source>worst check</source>
+        <translation>sämsta kontroll</translation>
+    </message>
+    <message>
+        <source>of its limit</source>
+        <translation>av gränsen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13484,48 +13480,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>%1 to choose from</source>
         <translation>%1 att välja mellan</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ProofStudy</name>
-    <message>
-        <source>Not solved: %1</source>
-        <translation>Inte löst: %1</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ProofTable</name>
-    <message>
-        <source>method</source>
-        <translation>metod</translation>
-    </message>
-    <message>
-        <source>case</source>
-        <translation>fall</translation>
-    </message>
-    <message>
-        <source>worst check</source>
-        <translation>sämsta kontroll</translation>
-    </message>
-    <message>
-        <source>of its limit</source>
-        <translation>av gränsen</translation>
-    </message>
-    <message>
-        <source>shape</source>
-        <translation>form</translation>
-    </message>
-    <message>
-        <source>e</source>
-        <translation>e</translation>
-    </message>
-    <message>
-        <source>error of e</source>
-        <translation>fel i e</translation>
-    </message>
-    <message>
-        <source>pieces</source>
-        <translation>bitar</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,6 @@
 #include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
-#include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/map/map_plot.h"
 
@@ -65,21 +64,6 @@ Pictures drawStudy(const MapReport& report, const PictureOrder& order, const Pap
     return drawn(
         paperPlot<MapPlot>(mapPicture(shared, reader.unitsFor(report.study.base)), {180, 140}, reader.locale),
         report.study.base.title, order);
-}
-
-Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader) {
-    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, reader.locale), {160, 110}, reader.locale),
-                 {}, order);
-}
-
-Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader) {
-    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, reader.locale), {160, 110}, reader.locale),
-                 {}, order);
-}
-
-Pictures drawStudy(const StabilityReport& report, const PictureOrder& order, const PaperReader& reader) {
-    return drawn(paperPlot<ProofPlot>(stabilityPicture(report, reader.locale), {180, 120}, reader.locale), {},
-                 order);
 }
 
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order, const PaperReader& reader) {

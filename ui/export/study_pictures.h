@@ -9,9 +9,6 @@
 #include "core/report/gap_report.h"
 #include "core/report/identify_report.h"
 #include "core/report/map_report.h"
-#include "core/study/proof/accuracy.h"
-#include "core/study/proof/stability.h"
-#include "core/study/proof/string_accuracy.h"
 #include "core/study/rows/sweep_rows.h"
 #include "ui/export/paper_plots.h"
 #include "ui/export/pictures.h"
@@ -30,9 +27,6 @@ Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const P
 /// The main record; requires that it is not refused.
 Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
-Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
-Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
-Pictures drawStudy(const StabilityReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Has no page: the rows as curves, see sweepPanels().
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order, const PaperReader& reader = {});
 

@@ -2,6 +2,7 @@
 #include "ui/plot/figure_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/model/parameter.h"
@@ -50,6 +51,27 @@ const ShownUnit& unitOf(BlowScale scale, const ShownUnits& units) {
     return units.velocity;
 }
 
+bool isPlain(const FigureQuantity& quantity, PlainNumber kind) {
+    const auto* plain = std::get_if<PlainNumber>(&quantity);
+    return plain && *plain == kind;
+}
+
+// Shape, colour and filling differ, never only the colour.
+QCPScatterStyle scatterOf(SeriesPoints points, std::size_t index, const QColor& colour,
+                          const PlotStyle& style) {
+    using Shape = QCPScatterStyle::ScatterShape;
+    constexpr Shape shapes[] = {QCPScatterStyle::ssDisc,     QCPScatterStyle::ssSquare,
+                                QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
+                                QCPScatterStyle::ssCross,    QCPScatterStyle::ssPlus,
+                                QCPScatterStyle::ssCircle,   QCPScatterStyle::ssTriangleInverted};
+    if (points == SeriesPoints::none) return {};
+    if (points == SeriesPoints::stars)
+        return QCPScatterStyle(QCPScatterStyle::ssStar, QPen(colour, 2), Qt::NoBrush, 15);
+    const double size = points == SeriesPoints::joined ? 6 : 5;
+    return QCPScatterStyle(shapes[index % std::size(shapes)], QPen(colour, 1.3), QBrush(style.background),
+                           size);
+}
+
 QSharedPointer<QCPAxisTicker> ticker(bool isLogarithmic, int count) {
     QSharedPointer<QCPAxisTicker> ticks;
     if (isLogarithmic)
@@ -92,6 +114,7 @@ FigureFrame::FigureFrame(QCustomPlot* plot) : StudyFrame(plot), m_seriesDrag(new
             [this](double y) { emit seriesMoved(y / m_yUnit.factor); });
     connect(plot, &QCustomPlot::beforeReplot, this, &FigureFrame::followLines);
     connect(plot, &QCustomPlot::afterLayout, this, &FigureFrame::placeZones);
+    connect(plot, &QCustomPlot::afterLayout, this, &FigureFrame::placeTexts);
     connect(plot, &QCustomPlot::beforeReplot, this, [this] {
         if (isEmpty()) return;
         wrapLegend(*m_legend, m_plot->viewport().width(), mostLegendColumns);
@@ -260,8 +283,9 @@ bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
                m_shown.units.of(a.quantity).unit == shown.units.of(b.quantity).unit;
     };
     const auto ends = [](const StudyPanel& panel) {
-        const auto& x = panel.series.front().x;
         if (panel.x.range) return *panel.x.range;
+        if (panel.series.empty() || hasPoints(panel)) return std::pair(0.0, 0.0);
+        const auto& x = panel.series.front().x;
         return x.empty() ? std::pair(0.0, 0.0) : std::pair(x.front(), x.back());
     };
     if (shown.figure.panels.size() != m_shown.figure.panels.size()) return true;
@@ -279,7 +303,7 @@ void FigureFrame::showSeries(std::size_t index) {
         gone->removeFromLegend(m_legend);
         m_plot->removePlottable(gone);
         if (last.upper) m_plot->removePlottable(last.upper);
-        if (last.startText) m_plot->removeItem(last.startText);
+        for (QCPItemText* text : last.texts) m_plot->removeItem(text);
         panel.series.pop_back();
     }
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -310,6 +334,8 @@ void FigureFrame::showSeries(std::size_t index) {
             QVector<QCPGraphData> points;
             for (std::size_t point = 0; point < each.x.size(); ++point)
                 appendFinite(points, each.x[point] * xFactor, each.y[point] * yFactor);
+            if (each.points != SeriesPoints::none)
+                std::ranges::stable_sort(points, {}, [](const QCPGraphData& point) { return point.key; });
             drawn.line->setData(graphData(points));
             showStrip(index, i);
         } else {
@@ -335,11 +361,10 @@ void FigureFrame::showStrip(std::size_t index, std::size_t series) {
             appendFinite(points, shown.x[point] * xFactorOf(index), shown.upper[point] * yFactorOf(index));
         drawn.upper->setData(graphData(points));
     }
-    if (!drawn.startText && *shown.startText.pattern) {
-        drawn.startText =
-            addText(m_panels[index].rect, QMargins(6, 2, 6, 2), Qt::AlignLeft | Qt::AlignBottom);
-        drawn.startText->setFont(m_style.font);
-        drawn.startText->setColor(m_style.text);
+    while (drawn.texts.size() < shown.texts.size()) {
+        drawn.texts.push_back(addText(m_panels[index].rect, QMargins(6, 2, 6, 2), {}));
+        drawn.texts.back()->setFont(m_style.font);
+        drawn.texts.back()->setColor(m_style.text);
     }
 }
 
@@ -348,9 +373,9 @@ void FigureFrame::followLines() {
     for (const Panel& panel : m_panels)
         for (const Drawn& drawn : panel.series) {
             if (drawn.upper) drawn.upper->setVisible(drawn.line->visible());
-            if (drawn.startText)
-                drawn.startText->setVisible(drawn.line->visible() && !drawn.startText->text().isEmpty() &&
-                                            !drawn.line->data()->isEmpty());
+            for (QCPItemText* text : drawn.texts)
+                text->setVisible(drawn.line->visible() && !text->text().isEmpty() &&
+                                 !drawn.line->data()->isEmpty());
         }
 }
 
@@ -375,6 +400,10 @@ void FigureFrame::showAxes(std::size_t index) {
         const ShownUnit unit = m_shown.units.of(axis.quantity);
         drawn.setScaleType(axis.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
         drawn.setTicker(ticker(axis.isLogarithmic, panel.width < narrow ? 2 : 5));
+        if (isPlain(axis.quantity, PlainNumber::magnitude)) {
+            drawn.setNumberFormat(QStringLiteral("eb"));
+            drawn.setNumberPrecision(0);
+        }
         const auto* parameter = std::get_if<KeptParameter>(&axis.quantity);
         const bool isUntitled = parameter && axis.title.isEmpty();
         drawn.setLabel(unit.axisLabel(isUntitled ? parameterTitle(**parameter) : translated(axis.title)));
@@ -441,17 +470,21 @@ void FigureFrame::showLevels() {
     }
 }
 
-// Numbers as the plot writes them, which in files is another way.
+// As the plot writes it, which in files is another way.
+QString FigureFrame::numberOf(const FigureNumber& number) const {
+    if (!number.words.isEmpty()) return translated(number.words);
+    if (isPlain(number.quantity, PlainNumber::magnitude))
+        return magnitudeText(number.value, m_plot->locale());
+    if (isPlain(number.quantity, PlainNumber::runTime)) return runTimeText(number.value, m_plot->locale());
+    const ShownUnit unit = m_shown.units.of(number.quantity);
+    const QString value = numberText(number.value * unit.factor, number.digits, m_plot->locale());
+    return unit.unit.isEmpty() ? value : value + QChar(QChar::Nbsp) + unit.unit;
+}
+
 QString FigureFrame::textOf(const FigureText& text) const {
     QString words = translated(text.pattern);
-    QStringList numbers;
-    for (const FigureNumber& number : text.numbers) {
-        const ShownUnit unit = m_shown.units.of(number.quantity);
-        const QString value = numberText(number.value * unit.factor, number.digits, m_plot->locale());
-        numbers << (unit.unit.isEmpty() ? value : value + QChar(QChar::Nbsp) + unit.unit);
-    }
-    for (qsizetype i = 0; i < numbers.size(); ++i)
-        words.replace(QLatin1Char('%') + QString::number(i + 1), numbers[i]);
+    for (std::size_t i = 0; i < text.numbers.size(); ++i)
+        words.replace(QLatin1Char('%') + QString::number(i + 1), numberOf(text.numbers[i]));
     return words;
 }
 
@@ -466,12 +499,31 @@ void FigureFrame::showTexts() {
     for (std::size_t i = 0; i < m_panels.size(); ++i)
         for (std::size_t each = 0; each < m_panels[i].series.size(); ++each) {
             const FigureSeries& series = panelOf(i).series[each];
-            QCPItemText* text = m_panels[i].series[each].startText;
-            if (!text) continue;
-            text->setText(textOf(series.startText));
-            if (!series.x.empty())
-                text->position->setCoords(series.x.front() * xFactorOf(i), series.y.front() * yFactorOf(i));
+            const std::vector<QCPItemText*>& texts = m_panels[i].series[each].texts;
+            for (std::size_t point = 0; point < texts.size(); ++point) {
+                const bool isShown = point < series.texts.size() && point < series.x.size();
+                texts[point]->setText(isShown ? textOf(series.texts[point]) : QString());
+                if (isShown)
+                    texts[point]->position->setCoords(series.x[point] * xFactorOf(i),
+                                                      series.y[point] * yFactorOf(i));
+            }
         }
+}
+
+// On the other side of its point where a text would end beyond the axes.
+void FigureFrame::placeTexts() {
+    constexpr auto above = Qt::AlignLeft | Qt::AlignBottom, below = Qt::AlignRight | Qt::AlignTop;
+    for (std::size_t i = 0; i < m_panels.size(); ++i)
+        for (std::size_t each = 0; each < panelOf(i).series.size(); ++each)
+            for (QCPItemText* text : m_panels[i].series[each].texts) {
+                const double at = text->position->pixelPosition().x();
+                const double before = at - m_panels[i].rect->left(), behind = m_panels[i].rect->right() - at;
+                const double width = QFontMetricsF(text->font()).horizontalAdvance(text->text()) +
+                                     text->padding().left() + text->padding().right();
+                const bool isAbove = panelOf(i).series[each].isTextBelow ? width > before && behind > before
+                                                                         : width < behind || behind > before;
+                text->setPositionAlignment(isAbove ? above : below);
+            }
 }
 
 // One part below the other where they are too long for one line.
@@ -534,7 +586,7 @@ void FigureFrame::restyle() {
             const Drawn& drawn = panel.series[each];
             const QPen pen = panelOf(i).series[each].isFaint ? m_style.ghostPen(role) : m_style.linePen(role);
             if (drawn.line) drawn.line->setPen(pen);
-            if (drawn.line) styleStrip(drawn, panelOf(i).series[each]);
+            if (drawn.line) styleLine(panel, each, panelOf(i).series[each]);
             if (!drawn.path) continue;
             const bool isArea = panelOf(i).series[each].kind == SeriesKind::area;
             drawn.path->setPen(isArea ? QPen(m_style.lines[role], 1) : pen);
@@ -563,8 +615,12 @@ void FigureFrame::restyle() {
     showTexts();  // files have another locale
 }
 
-void FigureFrame::styleStrip(const Drawn& drawn, const FigureSeries& series) const {
+void FigureFrame::styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const {
     const auto role = static_cast<int>(series.role);
+    const Drawn& drawn = panel.series[index];
+    const bool isLine = series.points == SeriesPoints::none || series.points == SeriesPoints::joined;
+    drawn.line->setLineStyle(isLine ? QCPGraph::lsLine : QCPGraph::lsNone);
+    drawn.line->setScatterStyle(scatterOf(series.points, index, drawn.line->pen().color(), m_style));
     if (series.role == SeriesRole::reference) drawn.line->setPen(QPen(m_style.text, 2.4));
     drawn.line->setBrush(series.isFilled ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
     drawn.line->setChannelFillGraph(series.isFilled ? drawn.upper : nullptr);
@@ -607,9 +663,26 @@ void FigureFrame::giveMeanings(PlotWidget& plot) const {
     }
 }
 
+std::optional<std::size_t> FigureFrame::rowAt(QPointF place) const {
+    constexpr double nearby = 10;  // [px]
+    double least = nearby;
+    std::optional<std::size_t> found;
+    for (const FigureSeries& series : panelOf(0).series)
+        for (std::size_t i = 0; i < series.rows.size(); ++i) {
+            const QPointF way =
+                pixelOf({series.x[i] * m_xUnit.factor, series.y[i] * m_yUnit.factor}) - pixelOf(place);
+            const double distance = std::hypot(way.x(), way.y());
+            if (distance > least) continue;
+            least = distance;
+            found = series.rows[i];
+        }
+    return found;
+}
+
 KeyPlaces FigureFrame::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
+    if (hasPoints(panelOf(0))) places.on = KeyPlaces::On::points;
     places.start = [this] { return here().place(); };
     places.marks = [this] {
         QVector<QPointF> marks;

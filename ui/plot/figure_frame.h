@@ -57,8 +57,11 @@ class FigureFrame : public StudyFrame {
     const AxisTarget* dragged() const;
     /// Tells the plot what its lines stand for, with the function behind the points of the figure's own.
     void giveMeanings(PlotWidget& plot) const;
-    /// Along the lines of the first panel, to its marks.
+    /// Along the lines of the first panel, to its marks; from point to point where points are marked.
     KeyPlaces keyPlaces() const override;
+    /// Returns the row of the study's table whose point is nearest to a place of the first panel, within a
+    /// few pixels.
+    std::optional<std::size_t> rowAt(QPointF place) const;
 
   signals:
     /// The user moves the line of a figure's handle, and lets it go; in values of the figure.
@@ -73,8 +76,8 @@ class FigureFrame : public StudyFrame {
     struct Drawn {
         QCPGraph* line = nullptr;
         QCPCurve* path = nullptr;
-        QCPGraph* upper = nullptr;         // of a strip
-        QCPItemText* startText = nullptr;  // beside the first point
+        QCPGraph* upper = nullptr;          // of a strip
+        std::vector<QCPItemText*> texts{};  // beside the points
     };
     struct Panel {
         QCPAxisRect* rect = nullptr;
@@ -107,17 +110,20 @@ class FigureFrame : public StudyFrame {
     void showStrip(std::size_t index, std::size_t series);
     void showDrag();
     void followLines();
-    void styleStrip(const Drawn& drawn, const FigureSeries& series) const;
     void setKeyRange(std::size_t index);
     std::optional<QCPRange> valuesOf(std::size_t first) const;
     void setValueRange(std::size_t first, std::optional<QCPRange> values);
+    void styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const;
+    QString numberOf(const FigureNumber& number) const;
     QString textOf(const FigureText& text) const;
     void showTexts();
+    void placeTexts();
     void breakCaption();
     void placeZones();
     void followTopAxes();
     void setAxesVisible(bool visible);
     bool hasOtherAxes(const ShownFigure& shown) const;
+    static bool hasPoints(const StudyPanel& panel);
     bool isThere(std::size_t index) const { return index < m_shown.figure.panels.size(); }
     /// An empty one where an earlier figure had more.
     const StudyPanel& panelOf(std::size_t index) const;

@@ -16,6 +16,14 @@ QCPRange withMargin(QCPRange range, double share, bool isLogarithmic) {
     return {range.lower - share * range.size(), range.upper + share * range.size()};
 }
 
+// Leaves room around points on a logarithmic axis, and beyond them a factor for words beside them.
+QCPRange aroundPoints(QCPRange range, const StudyPanel& panel, double forWords) {
+    constexpr double room = 3;
+    const bool hasTexts =
+        std::ranges::any_of(panel.series, [](const auto& each) { return !each.texts.empty(); });
+    return {range.lower / room, range.upper * (hasTexts ? room * forWords : room)};
+}
+
 void expand(std::optional<QCPRange>& all, const QCPRange& more, bool isThere) {
     if (!isThere) return;
     if (all)
@@ -25,6 +33,11 @@ void expand(std::optional<QCPRange>& all, const QCPRange& more, bool isThere) {
 }
 
 }  // namespace
+
+bool FigureFrame::hasPoints(const StudyPanel& panel) {
+    return std::ranges::any_of(panel.series,
+                               [](const auto& each) { return each.points != SeriesPoints::none; });
+}
 
 void FigureFrame::setRanges() {
     if (isEmpty()) return;
@@ -53,12 +66,13 @@ void FigureFrame::setKeyRange(std::size_t index) {
     else if (isFromZero)
         bottom->setRange(0, keys && keys->upper > 0 ? 1.05 * keys->upper : 100);
     else if (keys)
-        bottom->setRange(withMargin(*keys, 0.02, panel.x.isLogarithmic));
+        bottom->setRange(hasPoints(panel) ? aroundPoints(*keys, panel, 12)
+                                          : withMargin(*keys, 0.02, panel.x.isLogarithmic));
     if (panel.top && panel.top->range)
         axisOf(index, QCPAxis::atTop)->setRange(panel.top->range->first, panel.top->range->second);
 }
 
-// All values of a row; of the first one those of pinned runs, of the others their levels too.
+// All values of a row and its levels; of the first one those of pinned runs too.
 std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
     std::optional<QCPRange> values;
     bool isThere = false;
@@ -71,12 +85,10 @@ std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
             const QCPRange upper = drawn.upper->getValueRange(isThere);
             expand(values, upper, isThere);
         }
-    if (first > 0) {
-        for (const FigureLevel& level : m_shown.figure.levels)
-            if (level.row == panelOf(first).row)
-                expand(values, QCPRange(level.y * yFactorOf(first), level.y * yFactorOf(first)), true);
-        return values;
-    }
+    for (const FigureLevel& level : m_shown.figure.levels)
+        if (level.row == panelOf(first).row)
+            expand(values, QCPRange(level.y * yFactorOf(first), level.y * yFactorOf(first)), true);
+    if (first > 0) return values;
     for (QCPGraph* run : runCurves()) {
         const QCPRange range = run->getValueRange(isThere);
         expand(values, range, isThere);
@@ -91,7 +103,9 @@ void FigureFrame::setValueRange(std::size_t first, std::optional<QCPRange> value
     const double factor = yFactorOf(first);
     if (axis.range) return left->setRange(axis.range->first * factor, axis.range->second * factor);
     if (axis.isFromZero) return left->setRange(0, shown.upper > 0 ? 1.06 * shown.upper : 1);
-    if (axis.isLogarithmic) return left->setRange(withMargin(shown, 0.1, true));
+    if (axis.isLogarithmic)
+        return left->setRange(hasPoints(panelOf(first)) ? aroundPoints(shown, panelOf(first), 4)
+                                                        : withMargin(shown, 0.1, true));
     const double size = std::max(shown.size(), 0.02 * std::abs(shown.upper));
     // Where a zone begins, if that leaves the curves most of the height.
     constexpr double share = 0.25;

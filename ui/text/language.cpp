@@ -127,6 +127,10 @@ std::string LocalStyle::number(double value, int digits) const {
     return numberText(value, digits, m_locale).toStdString();
 }
 
+std::string LocalStyle::magnitude(double value) const {
+    return magnitudeText(value, m_locale).toStdString();
+}
+
 ReadUnit LocalStyle::unitFor(double si, Quantity quantity) const {
     return unitOf(kindOf(si, quantity), si, quantity);
 }

@@ -68,6 +68,7 @@ class LocalStyle : public ReadingStyle {
     static LocalStyle of(const UnitChoice& units);
 
     std::string number(double value, int digits) const override;
+    std::string magnitude(double value) const override;
     ReadUnit unitFor(double si, Quantity quantity) const override;
     ReadUnit rateUnit(double si) const override;
     bool isPrinted() const override { return true; }

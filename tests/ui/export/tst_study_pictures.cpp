@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/report/gap_report.h"
+#include "core/report/proof_answer.h"
 #include "core/study/proof/stability_cases.h"
 #include "ui/export/study_pictures.h"
 
@@ -17,14 +18,10 @@ const StudyAnswer& gap() {
     return *answer;
 }
 
-StabilityReport stability() {
+StudyAnswerPtr stability() {
     std::vector<StabilityCase> cases = stabilityCases();
     cases.resize(20);
-    return checkStability(cases, 1, {}, [](const StabilityReport&) {});
-}
-
-Accuracy accuracy() {
-    return measureAccuracy(Scenario(), {100, 200});
+    return stabilityAnswer(checkStability(cases, 1, {}, [](const StabilityReport&) {}));
 }
 
 }  // namespace
@@ -45,8 +42,10 @@ void TestStudyPictures::everyFormatIsDrawn_data() {
     QTest::addColumn<Draw>("draw");
     QTest::newRow("gap") << Draw([](const PictureOrder& order) { return drawStudy(gap(), order); });
     QTest::newRow("stability") << Draw(
-        [](const PictureOrder& order) { return drawStudy(stability(), order); });
-    QTest::newRow("accuracy") << Draw([](const PictureOrder& order) { return drawStudy(accuracy(), order); });
+        [](const PictureOrder& order) { return drawStudy(*stability(), order); });
+    QTest::newRow("accuracy") << Draw([](const PictureOrder& order) {
+        return drawStudy(*studyAccuracy(Scenario(), {100, 200}, {}), order);
+    });
 }
 
 void TestStudyPictures::everyFormatIsDrawn() {

@@ -6,58 +6,88 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <chrono>
+#include <stdexcept>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
-#include "core/report/accuracy_report.h"
+#include "core/numeric/available_threads.h"
 #include "core/report/blow_csv.h"
-#include "core/report/stability_report.h"
-#include "ui/pages/accuracy/proof_picture.h"
-#include "ui/pages/accuracy/proof_plot.h"
+#include "core/report/proof_answer.h"
 #include "ui/pages/accuracy/proof_table.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
+namespace {
+
+StudyAnswerPtr proveStability(const StudyFeed<StudyAnswerPtr>& feed) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds between{500};  // of what is shown: all rows are copied
+    const std::vector<StabilityCase> cases = stabilityCases();
+    auto last = Clock::now();
+    return stabilityAnswer(
+        checkStability(cases, availableThreads(), feed.stop, [&](const StabilityReport& soFar) {
+            feed.tell({.done = soFar.rows.size(), .wanted = cases.size()});
+            if (Clock::now() - last < between) return;
+            last = Clock::now();
+            StabilityReport report = soFar;
+            report.stopped = true;  // rows are missing
+            feed.show(stabilityAnswer(report));
+        }));
+}
+
+// Away from the window's thread; shows what there is now and then.
+StudyAnswerPtr prove(const ProofQuestion& question, const StudyFeed<StudyAnswerPtr>& feed) {
+    constexpr std::size_t parts = 1000;  // of the work
+    feed.show(nullptr);
+    if (question.proof == Proof::stability) return proveStability(feed);
+    StudyAnswerPtr answer =
+        studyAccuracy(question.scenario, latticeLadder(),
+                      {.stop = feed.stop,
+                       .progress =
+                           [&](double share) {
+                               feed.tell({.done = static_cast<std::size_t>(share * parts), .wanted = parts});
+                           },
+                       .show = feed.show});
+    if (!feed.stop.stop_requested() && !answer->gap().isEmpty())
+        throw std::runtime_error(translated(answer->gap()).toStdString());
+    return answer;
+}
+
+}  // namespace
 
 AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_run(new QPushButton(this)),
       m_tabs(new QTabWidget(this)),
-      m_accuracyTable(new ProofTable(this)),
-      m_stabilityTable(new ProofTable(this)),
       m_study(&prove) {
     m_run->setObjectName(QStringLiteral("run"));
     PlotWidget* plot = arrange({m_run});
-    m_plot = new ProofPlot(plot);
-    m_plot->setNames([this](int row) { return nameOf(std::size_t(row)); });
-    useFrame(*m_plot, tr("Error against run time, or the hardest cases against their limits"));
+    m_frame = new FigureFrame(plot);
+    useFrame(*m_frame, tr("Error against run time, or the hardest cases against their limits"));
     m_tabs->setObjectName(QStringLiteral("proofs"));
     m_tabs->setDocumentMode(true);
-    addTable(m_accuracyTable, QStringLiteral("accuracyTable"), tr("This scenario"));
-    QTableView* cases =
-        addTable(m_stabilityTable, QStringLiteral("stabilityTable"), tr("Stiff and extreme cases"));
-    cases->setToolTip(tr("The worst first; a click loads a case"));
+    addTable(QStringLiteral("accuracyTable"), tr("This scenario"));
+    addTable(QStringLiteral("stabilityTable"), tr("Stiff and extreme cases"));
+    m_tabs->widget(1)->setToolTip(tr("The worst first; a click loads a case"));
     static_cast<QVBoxLayout*>(layout())->addWidget(m_tabs, 1);
     watch(m_study.job());
     connect(m_run, &QPushButton::clicked, this, &AccuracyPage::runOrCancel);
     connect(m_tabs, &QTabWidget::currentChanged, this, &AccuracyPage::present);
-    connect(plot, &PlotWidget::placeTaken, this, [this, plot](const QCPAxisRect*, QPointF at) {
-        const QPointF pixel(plot->xAxis->coordToPixel(at.x()), plot->yAxis->coordToPixel(at.y()));
-        if (proof() != Proof::stability || !m_stability) return;
-        if (const std::optional<int> row = m_plot->rowAt(pixel)) loadCase(static_cast<std::size_t>(*row));
+    connect(plot, &PlotWidget::placeTaken, this, [this](const QCPAxisRect*, QPointF at) {
+        if (const std::optional<std::size_t> row = m_frame->rowAt(at)) loadRow(*row);
     });
-    connect(cases, &QTableView::clicked, this,
-            [this](const QModelIndex& index) { loadCase(m_stabilityTable->studyRow(index.row())); });
-    connect(cases, &QTableView::activated, this,
-            [this](const QModelIndex& index) { loadCase(m_stabilityTable->studyRow(index.row())); });
 }
 
-QTableView* AccuracyPage::addTable(ProofTable* model, const QString& name, const QString& title) {
+void AccuracyPage::addTable(const QString& name, const QString& title) {
     auto* table = new QTableView(m_tabs);
     table->setObjectName(name);
     table->setAccessibleName(title);
-    table->setModel(model);
+    table->setModel(new ProofTable(table));
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -66,8 +96,13 @@ QTableView* AccuracyPage::addTable(ProofTable* model, const QString& name, const
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 6);
     table->horizontalHeader()->setDefaultSectionSize(table->fontMetrics().averageCharWidth() * 13);
+    for (const auto taken : {&QTableView::clicked, &QTableView::activated})
+        connect(table, taken, this, [this](const QModelIndex& index) { loadRow(std::size_t(index.row())); });
     m_tabs->addTab(table, title);
-    return table;
+}
+
+QTableView& AccuracyPage::table() const {
+    return *static_cast<QTableView*>(m_tabs->currentWidget());
 }
 
 Proof AccuracyPage::proof() const {
@@ -90,26 +125,16 @@ void AccuracyPage::ask() {
         m_study.job().cancel();
 }
 
-// Keeps the results of each study while the other one runs.
+// Keeps the answer of each study while the other one runs.
 void AccuracyPage::takeOver() {
-    const ProofAnswer* answer = m_study.value();
-    if (!answer) return;
-    bool& isWhole = answer->question.proof == Proof::accuracy ? m_accuracyIsWhole : m_stabilityIsWhole;
-    if (std::exchange(m_taken, answer) != answer) isWhole = false;
-    if (m_study.job().state() == StudyState::finished && m_study.job().isCurrent()) isWhole = true;
-    if (answer->stability) m_stability = answer->stability;
-    if (answer->accuracy || answer->stringAccuracy) {
-        m_accuracy = answer->accuracy;
-        m_stringAccuracy = answer->stringAccuracy;
-        m_accuracyOf = answer->question.scenario;
-    }
+    if (m_study.job().isCurrent()) m_answers[std::size_t(m_study.question()->proof)] = *m_study.job().value();
 }
 
-// Returns the data for the present scenario; nullptr if there are none.
-const void* AccuracyPage::accuracyOfThis() const {
-    if (m_accuracyOf != scenario()) return nullptr;
-    if (m_stringAccuracy && !m_stringAccuracy->rows.empty()) return m_stringAccuracy.get();
-    return m_accuracy && !m_accuracy->rows.empty() ? m_accuracy.get() : nullptr;
+// Returns the rows so far, of the present scenario; nullptr if there are none.
+StudyAnswerPtr AccuracyPage::wanted() const {
+    const StudyAnswerPtr& answer = m_answers[std::size_t(proof())];
+    const bool isOther = answer && proof() == Proof::accuracy && answer->scenario() != scenario();
+    return answer && answer->hasRows() && !isOther ? answer : nullptr;
 }
 
 void AccuracyPage::present() {
@@ -122,59 +147,39 @@ void AccuracyPage::present() {
     m_run->setToolTip(proof() == Proof::accuracy
                           ? tr("Solve this scenario with every method and measure errors and times")
                           : tr("Solve and check some thousand stiff and extreme cases"));
-    if (proof() == Proof::accuracy)
-        presentAccuracy();
-    else
-        presentStability();
+    const StudyAnswerPtr before = std::exchange(m_shown, wanted());
+    if (!m_shown) {
+        showNothing();
+    } else if (m_shown != before) {
+        const bool isFirst = m_frame->isEmpty();
+        m_frame->present({m_shown->figure(0), {}});
+        if (isFirst) {
+            KeyPlaces places = m_frame->keyPlaces();
+            places.words = [this](QPointF place) { return nameOf(place); };
+            plot()->keyPoint().offer(places);
+        }
+        static_cast<ProofTable*>(table().model())
+            ->present(proof() == Proof::accuracy ? tr("method") : tr("case"),
+                      m_shown->table(LocalStyle::of(document().units())));
+        // Once: then the widths are the user's.
+        constexpr int letters = 30;
+        if (table().columnWidth(0) == table().horizontalHeader()->defaultSectionSize())
+            table().setColumnWidth(0, letters * table().fontMetrics().averageCharWidth());
+        redraw();
+    }
     say(sentence());
     plot()->setCurrent(hasAll());
 }
 
-void AccuracyPage::presentAccuracy() {
-    const void* wanted = accuracyOfThis();
-    if (wanted && wanted == m_shown) return;
-    m_shown = wanted;
-    const auto show = [this](const auto& accuracy) {
-        m_plot->present(accuracyPicture(*accuracy, QLocale()));
-        m_accuracyTable->present(accuracy);
-        widenNames();
-    };
-    if (wanted && m_stringAccuracy) {
-        show(m_stringAccuracy);
-    } else if (wanted) {
-        show(m_accuracy);
-    } else {
-        const QString first = isFollowedByEvents(scenario()) ? tr("Solving exactly, and in long double …")
-                                                             : tr("Solving with cells half as large …");
-        m_plot->showNothing(
-            isRunning() ? first : tr("Run compares all methods on this scenario: error against time."));
-        if (m_accuracyTable->rowCount() > 0) m_accuracyTable->clear();
-    }
+void AccuracyPage::showNothing() {
+    const QString first = isFollowedByEvents(scenario()) ? tr("Solving exactly, and in long double …")
+                                                         : tr("Solving with cells half as large …");
+    m_frame->showNothing(
+        proof() == Proof::stability ? tr("Run solves and checks some thousand stiff and extreme cases.")
+        : isRunning()               ? first
+                                    : tr("Run compares all methods on this scenario: error against time."));
+    static_cast<ProofTable*>(table().model())->clear();
     redraw();
-}
-
-void AccuracyPage::presentStability() {
-    const bool isThere = m_stability && !m_stability->rows.empty();
-    const void* wanted = isThere ? m_stability.get() : nullptr;
-    if (wanted && wanted == m_shown) return;
-    m_shown = wanted;
-    if (isThere) {
-        m_plot->present(stabilityPicture(*m_stability, QLocale()));
-        m_stabilityTable->present(m_stability);
-        widenNames();
-    } else {
-        m_plot->showNothing(tr("Run solves and checks some thousand stiff and extreme cases."));
-        if (m_stabilityTable->rowCount() > 0) m_stabilityTable->clear();
-    }
-    redraw();
-}
-
-// Once: then the widths are the user's.
-void AccuracyPage::widenNames() {
-    auto* table = qobject_cast<QTableView*>(m_tabs->currentWidget());
-    constexpr int letters = 30;
-    if (table->columnWidth(0) == table->horizontalHeader()->defaultSectionSize())
-        table->setColumnWidth(0, letters * table->fontMetrics().averageCharWidth());
 }
 
 QString AccuracyPage::sentence() const {
@@ -193,25 +198,18 @@ QString AccuracyPage::sentence() const {
 }
 
 // Name of a point of the plot.
-QString AccuracyPage::nameOf(std::size_t row) const {
-    if (proof() == Proof::stability)
-        return m_stability && row < m_stability->rows.size()
-                   ? QString::fromStdString(m_stability->rows[row].stabilityCase.name)
-                   : QString();
-    if (m_stringAccuracy && row < m_stringAccuracy->rows.size()) return rowName(m_stringAccuracy->rows[row]);
-    return m_accuracy && row < m_accuracy->rows.size() ? rowName(m_accuracy->rows[row]) : QString();
+QString AccuracyPage::nameOf(QPointF place) const {
+    const std::optional<std::size_t> row = m_frame->rowAt(place);
+    return row ? table().model()->index(int(*row), 0).data().toString() : QString();
 }
 
-void AccuracyPage::loadCase(std::size_t row) {
-    if (!m_stability || row >= m_stability->rows.size()) return;
-    const StabilityCase& chosen = m_stability->rows[row].stabilityCase;
-    load(scenarioOf(chosen), tr("load the case %1").arg(QString::fromStdString(chosen.name)));
+void AccuracyPage::loadRow(std::size_t row) {
+    const std::optional<Scenario> chosen = m_shown ? m_shown->scenarioOfRow(row) : std::nullopt;
+    if (chosen) load(*chosen, tr("load the case %1").arg(QString::fromStdString(chosen->title)));
 }
 
 bool AccuracyPage::hasAll() const {
-    if (isRunning()) return false;
-    if (proof() == Proof::stability) return m_stabilityIsWhole && m_stability && !m_stability->rows.empty();
-    return m_accuracyIsWhole && accuracyOfThis();
+    return !isRunning() && m_shown && m_shown->gap().isEmpty();
 }
 
 QString AccuracyPage::obstacle() const {
@@ -222,10 +220,9 @@ QString AccuracyPage::obstacle() const {
 }
 
 QByteArray AccuracyPage::csv() const {
-    if (proof() == Proof::stability) return QByteArray::fromStdString(stabilityCsv(*m_stability));
     return QByteArray::fromStdString(
-        scenarioHeader(completeScenarioText(document().contents())) +
-        (m_stringAccuracy ? accuracyCsv(*m_stringAccuracy) : accuracyCsv(*m_accuracy)));
+        (proof() == Proof::accuracy ? scenarioHeader(completeScenarioText(document().contents())) : "") +
+        m_shown->csv(OutputUnits::dimensionless));
 }
 
 QStringList AccuracyPage::commandWords() const {

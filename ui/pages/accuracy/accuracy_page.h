@@ -2,8 +2,10 @@
 // The page Accuracy: how right the numbers are, for this scenario and for the hardest ones.
 #pragma once
 
+#include <array>
+
+#include "core/report/study.h"
 #include "ui/job/study_job.h"
-#include "ui/pages/accuracy/proof_study.h"
 #include "ui/pages/study/study_page.h"
 
 class QPushButton;
@@ -12,8 +14,17 @@ class QTabWidget;
 
 namespace drillwave {
 
-class ProofPlot;
-class ProofTable;
+class FigureFrame;
+
+enum class Proof { accuracy, stability };
+
+/// A request for a study. A repeated one counts as new, so that run times are measured again.
+struct ProofQuestion {
+    Proof proof = Proof::accuracy;
+    Scenario scenario;  ///< of the accuracy
+    int run = 0;
+    bool operator==(const ProofQuestion&) const = default;
+};
 
 /// Only a button starts the two studies. A study of another scenario is not shown.
 class AccuracyPage : public StudyPage {
@@ -39,32 +50,22 @@ class AccuracyPage : public StudyPage {
     bool isRunning() const;
     void runOrCancel();
     void takeOver();
-    const void* accuracyOfThis() const;
-    void presentAccuracy();
-    void presentStability();
-    QString nameOf(std::size_t row) const;
-    void loadCase(std::size_t row);
-    QTableView* addTable(ProofTable* model, const QString& name, const QString& title);
-    void widenNames();
+    StudyAnswerPtr wanted() const;
+    void showNothing();
+    QString nameOf(QPointF place) const;
+    void loadRow(std::size_t row);
+    void addTable(const QString& name, const QString& title);
+    QTableView& table() const;
     bool hasAll() const;
     QString sentence() const;
 
     QPushButton* m_run;
     QTabWidget* m_tabs;
-    ProofTable* m_accuracyTable;
-    ProofTable* m_stabilityTable;
-    ProofPlot* m_plot = nullptr;
-    // The one or the other, of that scenario.
-    std::shared_ptr<const Accuracy> m_accuracy;
-    std::shared_ptr<const StringAccuracy> m_stringAccuracy;
-    Scenario m_accuracyOf;
-    std::shared_ptr<const StabilityReport> m_stability;
-    const void* m_taken = nullptr;   // the answer taken over last
-    bool m_accuracyIsWhole = false;  // no rows are missing
-    bool m_stabilityIsWhole = false;
-    const void* m_shown = nullptr;  // what the plot draws
+    FigureFrame* m_frame = nullptr;
+    std::array<StudyAnswerPtr, 2> m_answers;  // by Proof
+    StudyAnswerPtr m_shown;
     int m_runs = 0;
-    StudyRunner<ProofQuestion, ProofAnswer> m_study;  // goes first: its thread works
+    StudyRunner<ProofQuestion, StudyAnswerPtr> m_study;  // goes first: its thread works
 };
 
 }  // namespace drillwave

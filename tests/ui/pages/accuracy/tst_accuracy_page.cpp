@@ -7,16 +7,25 @@
 #include <QTest>
 
 #include "core/report/accuracy_columns.h"
+#include "core/report/proof_answer.h"
 #include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "ui/pages/accuracy/accuracy_page.h"
-#include "ui/pages/accuracy/proof_picture.h"
-#include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/accuracy/proof_table.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
 
 using namespace drillwave;
+
+namespace {
+
+LocalStyle windowStyle() {
+    return {QLocale::c(), UnitSystem::si, {}};
+}
+
+}  // namespace
 
 class TestAccuracyPage : public QObject {
     Q_OBJECT
@@ -29,6 +38,7 @@ class TestAccuracyPage : public QObject {
     void whatIsDoneStaysWhenCancelled();
     void anotherScenarioTakesTheMeasurementAway();
     void thePictureShowsTheNumbersOfTheStudy();
+    void pointsInAnyOrderAreInView();
     void wordsAtPointsStayWithinTheAxes();
     void theTableShowsTheColumnsOfTheCommand();
     void theWorstCaseComesFirst();
@@ -128,37 +138,57 @@ void TestAccuracyPage::anotherScenarioTakesTheMeasurementAway() {
 }
 
 void TestAccuracyPage::thePictureShowsTheNumbersOfTheStudy() {
-    const ProofPicture picture = accuracyPicture(m_measured, QLocale::c());
-    QCOMPARE(picture.series.size(), std::size_t{4});  // exact, two lattices, closed form
+    const StudyFigure figure = accuracyAnswer(Scenario(), m_measured)->figure(0);
+    const std::vector<FigureSeries>& all = figure.panels.front().series;
+    QCOMPARE(all.size(), std::size_t{4});  // exact, two lattices, closed form
     int shown = 0;
-    for (const ProofSeries& series : picture.series)
-        for (qsizetype i = 0; i < series.at.size(); ++i, ++shown) {
-            const AccuracyRow& row = m_measured.rows[std::size_t(series.rows[i])];
-            QCOMPARE(series.at[i].x(), row.time.median);
-            QCOMPARE(series.at[i].y(), std::max(row.corError, 1e-17));
+    for (const FigureSeries& series : all)
+        for (std::size_t i = 0; i < series.x.size(); ++i, ++shown) {
+            const AccuracyRow& row = m_measured.rows[series.rows[i]];
+            QCOMPARE(series.x[i], row.time.median);
+            QCOMPARE(series.y[i], std::max(row.corError, 1e-17));
         }
     QCOMPARE(shown, int(m_measured.rows.size()));
+}
+
+/// The first and the last of the points were taken for the ends, and others were out of view.
+void TestAccuracyPage::pointsInAnyOrderAreInView() {
+    PlotWidget plot;
+    FigureFrame frame(&plot);
+    StudyPanel panel{.x = {.isLogarithmic = true}, .y = {.isLogarithmic = true}};
+    panel.series = {{.x = {1, 1e6, 1e-6, 10}, .y = {1, 2, 3, 4}, .points = SeriesPoints::apart}};
+    frame.present({{.panels = {panel}}, {}});
+    const QCPRange shown = plot.axisRects().first()->axis(QCPAxis::atBottom)->range();
+    QVERIFY(shown.lower < 1e-6 && shown.upper > 1e6);
 }
 
 /// At the right edge words stood to the right of their point all the same, and were cut.
 void TestAccuracyPage::wordsAtPointsStayWithinTheAxes() {
     PlotWidget plot;
     plot.resize(500, 300);
-    ProofPlot proof(&plot);
-    const QString words = QStringLiteral("10,000, the paper's choice");
-    ProofSeries upper{.name = "upper", .points = {}, .at = {{1, 1}}, .labels = {words}, .rows = {0}};
-    ProofSeries lower{.name = "lower", .points = {}, .at = {{1, 1e-3}}, .labels = {words}, .rows = {1}};
-    proof.present(
-        {.xLabel = {}, .yLabel = {}, .caption = {}, .series = {lower, upper}, .mark = {}, .markName = {}});
+    FigureFrame frame(&plot);
+    const char* words = "10,000, the paper's choice";
+    const auto series = [&](double y, bool isTextBelow) {
+        return FigureSeries{.legend = "points",
+                            .x = {1},
+                            .y = {y},
+                            .points = SeriesPoints::joined,
+                            .texts = {{words}},
+                            .isTextBelow = isTextBelow};
+    };
+    StudyPanel panel{.x = {.isLogarithmic = true}, .y = {.isLogarithmic = true}};
+    panel.series = {series(1e-3, true), series(1, false)};
+    frame.present({{.panels = {panel}}, {}});
+    const QCPAxisRect& rect = *plot.axisRects().first();
     for (const double share : {0.05, 0.95}) {
-        plot.xAxis->setRange(std::pow(10, -share), std::pow(10, 1 - share));
+        rect.axis(QCPAxis::atBottom)->setRange(std::pow(10, -share), std::pow(10, 1 - share));
         plot.replot();
         plot.replot();
         int count = 0;
         for (int i = 0; i < plot.itemCount(); ++i) {
             const auto* text = qobject_cast<QCPItemText*>(plot.item(i));
-            if (!text || text->text() != words) continue;
-            const QRect inside = plot.axisRect()->rect().adjusted(-1, 0, 1, 0);
+            if (!text || text->text() != QLatin1String(words)) continue;
+            const QRect inside = rect.rect().adjusted(-1, 0, 1, 0);
             QVERIFY(text->left->pixelPosition().x() >= inside.left());
             QVERIFY(text->right->pixelPosition().x() <= inside.right());
             ++count;
@@ -169,7 +199,7 @@ void TestAccuracyPage::wordsAtPointsStayWithinTheAxes() {
 
 void TestAccuracyPage::theTableShowsTheColumnsOfTheCommand() {
     ProofTable rows;
-    rows.present(std::make_shared<const Accuracy>(m_measured));
+    rows.present(QStringLiteral("method"), accuracyAnswer(Scenario(), m_measured)->table(windowStyle()));
     QCOMPARE(rows.rowCount(), int(m_measured.rows.size()));
     int column = 1;
     for (const auto& each : accuracyColumns) {
@@ -179,6 +209,8 @@ void TestAccuracyPage::theTableShowsTheColumnsOfTheCommand() {
     }
     QCOMPARE(rows.columnCount(), column);
     QCOMPARE(rows.index(0, 0).data().toString(), QStringLiteral("exact"));
+    QCOMPARE(rows.index(0, 1).data().toString(),
+             magnitudeText(m_measured.rows.front().corError, QLocale::c()));
 }
 
 void TestAccuracyPage::theWorstCaseComesFirst() {
@@ -188,16 +220,18 @@ void TestAccuracyPage::theWorstCaseComesFirst() {
         report.rows.push_back(checkStability({each}, 1, {}, [](const StabilityReport&) {}).rows.front());
     }
     report.rows[17].momentumResidual = 1;
+    const StudyAnswerPtr answer = stabilityAnswer(report);
+    QVERIFY(answer->scenarioOfRow(0) == scenarioOf(report.rows[17].stabilityCase));
     ProofTable rows;
-    rows.present(std::make_shared<const StabilityReport>(report));
-    QCOMPARE(rows.studyRow(0), std::size_t{17});
+    rows.present(QStringLiteral("case"), answer->table(windowStyle()));
+    QCOMPARE(rows.rowCount(), 40);
     QCOMPARE(rows.index(0, 1).data().toString(), QStringLiteral("momentum"));
     double last = HUGE_VAL;
     for (int i = 0; i < rows.rowCount(); ++i) {
-        const double ratio = worstOf(report.rows[rows.studyRow(i)]).ratio;
-        QVERIFY(ratio <= last);
-        QVERIFY(i == 0 || ratio <= 1);  // every other case has passed
-        last = ratio;
+        const double percent = rows.index(i, 2).data().toString().section(u' ', 0, 0).toDouble();
+        QVERIFY(i == 0 || (percent > 0 && percent <= 100));  // every other case has passed
+        QVERIFY(i <= 1 || percent <= last);
+        last = percent;
     }
 }
 
@@ -261,7 +295,7 @@ void TestAccuracyPage::aStringIsMeasuredByItsMethods() {
     const QAbstractItemModel* rows = table("accuracyTable")->model();
     QCOMPARE(rows->columnCount(), int(stringAccuracyColumns.size()) + 1);
     QCOMPARE(rows->rowCount(), points());
-    QCOMPARE(rows->index(0, 0).data().toString(), rowName(StringAccuracyRow()));
+    QCOMPARE(rows->index(0, 0).data().toString(), QStringLiteral("polynomial cells (studies)"));
     QCOMPARE(m_page->plot()->graphCount(), 3);
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
     const QByteArray csv = m_page->exports().first().csv();
