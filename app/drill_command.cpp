@@ -139,12 +139,15 @@ const Command& drillCommand() {
         .operands = "FILE",
         .summary = "a sequence of blows under a feed: penetration rate, gap and contact, with errors",
         .details =
-            "Follows blow after blow: waves, and the motion of the machine on its damper, carry over from one\n"
+            "Follows blow after blow: waves, and the motion of the machine on its damper, carry over from "
+            "one\n"
             "blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how\n"
             "many blows start in contact, whether the motion repeats and where the energy goes. FILE needs\n"
             "drill.blow_frequency and drill.thrust. Penetrations are upper limits.\n"
-            "With --scan the same over a parameter; each value is followed twice, from rest and from bouncing.\n"
-            "DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with --plots\n"
+            "With --scan the same over a parameter; each value is followed twice, from rest and from "
+            "bouncing.\n"
+            "DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with "
+            "--plots\n"
             "drilling.png.",
         .options = scenarioOptions(
             {shortFor("drill.blows", "blows",

@@ -27,10 +27,10 @@ Message whyNoString(const Scenario& scenario);
 Scenario oneSectionOf(const Scenario& scenario);
 
 /// Returns the rod as a string of one section under the same force. A piston becomes a hammer whose motion is
-/// simulated. A rectangular blow becomes a hammer of the same impulse, with the impedance Z of the rod and the
-/// length c t0/2, to whole millimetres. The hammer does not strike again once it has separated. So results
-/// are those of the uniform rod for a rectangular blow, and for a piston of no larger impedance than the rod
-/// (theory of strings, §10). Requires whyNoString() to be empty.
+/// simulated. A rectangular blow becomes a hammer of the same impulse, with the impedance Z of the rod and
+/// the length c t0/2, to whole millimetres. The hammer does not strike again once it has separated. So
+/// results are those of the uniform rod for a rectangular blow, and for a piston of no larger impedance than
+/// the rod (theory of strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 
 /// Returns the same string under the force of a uniform piston with the mass, velocity and wave travel time

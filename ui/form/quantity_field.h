@@ -43,8 +43,8 @@ class QuantityField : public QAbstractSpinBox {
     using Taker = std::function<QString(double)>;
 
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
-    /// Makes a field for the values of a parameter. All fields of the parameter share one unit. The units must
-    /// outlive it.
+    /// Makes a field for the values of a parameter. All fields of the parameter share one unit. The units
+    /// must outlive it.
     QuantityField(const KeptParameter& parameter, const UnitChoice& units, QWidget* parent = nullptr);
     ~QuantityField() override;
 

@@ -226,8 +226,11 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     gain.incident.assign(m_gridCount, 0);
     gain.returning.assign(first, first + static_cast<std::ptrdiff_t>(m_returning.size()));
     gain.quiet.assign(m_quiet.size(), 0);
+    gain.low = -3 * returnTolerance;
+    gain.high = 3 * returnTolerance;
     m_shapes.push_back(std::move(gain));
     setShapeUnknown(m_shapes.size() - 1);
+    m_unknowns.back().isHeld = question.barBehind;  // a specimen that creeps would take it
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         if (record.gauges[g].opposite.empty() || record.bending < leastBending) continue;
         std::vector<const std::vector<double>*> signals(record.gauges.size(), &none);
