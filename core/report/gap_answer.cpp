@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/text/decimal_text.h"
@@ -204,12 +203,7 @@ const Study& gapStudy() {
         .firstLook = translatable("A first look; the curve follows."),
         .clickHelp = translatable("Click on the curve to use that gap; Shift+click pins it."),
         .hasSi = true,
-        .whyNot = [](const Scenario& scenario) -> Message {
-            if (gapHasPeriod(scenario)) return {};
-            return translatable(
-                "is a drill string, and this command solves uniform rods alone (`drillwave: 1`); "
-                "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
-        },
+        .whyNot = whyNoPeriod,
         .elsewhere =
             translatable("COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings "
                          "they do not repeat: Efficiency–stiffness shows them over the gap, point by point."),

@@ -37,7 +37,6 @@ ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double v
 /// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
 /// in its memory.
 bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
-    if (!gapHasPeriod(base)) return false;
     const auto blowAt = [&](double value) -> std::optional<Problem> {
         const ScenarioAt at = scenarioAt(base, parameter, value);
         if (!at.obstacle.isEmpty()) return std::nullopt;
@@ -46,7 +45,7 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
         return problem;
     };
     const std::optional<Problem> first = blowAt(values.front());
-    return first && first == blowAt(values.back());
+    return first && rodRefusal(*first).empty() && first == blowAt(values.back());
 }
 
 /// With what they keep from point to point.

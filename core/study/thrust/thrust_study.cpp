@@ -60,12 +60,13 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
         return rebound.known();
     };
     const GapCurve rock = rockCurve(problem, stop, half.from(0), mostPieces);
-    study.rebounds.quantile = quantileOf(rock);
-    if (!isKnown(study.rebounds.quantile)) return study;
-    study.rebounds.worst = worstOf(elasticCurve(problem, stop, half.from(0.5), mostPieces));
-    if (!isKnown(study.rebounds.worst)) return study;
+    GapRebounds& rebounds = study.rebounds.emplace();
+    rebounds.quantile = quantileOf(rock);
+    if (!isKnown(rebounds.quantile)) return study;
+    rebounds.worst = worstOf(elasticCurve(problem, stop, half.from(0.5), mostPieces));
+    if (!isKnown(rebounds.worst)) return study;
 
-    study.feed = *feedEstimate(scenario, {impact.cor, impact.corError}, 1, study.rebounds.known());
+    study.feed = *feedEstimate(scenario, {impact.cor, impact.corError}, 1, rebounds.known());
     if (const auto force = study.feed.effective()) {
         const double served = *force / study.feed.balance - 1;  // up to which e
         study.shareFull = 1 - shareAbove(rock, served).value;
@@ -77,8 +78,6 @@ ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy
                               const std::stop_token& stop) {
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);
-    if (study.reason.isEmpty() && gapHasPeriod(scenario))
-        study.reason = translatable("is a uniform rod (`drillwave: 1`), not a string");
     if (!study.reason.isEmpty()) return study;
     const auto [problem, impact] = solver.solveString(scenario, {.accuracy = accuracy, .wants = {}}, stop);
     study.stopped = stop.stop_requested();

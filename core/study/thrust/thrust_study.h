@@ -14,7 +14,7 @@ namespace drillwave {
 
 struct ThrustStudy {
     FeedEstimate feed;
-    GapRebounds rebounds;             ///< for the cases of all gaps; of a uniform rod
+    std::optional<GapRebounds> rebounds;  ///< for the cases of all gaps, whose period a string has not
     double transferred = 1;           ///< impulse transferred by the hammer [I0] (ImpactSummary::transferred)
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
     Message reason;                   ///< why there is no result; empty if there is one
