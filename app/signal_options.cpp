@@ -10,7 +10,6 @@
 #include "app/scenario_argument.h"
 #include "core/blow/blow_waves.h"
 #include "core/blow/thinned_blow.h"
-#include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
@@ -54,22 +53,9 @@ const Recorder& recorderNamed(const std::vector<Recorder>& recorders, const std:
 
 /// The bar at the struck end, where the force of a blow comes in.
 SignalBar barOf(const Scenario& scenario) {
-    SignalBar bar;
-    if (!hasUnits(scenario)) return bar;
-    double density = scenario.rod.density;
-    if (hasSections(scenario)) {
-        const DrillString& drillString = scenario.drillString;
-        const StringPlace at = stringPlace(drillString, 0);
-        const Section& section = *allSections(drillString)[at.section];
-        bar.area = areaAt(section, at.share);
-        bar.modulus = section.youngsModulus.value_or(drillString.material.youngsModulus);
-        density = section.density.value_or(drillString.material.density);
-    } else {
-        bar.area = propertiesOf(scenario.rod).area;
-        bar.modulus = scenario.rod.youngsModulus;
-    }
-    bar.impedance = *bar.area * std::sqrt(*bar.modulus * density);
-    return bar;
+    if (!hasUnits(scenario)) return {};
+    const BarAt struck = barAt(scenario, 0);
+    return {struck.area, struck.modulus, struck.impedance()};
 }
 
 }  // namespace
@@ -162,7 +148,7 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
         printRemark({translatable("%1: warning: %2"), {name, remark.text}}, arguments.style());
         document.recordRemarks.push_back(about(name, remark.text));
     }
-    if (hasSections(scenario) && !isForced(scenario)) scenario = forcedStringOf(scenario).scenario;
+    scenario = withForce(scenario);
     SignalRecipe recipe = reading.recipe;
     recipe.points = mostPoints;
     ThinnedBlow blow;

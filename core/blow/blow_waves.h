@@ -2,6 +2,7 @@
 // Waves and motions of a blow over place and time, on a rod or a drill string.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,16 @@ double hammerRear(const DrillString& drillString);
 
 /// The place at a share of the length of the string, 0 at the shank … 1 at the bit, below 0 in the hammer.
 StringPlace stringPlace(const DrillString& drillString, double share);
+
+/// The bar at a place of rod or string, for gauges on it.
+struct BarAt {
+    double area = 0;                                                          ///< [m²]
+    double modulus = 0;                                                       ///< Young's modulus [Pa]
+    double density = 0;                                                       ///< [kg/m³]
+    double impedance() const { return area * std::sqrt(modulus * density); }  ///< [N s/m]
+};
+/// Returns the uniform rod, or a section at a share of the length of the string as in stringPlace().
+BarAt barAt(const Scenario& scenario, double share);
 
 /// The other way round.
 double shareOfString(const DrillString& drillString, const StringPlace& place);

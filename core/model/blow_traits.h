@@ -18,12 +18,6 @@ inline bool isFollowedByEvents(const Scenario& scenario) {
     return followsFromGroups(scenario);
 }
 
-/// Returns whether blows repeat with the period of the gap (theory §4), because waves return as they left.
-/// Only then are shares of all gaps and the worst gap known.
-inline bool gapHasPeriod(const Scenario& scenario) {
-    return followsFromGroups(scenario);
-}
-
 /// Whether there is a list of sections, with places that count and are named.
 inline bool hasSections(const Scenario& scenario) {
     return !scenario.drillString.parts.empty();

@@ -14,10 +14,6 @@ namespace {
 constexpr double mostMean = 1e6;  // [d0]
 constexpr int mostPeriods = 20;   // laid over another curve: with a small blow there could be thousands
 
-double lengthOfOne(const Scenario& scenario) {
-    return hasUnits(scenario) ? scalesOf(scenario).penetration : 1;
-}
-
 /// The distribution that the options ask for, or what is wrong with them.
 struct AskedGap {
     std::optional<NormalGap> normal;
@@ -31,7 +27,7 @@ double readGap(const StudyQuestion& question, std::string_view option, double le
     const Quantity quantity = isDimensional ? Quantity::length : Quantity::ratio;
     const TypedQuantity typed =
         parseQuantity(*wordsOf(question, option), quantity, BareNumber::refused, findUnit(quantity, "mm"));
-    const double scale = lengthOfOne(question.scenario);
+    const double scale = scalesOf(question.scenario).penetration;
     const auto shown = [&](double gap) {
         return isDimensional ? formatNumber(gap * scale * 1000) + " mm" : formatNumber(gap);
     };
@@ -159,7 +155,7 @@ constexpr auto presentGap = [](const Scenario& scenario) {
 };
 
 double shareOfPeriod(const Scenario& scenario, double share) {
-    return share * lengthOfOne(scenario);
+    return share * scalesOf(scenario).penetration;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ UniformSection uniformSection(const Section& section, const DrillString& drill, 
 
 Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) {
     const DrillString& drill = scenario.drillString;
-    const double impedance = propertiesOf(ruleSection(drill), drill.material).impedance;
+    const double impedance = propertiesOf(*ruleSection(drill), drill.material).impedance;
     const double time = pulseDuration(scenario);
     const double slope = time / impedance;
 

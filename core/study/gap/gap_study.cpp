@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
-#include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 #include "core/text/handy_text.h"
 #include "core/wave/exact/exact_solver.h"
@@ -14,7 +13,7 @@
 namespace drillwave {
 
 Message whyNoPeriod(const Scenario& scenario) {
-    if (gapHasPeriod(scenario)) return {};
+    if (gapPeriod(scenario)) return {};
     return translatable(
         "is a drill string, and this command solves uniform rods alone (`drillwave: 1`); "
         "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");

@@ -6,7 +6,6 @@
 
 #include "core/blow/feed_estimate.h"
 #include "core/blow/impact_summary.h"
-#include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -41,7 +40,9 @@ std::optional<double> ThrustStudy::margin() const {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
     MethodSolver solver(limits);
-    if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop);
+    if (std::optional<ThrustStudy> ofString =
+            studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop))
+        return *std::move(ofString);
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);
     if (!study.reason.isEmpty()) return study;
@@ -74,8 +75,9 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     return study;
 }
 
-ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
-                              const std::stop_token& stop) {
+std::optional<ThrustStudy> studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy,
+                                             MethodSolver& solver, const std::stop_token& stop) {
+    if (gapPeriod(scenario)) return std::nullopt;
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);
     if (!study.reason.isEmpty()) return study;

@@ -36,8 +36,9 @@ Message thrustRefusal(const Scenario& scenario);
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
-/// Studies a drill string by one run of its solver: one blow, and no gaps.
-ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
-                              const std::stop_token& stop);
+/// Studies a drill string by one run of its solver: one blow, and no gaps. Nothing for a uniform rod, whose
+/// gaps are to be studied.
+std::optional<ThrustStudy> studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy,
+                                             MethodSolver& solver, const std::stop_token& stop);
 
 }  // namespace drillwave

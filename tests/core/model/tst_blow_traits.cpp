@@ -30,7 +30,7 @@ void TestBlowTraits::whatFollowsFromGroupsIsTheProblemOfItsGroups() {
 void TestBlowTraits::onlyBlowsOnARodArePeriodicInTheGap() {
     for (const Example& example : builtInExamples()) {
         const Scenario scenario = parseScenario(example.text, example.name).scenario;
-        QCOMPARE(gapHasPeriod(scenario), rodRefusal(problemOf(scenario)).empty());
+        QCOMPARE(gapPeriod(scenario).has_value(), rodRefusal(problemOf(scenario)).empty());
         QCOMPARE(isFollowedByEvents(scenario), rodRefusal(problemOf(scenario)).empty());
         QCOMPARE(hasSections(scenario), !rodRefusal(problemOf(scenario)).empty());
     }

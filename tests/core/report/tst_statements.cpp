@@ -11,7 +11,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_text.h"
