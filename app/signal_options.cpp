@@ -2,7 +2,6 @@
 #include "app/signal_options.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/command_error.h"
 #include "app/input_text.h"
@@ -12,7 +11,6 @@
 #include "core/blow/thinned_blow.h"
 #include "core/model/form_conversion.h"
 #include "core/model/scales.h"
-#include "core/model/section_pieces.h"
 #include "core/signal/signal_option.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
@@ -49,13 +47,6 @@ const Recorder& recorderNamed(const std::vector<Recorder>& recorders, const std:
             {translatable("--recorder %1: is not known; did you mean `%2`?"), {shortened(wanted), near}});
     refuseUsage({translatable("--recorder %1: is not known; --save-recorder %1 keeps options in %2"),
                  {shortened(wanted), recordersPath()}});
-}
-
-/// The bar at the struck end, where the force of a blow comes in.
-SignalBar barOf(const Scenario& scenario) {
-    if (!hasUnits(scenario)) return {};
-    const BarAt struck = barAt(scenario, 0);
-    return {struck.area, struck.modulus, struck.impedance()};
 }
 
 }  // namespace
@@ -131,7 +122,8 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
             about(path, translatable("is given by its dimensionless groups; --signal needs physical units")));
     const SignalOptions options = signalOptionsOf(arguments);
     RereadableInput input(*record, RereadableInput::mostKept, arguments.style());
-    SignalReading reading = readSignal(input.stream(), options, barOf(scenario));
+    const SignalBar struck = hasUnits(scenario) ? barAt(scenario, 0) : SignalBar();
+    SignalReading reading = readSignal(input.stream(), options, struck);
     const std::string name = inputName(*record);
     if (!reading.problem.isEmpty())
         throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,

@@ -45,15 +45,18 @@ double hammerRear(const DrillString& drillString) {
     return 0 - hammerProperties(drillString).length / stringProperties(drillString).length;
 }
 
-BarAt barAt(const Scenario& scenario, double share) {
+SignalBar barAt(const Scenario& scenario, double share) {
+    const auto bar = [](double area, double modulus, double density) -> SignalBar {
+        return {area, modulus, area * std::sqrt(modulus * density)};
+    };
     const DrillString& drillString = scenario.drillString;
     const std::vector<const Section*> sections = allSections(drillString);
     const Rod& rod = scenario.rod;
-    if (sections.empty()) return {propertiesOf(rod).area, rod.youngsModulus, rod.density};
+    if (sections.empty()) return bar(propertiesOf(rod).area, rod.youngsModulus, rod.density);
     const StringPlace at = stringPlace(drillString, share);
     const Section& section = *sections[at.section];
-    return {areaAt(section, at.share), section.youngsModulus.value_or(drillString.material.youngsModulus),
-            section.density.value_or(drillString.material.density)};
+    return bar(areaAt(section, at.share), section.youngsModulus.value_or(drillString.material.youngsModulus),
+               section.density.value_or(drillString.material.density));
 }
 
 StringPlace stringPlace(const DrillString& drillString, double share) {

@@ -2,12 +2,12 @@
 // Waves and motions of a blow over place and time, on a rod or a drill string.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "core/blow/blow.h"
 #include "core/model/drill_string.h"
+#include "core/signal/signal_reading.h"
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/interesting_time.h"
 #include "core/wave/field/rod_state.h"
@@ -35,15 +35,9 @@ double hammerRear(const DrillString& drillString);
 /// The place at a share of the length of the string, 0 at the shank … 1 at the bit, below 0 in the hammer.
 StringPlace stringPlace(const DrillString& drillString, double share);
 
-/// The bar at a place of rod or string, for gauges on it.
-struct BarAt {
-    double area = 0;                                                          ///< [m²]
-    double modulus = 0;                                                       ///< Young's modulus [Pa]
-    double density = 0;                                                       ///< [kg/m³]
-    double impedance() const { return area * std::sqrt(modulus * density); }  ///< [N s/m]
-};
-/// Returns the uniform rod, or a section at a share of the length of the string as in stringPlace().
-BarAt barAt(const Scenario& scenario, double share);
+/// Returns the bar of gauges on the uniform rod, or at a share of the length of the string as in
+/// stringPlace().
+SignalBar barAt(const Scenario& scenario, double share);
 
 /// The other way round.
 double shareOfString(const DrillString& drillString, const StringPlace& place);

@@ -39,12 +39,9 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
     alerts.push_back(alert);
 }
 
-void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (summary.cor > 1 + summary.corError)
+void addRebound(bool isExact, const ImpactSummary& summary, std::vector<Alert>& alerts) {
+    if (isExact && summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, AlertCode::superRebound, "", {{"cor", summary.cor}}});
-}
-
-void addContacts(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information,
                           AlertCode::severalContacts,
@@ -113,8 +110,7 @@ std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& s
     std::vector<Alert> alerts;
     addThrust(scenario, summary, alerts);
     const bool isExact = isFollowedByEvents(scenario);
-    if (isExact) addRebound(summary, alerts);
-    addContacts(summary, alerts);
+    addRebound(isExact, summary, alerts);
     if (isExact) addClosedForm(scenario, summary, alerts);
     addCornersWithoutEffect(scenario, summary, alerts);
     addAccuracy(summary, alerts);

@@ -31,8 +31,6 @@ const ChainWords& chainWords(const Scenario& scenario) {
         .references = translatable("E₀ and p₀ are the energy and momentum of the hammer."),
         .errors = translatable("The errors of the efficiency and of the balances are numerical; rock and "
                                "string are known far less well."),
-        .pulse = "",
-        .rebound = "",
         .stresses = translatable("Stress in hammer and string"),
         .historyPlace = translatable("in the middle of the longest section"),
         .blowCaption = translatable("The force N %1 and its waves, the impact force, its impulse and the "

@@ -12,8 +12,8 @@ struct ChainWords {
     const char* assumptions;    ///< what the model leaves out, in a sentence or two
     const char* references;     ///< of the shares of energy and momentum in tables
     const char* errors;         ///< what the stated errors are about
-    const char* pulse;          ///< "pulse %1", behind the groups; empty where they do not describe the blow
-    const char* rebound;        ///< with e as %1; empty where e is not the main result
+    const char* pulse = "";     ///< "pulse %1", behind the groups; empty where they do not describe the blow
+    const char* rebound = "";   ///< with e as %1; empty where e is not the main result
     const char* stresses;       ///< title of the largest stresses
     const char* historyPlace;   ///< place of histories where none is chosen
     const char* blowCaption;    ///< of the histories at %1

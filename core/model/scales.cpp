@@ -177,7 +177,7 @@ Scales scalesOf(const Scenario& scenario) {
 }
 
 std::optional<double> gapPeriod(const Scenario& scenario) {
-    return followsFromGroups(scenario) ? std::optional(scalesOf(scenario).penetration) : std::nullopt;
+    return isFollowedByEvents(scenario) ? std::optional(scalesOf(scenario).penetration) : std::nullopt;
 }
 
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario) {

@@ -83,7 +83,7 @@ std::string_view rodRefusal(const Problem& problem) {
 }
 
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces) {
-    if (!followsFromGroups(scenario)) return stringProblem(scenario, pieces);
+    if (!isFollowedByEvents(scenario)) return stringProblem(scenario, pieces);
     Problem problem;
     problem.drive = pulseForceOf(scenario);
     setRod(problem, scenario);

@@ -10,7 +10,6 @@
 #include "core/blow/blow_waves.h"
 #include "core/model/chain_words.h"
 #include "core/model/scales.h"
-#include "core/model/section_pieces.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -277,11 +276,11 @@ GaugedBar SignalFields::barOfScenario() const {
     const double share = m_use == ImportUse::normalForce ? place() / chainProperties(m_scenario).length
                          : m_use == ImportUse::blow      ? 0
                                                          : 1;
-    const BarAt at = barAt(m_scenario, share);
+    const SignalBar at = barAt(m_scenario, share);
     GaugedBar made;
-    made.area = at.area;
-    made.axialStiffness = at.area * at.modulus;
-    made.impedance = at.impedance();
+    made.area = *at.area;
+    made.axialStiffness = *at.area * *at.modulus;
+    made.impedance = *at.impedance;
     return made;
 }
 

@@ -40,8 +40,7 @@ std::optional<double> ThrustStudy::margin() const {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
     MethodSolver solver(limits);
-    if (std::optional<ThrustStudy> ofString =
-            studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop))
+    if (auto ofString = studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop))
         return *std::move(ofString);
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);

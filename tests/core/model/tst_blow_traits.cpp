@@ -20,7 +20,7 @@ class TestBlowTraits : public QObject {
 void TestBlowTraits::whatFollowsFromGroupsIsTheProblemOfItsGroups() {
     for (const Example& example : builtInExamples()) {
         const Scenario scenario = parseScenario(example.text, example.name).scenario;
-        if (!followsFromGroups(scenario)) continue;
+        if (!isFollowedByEvents(scenario)) continue;
         Problem ofGroups = problemOf(scenario);
         setGroups(ofGroups, groupsOf(scenario));
         QCOMPARE(ofGroups, problemOf(scenario));
