@@ -9,6 +9,7 @@
 #include "app/row_options.h"
 #include "core/study/design/design_check.h"
 #include "core/study/design/design_texts.h"
+#include "core/study/rows/study_plan.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 
@@ -159,7 +160,8 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, cons
     readAims(arguments, setup, study, faults);
     readLimits(wantedOf(arguments, "at-most", "at_most", setup.atMost), true, study, faults);
     readLimits(wantedOf(arguments, "at-least", "at_least", setup.atLeast), false, study, faults);
-    const std::uint64_t ofFile = setup.samples.value_or(static_cast<std::uint64_t>(customarySamples(base)));
+    const std::uint64_t ofFile =
+        setup.samples.value_or(static_cast<std::uint64_t>(studyPlan(base).designSamples));
     const long samples =
         arguments.number("samples", static_cast<long>(ofFile), 1, static_cast<long>(mostDesignSamples));
     study.samples = std::max(leastDesignSamples, std::bit_ceil(static_cast<std::uint64_t>(samples)));

@@ -46,7 +46,7 @@ void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, c
 
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
     checkMethodOfString(choice, scenario, path);
-    if (!isFollowedByEvents(scenario)) return;
+    if (choice.method == Method::exact) return;
     const Message refusal = methodRefusal(choice.method, problemOf(scenario));
     if (!refusal.isEmpty())
         throw CommandError(ExitCode::usage,

@@ -17,6 +17,7 @@
 #include "core/disk/file_bytes.h"
 #include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
+#include "core/study/rows/study_plan.h"
 #include "core/text/decimal_text.h"
 #include "core/text/message.h"
 
@@ -54,8 +55,7 @@ Message withLimitHint(const Message& reason, long workLimit) {
 
 /// Returns the work limit for a blow, whose default is that of workLimitsOf().
 long limitOf(const Arguments& arguments, const Scenario& scenario) {
-    const long ofString = WorkLimits().cells / cellsOfPiece;
-    return workLimitOf(arguments, isFollowedByEvents(scenario) ? defaultWorkLimit : ofString);
+    return workLimitOf(arguments, studyPlan(scenario).workLimit);
 }
 
 /// Rows that are kept have a file to be kept for, and are not in memory to be drawn.

@@ -15,7 +15,6 @@
 #include "app/study_plots.h"
 #include "core/archive/result_files.h"
 #include "core/archive/result_scenario.h"
-#include "core/model/blow_traits.h"
 #include "core/report/blow_json.h"
 #include "core/report/blow_text.h"
 #include "core/report/gauge_record.h"
@@ -166,7 +165,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
                                 interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
-    if (gapHasPeriod(run.blow.scenario)) addThrustMargin(run.blow, interruption.token());
+    addThrustMargin(run.blow, interruption.token());
     if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     interruption.check();
     if (!run.blow.isSolved()) {

@@ -14,7 +14,6 @@
 #include "core/archive/result_scenario.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
-#include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
@@ -239,7 +238,7 @@ void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span
     // The places of a string that an axis names are counted with the repeats of the point.
     std::vector<Scenario> repeated{scenario};
     for (const SweepAxis& axis : axes) {
-        if (axis.key() != "string.repeat" || !hasSections(scenario)) continue;
+        if (axis.key() != "string.repeat" || !axis.parameter->applies(scenario)) continue;
         for (std::uint64_t i = 0; i < std::min<std::uint64_t>(axis.count, maximumSections); ++i)
             axis.assign(repeated.emplace_back(scenario), axis.value(i));
     }

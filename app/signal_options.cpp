@@ -2,7 +2,6 @@
 #include "app/signal_options.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/command_error.h"
 #include "app/input_text.h"
@@ -10,10 +9,8 @@
 #include "app/scenario_argument.h"
 #include "core/blow/blow_waves.h"
 #include "core/blow/thinned_blow.h"
-#include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
 #include "core/model/scales.h"
-#include "core/model/section_pieces.h"
 #include "core/signal/signal_option.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
@@ -50,26 +47,6 @@ const Recorder& recorderNamed(const std::vector<Recorder>& recorders, const std:
             {translatable("--recorder %1: is not known; did you mean `%2`?"), {shortened(wanted), near}});
     refuseUsage({translatable("--recorder %1: is not known; --save-recorder %1 keeps options in %2"),
                  {shortened(wanted), recordersPath()}});
-}
-
-/// The bar at the struck end, where the force of a blow comes in.
-SignalBar barOf(const Scenario& scenario) {
-    SignalBar bar;
-    if (!hasUnits(scenario)) return bar;
-    double density = scenario.rod.density;
-    if (hasSections(scenario)) {
-        const DrillString& drillString = scenario.drillString;
-        const StringPlace at = stringPlace(drillString, 0);
-        const Section& section = *allSections(drillString)[at.section];
-        bar.area = areaAt(section, at.share);
-        bar.modulus = section.youngsModulus.value_or(drillString.material.youngsModulus);
-        density = section.density.value_or(drillString.material.density);
-    } else {
-        bar.area = propertiesOf(scenario.rod).area;
-        bar.modulus = scenario.rod.youngsModulus;
-    }
-    bar.impedance = *bar.area * std::sqrt(*bar.modulus * density);
-    return bar;
 }
 
 }  // namespace
@@ -145,7 +122,8 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
             about(path, translatable("is given by its dimensionless groups; --signal needs physical units")));
     const SignalOptions options = signalOptionsOf(arguments);
     RereadableInput input(*record, RereadableInput::mostKept, arguments.style());
-    SignalReading reading = readSignal(input.stream(), options, barOf(scenario));
+    const SignalBar struck = hasUnits(scenario) ? barAt(scenario, 0) : SignalBar();
+    SignalReading reading = readSignal(input.stream(), options, struck);
     const std::string name = inputName(*record);
     if (!reading.problem.isEmpty())
         throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
@@ -162,7 +140,7 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
         printRemark({translatable("%1: warning: %2"), {name, remark.text}}, arguments.style());
         document.recordRemarks.push_back(about(name, remark.text));
     }
-    if (hasSections(scenario) && !isForced(scenario)) scenario = forcedStringOf(scenario).scenario;
+    scenario = withForce(scenario);
     SignalRecipe recipe = reading.recipe;
     recipe.points = mostPoints;
     ThinnedBlow blow;

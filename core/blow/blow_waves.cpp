@@ -8,6 +8,7 @@
 
 #include "core/contact/contact_law.h"
 #include "core/model/scales.h"
+#include "core/model/section_pieces.h"
 #include "core/wave/field/wave_field.h"
 #include "core/wave/problem.h"
 
@@ -42,6 +43,20 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 double hammerRear(const DrillString& drillString) {
     if (drillString.hammer.sections.empty()) return 0;
     return 0 - hammerProperties(drillString).length / stringProperties(drillString).length;
+}
+
+SignalBar barAt(const Scenario& scenario, double share) {
+    const auto bar = [](double area, double modulus, double density) -> SignalBar {
+        return {area, modulus, area * std::sqrt(modulus * density)};
+    };
+    const DrillString& drillString = scenario.drillString;
+    const std::vector<const Section*> sections = allSections(drillString);
+    const Rod& rod = scenario.rod;
+    if (sections.empty()) return bar(propertiesOf(rod).area, rod.youngsModulus, rod.density);
+    const StringPlace at = stringPlace(drillString, share);
+    const Section& section = *sections[at.section];
+    return bar(areaAt(section, at.share), section.youngsModulus.value_or(drillString.material.youngsModulus),
+               section.density.value_or(drillString.material.density));
 }
 
 StringPlace stringPlace(const DrillString& drillString, double share) {

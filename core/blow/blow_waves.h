@@ -7,6 +7,7 @@
 
 #include "core/blow/blow.h"
 #include "core/model/drill_string.h"
+#include "core/signal/signal_reading.h"
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/interesting_time.h"
 #include "core/wave/field/rod_state.h"
@@ -33,6 +34,10 @@ double hammerRear(const DrillString& drillString);
 
 /// The place at a share of the length of the string, 0 at the shank … 1 at the bit, below 0 in the hammer.
 StringPlace stringPlace(const DrillString& drillString, double share);
+
+/// Returns the bar of gauges on the uniform rod, or at a share of the length of the string as in
+/// stringPlace().
+SignalBar barAt(const Scenario& scenario, double share);
 
 /// The other way round.
 double shareOfString(const DrillString& drillString, const StringPlace& place);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/drill_problems.h"
 
-#include "core/model/blow_traits.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/text/handy_text.h"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/text/enum_names.h"
 
@@ -62,7 +61,7 @@ Message thrustProblem(const Scenario& scenario) {
 }
 
 Message thrustMarginProblem(const Scenario& scenario) {
-    if (!gapHasPeriod(scenario))
+    if (!gapPeriod(scenario))
         return translatable("the feed force margin is known only for uniform rods (`drillwave: 1`)");
     if (const Message problem = thrustProblem(scenario); !problem.isEmpty()) return problem;
     if (!scenario.drill.thrust)
@@ -120,8 +119,8 @@ std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double 
     const double velocity =
         isForced(scenario) ? scales.velocity : transferred * scales.impulse / chainProperties(scenario).mass;
     found.gap = found.motion.gap * velocity / *scenario.drill.blowFrequency;  // (T37)
-    found.inD0 = gapHasPeriod(scenario) ? found.motion.gap * found.roundTrips
-                                        : found.gap / scales.penetration;  // (T37)
+    found.inD0 =
+        gapPeriod(scenario) ? found.motion.gap * found.roundTrips : found.gap / scales.penetration;  // (T37)
     return found;
 }
 
@@ -189,7 +188,7 @@ std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimat
     estimate.frequency = *scenario.drill.blowFrequency;
     estimate.balance = *balance;
     estimate.roundTrips = *roundTripsBetweenBlows(scenario);
-    estimate.gapsHavePeriod = gapHasPeriod(scenario);
+    estimate.gapsHavePeriod = gapPeriod(scenario).has_value();
     estimate.needs = {needOrUnknown(cor), ofGaps(&ReboundsOverGaps::quantile), needOrUnknown(Estimate{1, 0}),
                       ofGaps(&ReboundsOverGaps::worst)};
     return estimate;

@@ -2,7 +2,6 @@
 #include "core/blow/impact_summary.h"
 
 #include "core/contact/contact_law.h"
-#include "core/model/blow_traits.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/field/passing_waves.h"
 

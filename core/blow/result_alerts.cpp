@@ -39,8 +39,8 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
     alerts.push_back(alert);
 }
 
-void addRebound(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (isFollowedByEvents(scenario) && summary.cor > 1 + summary.corError)
+void addRebound(bool isExact, const ImpactSummary& summary, std::vector<Alert>& alerts) {
+    if (isExact && summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, AlertCode::superRebound, "", {{"cor", summary.cor}}});
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information,
@@ -60,7 +60,7 @@ std::optional<AlertArgument> closedFormObstacle(const Problem& problem) {
 }
 
 void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (!isFollowedByEvents(scenario) || scenario.pulse.shape != PulseShape::rectangular) return;
+    if (scenario.pulse.shape != PulseShape::rectangular) return;
     const Problem problem = problemOf(scenario);
     if (problem.law.gamma != 1) return;
     const std::optional<AlertArgument> obstacle = closedFormObstacle(problem);
@@ -109,8 +109,9 @@ void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary) {
     std::vector<Alert> alerts;
     addThrust(scenario, summary, alerts);
-    addRebound(scenario, summary, alerts);
-    addClosedForm(scenario, summary, alerts);
+    const bool isExact = isFollowedByEvents(scenario);
+    addRebound(isExact, summary, alerts);
+    if (isExact) addClosedForm(scenario, summary, alerts);
     addCornersWithoutEffect(scenario, summary, alerts);
     addAccuracy(summary, alerts);
     return alerts;

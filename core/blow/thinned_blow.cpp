@@ -35,8 +35,7 @@ constexpr long mostPiecesOfTry = 10'000'000;
 
 /// The rod on which e is compared; nothing where there is none, as without units.
 std::optional<Scenario> comparedRod(const Scenario& scenario) {
-    if (isFollowedByEvents(scenario)) return scenario;
-    if (!hasSections(scenario)) return std::nullopt;
+    if (!hasSections(scenario)) return scenario;
     Scenario rod = uniformRodOf(scenario).scenario;
     rod.bitRock.gap = 0;
     return rod;

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/model/drill_string.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
@@ -132,7 +131,7 @@ void addResidualWaves(const Scenario& scenario, std::vector<Alert>& alerts) {
                 {{"round_trips", *roundTrips}}};
     if (scenario.drill.waveLoss.value_or(0) > 0)
         alert.arguments.push_back({"wave_loss", *scenario.drill.waveLoss});
-    else if (hasSections(scenario) && hasLosses(scenario.drillString))
+    else if (hasLosses(scenario.drillString))
         alert.arguments.push_back({"losses_of_string", 1});
     if (const std::optional<int> whole = stepOfWaves(*roundTrips)) {
         alert.level = AlertLevel::warning;

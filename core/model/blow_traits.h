@@ -6,22 +6,11 @@
 
 namespace drillwave {
 
-/// Returns whether groups and shape describe the blow completely except for its scales (theory §4): only
-/// rock, a rod and a force on it.
-inline bool followsFromGroups(const Scenario& scenario) {
-    return !isString(scenario);
-}
-
-/// Whether it is followed exactly from event to event, so that e has a bound and a curve can be traced. All
+/// Whether it is followed exactly from event to event, so that e has a bound and a curve can be traced: only
+/// rock, a rod and a force on it, which groups and shape describe except for the scales (theory §4). All
 /// others are solved on cells, state the error of their efficiency and are sampled.
 inline bool isFollowedByEvents(const Scenario& scenario) {
-    return followsFromGroups(scenario);
-}
-
-/// Returns whether blows repeat with the period of the gap (theory §4), because waves return as they left.
-/// Only then are shares of all gaps and the worst gap known.
-inline bool gapHasPeriod(const Scenario& scenario) {
-    return followsFromGroups(scenario);
+    return !isString(scenario);
 }
 
 /// Whether there is a list of sections, with places that count and are named.

@@ -69,16 +69,15 @@ const StringPart* firstRepeat(const DrillString& drillString) {
     return found == drillString.parts.end() ? nullptr : &*found;
 }
 
-const Section& ruleSection(const DrillString& drillString) {
+const Section* ruleSection(const DrillString& drillString) {
     const Section* longest = nullptr;
     for (const StringPart& part : drillString.parts) {
         for (const Section& section : part.sections) {
-            if (section.name == "rod") return section;
+            if (section.name == "rod") return &section;
             if (!longest || section.length > longest->length) longest = &section;
         }
     }
-    assert(longest);
-    return *longest;
+    return longest;
 }
 
 }  // namespace drillwave

@@ -94,7 +94,7 @@ const Section* sectionAt(const DrillString& drillString, std::uint64_t place);
 const StringPart* firstRepeat(const DrillString& drillString);
 
 /// Returns the section that the scales of the string refer to: the first one called "rod", or else the
-/// longest. Requires a string that is not empty.
-const Section& ruleSection(const DrillString& drillString);
+/// longest; nullptr without sections.
+const Section* ruleSection(const DrillString& drillString);
 
 }  // namespace drillwave

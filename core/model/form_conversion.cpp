@@ -88,7 +88,7 @@ bool isOfHammer(PulseShape shape) {
 
 /// Adds a sentence on each difference from the section that is kept.
 void nameLostSections(const DrillString& drill, std::vector<Message>& lost) {
-    const double kept = propertiesOf(ruleSection(drill), drill.material).impedance;
+    const double kept = propertiesOf(*ruleSection(drill), drill.material).impedance;
     int others = 0, losses = 0;
     double mass = 0;
     const std::vector<const Section*> sections = expandedSections(drill);
@@ -220,13 +220,12 @@ Conversion forcedStringOf(const Scenario& scenario) {
 }
 
 Scenario withForce(const Scenario& scenario) {
-    return hasSections(scenario) && !isForced(scenario) ? forcedStringOf(scenario).scenario : scenario;
+    return !isForced(scenario) ? forcedStringOf(scenario).scenario : scenario;
 }
 
 Conversion uniformRodOf(const Scenario& scenario) {
-    assert(hasSections(scenario));
     const DrillString& drill = scenario.drillString;
-    const Section& kept = ruleSection(drill);
+    const Section& kept = *ruleSection(drill);
     const RodProperties properties = propertiesOf(kept, drill.material);
     Conversion converted;
     Scenario& uniform = converted.scenario;

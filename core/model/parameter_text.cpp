@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
 #include "core/model/validation.h"
@@ -180,10 +179,9 @@ namespace {
 
 /// Returns why groups cannot be set: their scales need at least one section, and no more than are followed.
 Message scalesProblem(const Scenario& scenario) {
-    if (!isString(scenario) && !hasSections(scenario)) return {};
     const std::uint64_t count = sectionCount(scenario.drillString);
     if (count > maximumSections) return tooManySections(count);
-    if (count > 0 && (isForced(scenario) || !scenario.drillString.hammer.sections.empty())) return {};
+    if (count > 0 || !isString(scenario)) return {};
     return translatable("must have at least one section");
 }
 

@@ -194,14 +194,13 @@ Message partProblem(PresetPart part, const Scenario& scenario) {
 }
 
 bool suits(const PartPreset& preset, PresetPart part, const Scenario& scenario) {
-    const auto* sections = std::get_if<SectionPreset>(&preset);
-    if (isString(scenario) != (sections != nullptr)) return false;
-    if (sections)
+    const bool isForce = part == PresetPart::hammer && isForced(scenario);
+    const bool isPiston = part == PresetPart::hammer && !isForced(scenario);
+    if (const auto* sections = std::get_if<SectionPreset>(&preset))
         return (part == PresetPart::bit && sections->kind == SectionPresetKind::bit) ||
-               (part == PresetPart::hammer && sections->kind == SectionPresetKind::piston);
+               (isPiston && sections->kind == SectionPresetKind::piston);
     const PresetKind kind = std::get<Preset>(preset).kind;
-    return (part == PresetPart::hammer && kind == PresetKind::hammer) ||
-           (part == PresetPart::rod && kind == PresetKind::rod);
+    return (isForce && kind == PresetKind::hammer) || (part == PresetPart::rod && kind == PresetKind::rod);
 }
 
 Message replacePart(Scenario& scenario, PresetPart part, const PartPreset& preset) {

@@ -18,9 +18,10 @@ struct RearEnd {
 };
 RearEnd rearEndOf(const Scenario& scenario) {
     const Rod& rod = scenario.rod;
-    if (!hasSections(scenario)) return {{rod.youngsModulus, rod.density}, propertiesOf(rod).impedance};
+    const Section* first = sectionAt(scenario.drillString, 1);
+    if (!first) return {{rod.youngsModulus, rod.density}, propertiesOf(rod).impedance};
     const Material& material = scenario.drillString.material;
-    Section rear = scenario.drillString.parts.front().sections.front();
+    Section rear = *first;
     rear.area = areaAt(rear, 0);
     rear.endArea.reset();
     return {{rear.youngsModulus.value_or(material.youngsModulus), rear.density.value_or(material.density)},
@@ -62,8 +63,8 @@ void add(ChainProperties& sum, const Section& section, const Material& material,
 
 /// Returns the properties that the scales refer to: of the rod, or of the ruleSection() of a string.
 RodProperties ruleProperties(const Scenario& scenario) {
-    if (!hasSections(scenario)) return propertiesOf(scenario.rod);
-    return propertiesOf(ruleSection(scenario.drillString), scenario.drillString.material);
+    const Section* rule = ruleSection(scenario.drillString);
+    return rule ? propertiesOf(*rule, scenario.drillString.material) : propertiesOf(scenario.rod);
 }
 
 }  // namespace
@@ -135,7 +136,8 @@ double meanForce(const Pulse& pulse) {
 }
 
 ChainProperties chainProperties(const Scenario& scenario) {
-    if (hasSections(scenario)) return stringProperties(scenario.drillString);
+    const ChainProperties string = stringProperties(scenario.drillString);
+    if (string.length != 0) return string;
     const RodProperties rod = propertiesOf(scenario.rod);
     return {scenario.rod.length, rod.transitTime, rod.mass};
 }
@@ -172,6 +174,10 @@ Scales scalesOf(const Scenario& scenario) {
     scales.energy = scales.impulse * scales.velocity / 2;
     scales.length = chain.length;
     return scales;
+}
+
+std::optional<double> gapPeriod(const Scenario& scenario) {
+    return isFollowedByEvents(scenario) ? std::optional(scalesOf(scenario).penetration) : std::nullopt;
 }
 
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario) {

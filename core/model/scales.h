@@ -73,6 +73,11 @@ Groups groupsOf(const Scenario& scenario);
 /// hammer and a string that are not empty where it is a string.
 Scales scalesOf(const Scenario& scenario);
 
+/// Returns the period of the gap with which blows repeat (theory §4) because waves return as they left: d0
+/// [m], 1 for a dimensionless scenario. nullopt for a drill string: only of a period are shares of all gaps
+/// and the worst gap known.
+std::optional<double> gapPeriod(const Scenario& scenario);
+
 // Round trips of waves in the rod between two blows.
 
 /// n_b = 1/(2 T f), round trips of a wave between two blows (T37). nullopt without units or a blow frequency.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/model/blow_traits.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/feed_json.h"
@@ -149,7 +148,8 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     object["pieces"] = impact.pieces;
     object["alerts"] = alertsJson(blow.alerts);
     if (!blow.isSolved()) object["reason"] = impact.reason.text();
-    if (blow.isSolved() && hasSections(blow.scenario)) object["sections"] = sectionsJson(blow);
+    if (!blow.isSolved()) return Json(object).text();
+    if (JsonArray sections = sectionsJson(blow); !sections.empty()) object["sections"] = std::move(sections);
     return Json(object).text();
 }
 

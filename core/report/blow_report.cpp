@@ -2,7 +2,6 @@
 #include "core/report/blow_report.h"
 
 #include "core/blow/feed_estimate.h"
-#include "core/model/blow_traits.h"
 
 namespace drillwave {
 
@@ -53,7 +52,7 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
     report.blow.feed = thrust.study.feed;
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
-    if (gapHasPeriod(scenario)) finder.remember(report.blow.problem, thrust.study.rebounds);
+    if (thrust.study.rebounds) finder.remember(report.blow.problem, *thrust.study.rebounds);
     if (const std::optional<SweepAxis> axis = frequencyAxis(scenario))
         thrust.along =
             ThrustAlong{*axis, thrustAlong(scenario, *axis->parameter, valuesOf(*axis), finder, stop)};
@@ -82,7 +81,7 @@ BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop, co
     report.blow = solveBlow(scenario, {}, Detail::histories, stop, Stresses::wanted, solver);
     if (!report.blow.isSolved()) return report;
     addThrust(report, stop, partOf(progress, 0, shareOfThrust));
-    if (gapHasPeriod(scenario)) addGap(report, stop, partOf(progress, shareOfThrust, 1));
+    if (whyNoPeriod(scenario).isEmpty()) addGap(report, stop, partOf(progress, shareOfThrust, 1));
     return report;
 }
 

@@ -9,7 +9,6 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"
-#include "core/model/blow_traits.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_numbers.h"
@@ -27,6 +26,7 @@ enum class LineKind {
     plain,
     part,          ///< of what the line before tells
     afterContact,  ///< only where bit and rock have met
+    balance,       ///< with the error of the energy balance behind that of the momentum
 };
 
 /// A line of the summary: an output under the words of the summary.
@@ -49,7 +49,8 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
     {"cor", translatable("restitution e of the string"), OutputOf::drillString},
     {"peak_force", translatable("peak force"), OutputOf::uniformRod},
     {"peak_force", translatable("peak force on the rock"), OutputOf::drillString},
-    {"max_penetration", translatable("largest penetration")},
+    {"max_penetration", translatable("largest penetration"), OutputOf::uniformRod},
+    {"max_penetration", translatable("largest penetration"), OutputOf::drillString},
     {"residual_penetration", translatable("residual penetration"), OutputOf::uniformRod},
     {"residual_penetration", translatable("residual penetration"), OutputOf::drillString},
     {"peak_compression", translatable("largest compression"), OutputOf::uniformRod},
@@ -59,9 +60,12 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
     {"percussion_power", translatable("percussion power"), OutputOf::uniformRod},
     {"penetration_rate", translatable("penetration rate"), OutputOf::uniformRod, LineKind::plain,
      translatable("%1 of blows like this one")},
-    {"first_contact_time", translatable("first contact"), OutputOf::anyBlow, LineKind::afterContact},
-    {"separation_time", translatable("last separation"), OutputOf::anyBlow, LineKind::afterContact},
-    {"contact_duration", translatable("time in contact"), OutputOf::anyBlow, LineKind::afterContact},
+    {"first_contact_time", translatable("first contact"), OutputOf::uniformRod},
+    {"separation_time", translatable("last separation"), OutputOf::uniformRod},
+    {"contact_duration", translatable("time in contact"), OutputOf::uniformRod},
+    {"first_contact_time", translatable("first contact"), OutputOf::drillString, LineKind::afterContact},
+    {"separation_time", translatable("last separation"), OutputOf::drillString, LineKind::afterContact},
+    {"contact_duration", translatable("time in contact"), OutputOf::drillString, LineKind::afterContact},
     {"piston_separation_time", translatable("hammer separates"), OutputOf::hammer},
     {"hammer_rebound_velocity", translatable("hammer rebound"), OutputOf::hammer, LineKind::plain,
      translatable("away from the rock")},
@@ -69,36 +73,42 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
     {"rock_work", translatable("in the rock"), OutputOf::uniformRod, LineKind::part},
     {"rebound_energy", translatable("in the rebound"), OutputOf::uniformRod, LineKind::part},
     {"residual_wave_energy", translatable("in waves"), OutputOf::uniformRod, LineKind::part},
+    {"momentum_residual", translatable("balance errors"), OutputOf::uniformRod, LineKind::balance,
+     translatable("%1 of I0, %2 of W")},
 });
-
-int digitsOf(const Blow& blow) {
-    return hasSections(blow.scenario) ? 5 : 6;
-}
 
 std::string labelOf(const SummaryLine& line, const ReadingStyle& style) {
     return (line.kind == LineKind::part ? "  " : "") + style.said(line.label);
 }
 
+constexpr int digitsOfRod = 6, digitsOfString = 5;
+
 /// As a multiple, in SI, and of a largest stress where and when.
 std::vector<std::string> cellsOfRod(const SummaryLine& line, const Output& output, double value,
                                     const Blow& blow, const ReadingStyle& style) {
     std::vector<std::string> cells{labelOf(line, style)};
+    if (line.kind == LineKind::balance) {
+        cells.push_back(style.said(
+            {line.remark, {style.number(value, 2), style.number(blow.summary.energy.residual, 2)}}));
+        return cells;
+    }
     if (output.isOnlySi()) {
         const std::string text = siText(output, value, blow, style, 4);
         cells.push_back(line.remark ? style.said({line.remark, {text}}) : text);
         return cells;
     }
     cells.push_back(style.number(value) + " " + std::string(multipleName(output.measure, blow.scenario)));
-    if (hasUnits(blow.scenario)) cells.push_back(siText(output, value, blow, style, digitsOf(blow)));
+    if (hasUnits(blow.scenario)) cells.push_back(siText(output, value, blow, style, digitsOfRod));
     if (output.load && value > 0)
         cells.push_back(placeText((*blow.summary.rodForces)[*output.load], blow, style));
     return cells;
 }
 
-/// In SI where there is a unit; empty where there is no such time.
+/// In SI where there is a unit; empty where there is no such time, or no contact.
 std::vector<std::string> cellsOfString(const SummaryLine& line, const Output& output, double value,
                                        const Blow& blow, const ReadingStyle& style) {
     if (output.measure == Measure::time && std::isnan(value)) return {};
+    if (line.kind == LineKind::afterContact && blow.summary.contacts == 0) return {};
     const bool isPlain = output.measure == Measure::number || output.measure == Measure::share;
     std::vector<std::string> cells{labelOf(line, style),
                                    isPlain ? style.number(value) : siText(output, value, blow, style)};
@@ -116,12 +126,11 @@ void addSummary(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
         if (!output.problem(blow.scenario).isEmpty()) continue;
         const std::optional<double> value = output.value({blow.summary, blow.scenario});
         if (!value) continue;
-        if (!hasSections(blow.scenario))
-            grid.add(cellsOfRod(line, output, shareOrZero(output, *value), blow, style));
-        else if (line.kind != LineKind::afterContact || blow.summary.contacts > 0)
-            if (std::vector<std::string> cells = cellsOfString(line, output, *value, blow, style);
-                !cells.empty())
-                grid.add(std::move(cells));
+        std::vector<std::string> cells =
+            line.of == OutputOf::uniformRod
+                ? cellsOfRod(line, output, shareOrZero(output, *value), blow, style)
+                : cellsOfString(line, output, *value, blow, style);
+        if (!cells.empty()) grid.add(std::move(cells));
     }
 }
 
@@ -137,9 +146,8 @@ Message marginMessage(double margin, double effective, const ReadingStyle& style
 
 Message neededThrust(const Blow& blow, const ReadingStyle& style) {
     const std::optional<FeedForce>& force = blow.feed->force;
-    const auto newton = [&](double thrust) {
-        return style.quantity(thrust, Quantity::force, digitsOf(blow));
-    };
+    const int digits = blow.feed->gapsHavePeriod ? digitsOfRod : digitsOfString;
+    const auto newton = [&](double thrust) { return style.quantity(thrust, Quantity::force, digits); };
     const std::string needed = newton(blow.feed->need(ThrustCase::scenario).thrust);
     if (!force) return needed;
     if (!force->weight) return {translatable("%1, installed %2"), {needed, newton(force->thrust)}};
@@ -174,14 +182,10 @@ std::string resultText(const Blow& blow, const ReadingStyle& style) {
     TextGrid grid(CellAlignment::left);
     addMain(grid, blow, style);
     addSummary(grid, blow, style);
-    if (!hasSections(blow.scenario))
-        grid.add({style.said(translatable("balance errors")),
-                  style.said({translatable("%1 of I0, %2 of W"),
-                              {style.number(blow.summary.momentumResidual, 2),
-                               style.number(blow.summary.energy.residual, 2)}})});
     addFeed(grid, blow, style);
     std::string text = grid.text();
-    if (hasSections(blow.scenario)) text += "\n" + energyGrid(blow, style).text();
+    if (const TextGrid energies = energyGrid(blow, style); !energies.rows().empty())
+        text += "\n" + energies.text();
     // a thousand lines are for a file
     constexpr std::size_t mostLines = 60;
     if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/report/report_text.h"
 #include "core/text/enum_names.h"
 

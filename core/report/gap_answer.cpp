@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/text/decimal_text.h"
@@ -14,10 +13,6 @@ namespace {
 
 constexpr double mostMean = 1e6;  // [d0]
 constexpr int mostPeriods = 20;   // laid over another curve: with a small blow there could be thousands
-
-double lengthOfOne(const Scenario& scenario) {
-    return hasUnits(scenario) ? scalesOf(scenario).penetration : 1;
-}
 
 /// The distribution that the options ask for, or what is wrong with them.
 struct AskedGap {
@@ -32,7 +27,7 @@ double readGap(const StudyQuestion& question, std::string_view option, double le
     const Quantity quantity = isDimensional ? Quantity::length : Quantity::ratio;
     const TypedQuantity typed =
         parseQuantity(*wordsOf(question, option), quantity, BareNumber::refused, findUnit(quantity, "mm"));
-    const double scale = lengthOfOne(question.scenario);
+    const double scale = scalesOf(question.scenario).penetration;
     const auto shown = [&](double gap) {
         return isDimensional ? formatNumber(gap * scale * 1000) + " mm" : formatNumber(gap);
     };
@@ -160,7 +155,7 @@ constexpr auto presentGap = [](const Scenario& scenario) {
 };
 
 double shareOfPeriod(const Scenario& scenario, double share) {
-    return share * lengthOfOne(scenario);
+    return share * scalesOf(scenario).penetration;
 }
 
 }  // namespace
@@ -204,12 +199,7 @@ const Study& gapStudy() {
         .firstLook = translatable("A first look; the curve follows."),
         .clickHelp = translatable("Click on the curve to use that gap; Shift+click pins it."),
         .hasSi = true,
-        .whyNot = [](const Scenario& scenario) -> Message {
-            if (gapHasPeriod(scenario)) return {};
-            return translatable(
-                "is a drill string, and this command solves uniform rods alone (`drillwave: 1`); "
-                "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
-        },
+        .whyNot = whyNoPeriod,
         .elsewhere =
             translatable("COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings "
                          "they do not repeat: Efficiency–stiffness shows them over the gap, point by point."),

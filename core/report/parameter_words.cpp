@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/section_field.h"
 #include "core/model/section_words.h"
@@ -12,23 +11,8 @@
 
 namespace drillwave {
 
-namespace {
-
-Message sectionWords(const SectionAddress& address) {
-    const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
-    if (address.place > 0)
-        return {ofHammer ? translatable("hammer %1") : translatable("section %1"),
-                {std::to_string(address.place)}};
-    const Message name = sectionNameMessage(address.name);
-    return ofHammer ? Message(translatable("hammer %1"), {name}) : name;
-}
-
-}  // namespace
-
 Message labelMessage(const Parameter& parameter) {
-    if (parameter.address)
-        return {translatable("%1 of %2"),
-                {Message::ofTable(parameter.address->field->label), sectionWords(*parameter.address)}};
+    if (parameter.address) return labelMessage(parameter, addressedWords(*parameter.address, {}));
     if (const std::size_t corner = cornerOf(parameter))
         return {parameter.localKey().ends_with("force") ? translatable("force of corner %1")
                                                         : translatable("slope behind corner %1"),
@@ -42,7 +26,7 @@ Message labelMessage(const Parameter& parameter, const Message& section) {
 }
 
 Message labelMessage(const Parameter& parameter, const Scenario& scenario) {
-    if (!parameter.address || !hasSections(scenario)) return labelMessage(parameter);
+    if (!parameter.address) return labelMessage(parameter);
     return labelMessage(parameter, addressedWords(*parameter.address, scenario.drillString));
 }
 

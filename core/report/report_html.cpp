@@ -5,7 +5,7 @@
 #include <ranges>
 
 #include "core/blow/blow.h"
-#include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "core/model/section_field.h"
 #include "core/model/version.h"
 #include "core/report/feed_words.h"
@@ -73,6 +73,7 @@ class Page {
   private:
     bool isScreen() const { return m_elements.isScreen(); }
     const Blow& blow() const { return m_report.blow; }
+    const ChainWords& words() const { return chainWords(blow().scenario); }
 
     std::string said(const Message& message) const { return m_style.said(message); }
     std::string paragraph(const Message& text) const { return m_elements.paragraph(text); }
@@ -122,12 +123,7 @@ class Page {
     std::string about() const {
         return said({translatable("Report on one blow of a percussive drill, written by Drillwave %1, solved "
                                   "by %2. Tension is positive. %3"),
-                     {std::string(versionText), solverWords(blow()).asked,
-                      hasSections(blow().scenario)
-                          ? translatable("Hammer and string of uniform sections; bending, torsion and "
-                                         "friction in threads beyond a loss factor are not modelled.")
-                          : translatable("One uniform rod; joints and the mass of the bit are not "
-                                         "modelled.")}});
+                     {std::string(versionText), solverWords(blow()).asked, words().assumptions}});
     }
 
     /// Returns the required feed by the study of the feed, or otherwise by the single blow.
@@ -279,9 +275,7 @@ class Page {
         titles.emplace_back(translatable("place and time"));
         return heading(translatable("Results")) +
                table("results", titles, numbers(resultRows(blow(), m_style), false)) +
-               paragraph(hasSections(blow().scenario)
-                             ? translatable("E₀ and p₀ are the energy and momentum of the hammer.")
-                             : translatable("W is the work of the hammer."));
+               paragraph(words().references);
     }
 
     std::string others() const {
@@ -313,22 +307,19 @@ class Page {
 
     /// Returns the errors of the numbers; none of them is a result.
     std::string solver() const {
-        const bool ofString = hasSections(blow().scenario);
         return heading(translatable("Numerical error")) + paragraph(about()) +
                table("solver", {translatable("error"), translatable("size")},
                      numbers(solverRows(blow(), m_style), false)) +
-               paragraph(ofString ? translatable("The errors of the efficiency and of the balances are "
-                                                 "numerical; rock and string are known far less well.")
-                                  : translatable("The error bound of e and the errors of the balances are "
-                                                 "numerical; rock and rod are known far less well."));
+               paragraph(words().errors);
     }
 
     std::string energies() const {
-        if (!hasSections(blow().scenario)) return {};
+        const TextGrid grid = energyGrid(blow(), m_style);
+        if (grid.rows().empty()) return {};
         return heading(translatable("Energy balance")) +
                tableOf("energies",
                        htmlRows(titled({"", said(translatable("share of E₀")), said(translatable("energy"))},
-                                       energyGrid(blow(), m_style).rows())));
+                                       grid.rows())));
     }
 
     static std::vector<std::vector<std::string>> titled(std::vector<std::string> titles,
@@ -358,7 +349,7 @@ class Page {
     }
 
     std::string gap() const {
-        if (!gapHasPeriod(blow().scenario)) return {};
+        if (!m_report.gap && m_report.gapProblem.isEmpty()) return {};
         std::string html = heading(translatable("All gaps between bit and rock"));
         if (!m_report.gap) return html + paragraph(asSentence(said(m_report.gapProblem)));
         if (const Message remark = periodRemark(*m_report.gap, m_style); !remark.isEmpty())

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/blow/outputs.h"
-#include "core/model/blow_traits.h"
 #include "core/model/section_words.h"
 #include "core/report/blow_json.h"
 #include "core/text/handy_text.h"
@@ -90,8 +89,27 @@ std::vector<ReportRow> rowsOf(const Blow& blow, const ReadingStyle& style, const
     return rows;
 }
 
-template <class Add>
-void addStringScales(const Blow& blow, const Add& add) {
+void addRodScales(const Blow& blow, const auto& add) {
+    const Groups& groups = blow.groups;
+    add("β", translatable("stiffness k/k₀, k₀ = Z/t₀"), groups.beta, Quantity::ratio);
+    add("γ", translatable("elasticity of the rock"), groups.gamma, Quantity::ratio);
+    add("τ", translatable("transit time T/t₀"), groups.tau, Quantity::ratio);
+    add("δ", translatable("gap d/d₀, d₀ = 2 I₀/Z"), groups.delta, Quantity::ratio);
+    if (!isDimensional(blow)) return;
+    const Scales& scales = blow.scales;
+    const RodProperties rod = propertiesOf(blow.scenario.rod);
+    add("t₀", translatable("duration of the blow"), scales.time, Quantity::time);
+    add("I₀", translatable("impulse of the blow"), scales.impulse, Quantity::impulse);
+    add("F₀", translatable("mean force I₀/t₀"), scales.force, Quantity::force);
+    add("F₀/A", translatable("its stress"), scales.stress, Quantity::stress);
+    add("d₀", translatable("displacement 2 I₀/Z"), scales.penetration, Quantity::length);
+    add("W₀", translatable("energy I₀²/(2 m)"), scales.energy, Quantity::energy);
+    add("T", translatable("transit time L/c"), rod.transitTime, Quantity::time);
+    add("c", translatable("wave speed √(E/ρ)"), rod.waveSpeed, Quantity::velocity);
+    add("m", translatable("mass of the rod"), rod.mass, Quantity::mass);
+}
+
+void addStringScales(const Blow& blow, const auto& add) {
     const DrillString& drill = blow.scenario.drillString;
     const Scales& scales = blow.scales;
     const ChainProperties string = stringProperties(drill);
@@ -188,30 +206,15 @@ std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style) {
 
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
     std::vector<ReportRow> rows;
-    const auto add = [&](const char* symbol, const char* label, double value, Quantity quantity) {
-        rows.push_back({symbol, style.said(label), {{style.quantity(value, quantity, reportDigits), value}}});
+    const auto rowsFor = [&](OutputOf of) {
+        return [&, of](const char* symbol, const char* label, double value, Quantity quantity) {
+            if (concerns(of, blow.scenario))
+                rows.push_back(
+                    {symbol, style.said(label), {{style.quantity(value, quantity, reportDigits), value}}});
+        };
     };
-    const Groups& groups = blow.groups;
-    if (hasSections(blow.scenario)) {
-        addStringScales(blow, add);
-        return rows;
-    }
-    add("β", translatable("stiffness k/k₀, k₀ = Z/t₀"), groups.beta, Quantity::ratio);
-    add("γ", translatable("elasticity of the rock"), groups.gamma, Quantity::ratio);
-    add("τ", translatable("transit time T/t₀"), groups.tau, Quantity::ratio);
-    add("δ", translatable("gap d/d₀, d₀ = 2 I₀/Z"), groups.delta, Quantity::ratio);
-    if (!isDimensional(blow)) return rows;
-    const Scales& scales = blow.scales;
-    const RodProperties rod = propertiesOf(blow.scenario.rod);
-    add("t₀", translatable("duration of the blow"), scales.time, Quantity::time);
-    add("I₀", translatable("impulse of the blow"), scales.impulse, Quantity::impulse);
-    add("F₀", translatable("mean force I₀/t₀"), scales.force, Quantity::force);
-    add("F₀/A", translatable("its stress"), scales.stress, Quantity::stress);
-    add("d₀", translatable("displacement 2 I₀/Z"), scales.penetration, Quantity::length);
-    add("W₀", translatable("energy I₀²/(2 m)"), scales.energy, Quantity::energy);
-    add("T", translatable("transit time L/c"), rod.transitTime, Quantity::time);
-    add("c", translatable("wave speed √(E/ρ)"), rod.waveSpeed, Quantity::velocity);
-    add("m", translatable("mass of the rod"), rod.mass, Quantity::mass);
+    addRodScales(blow, rowsFor(OutputOf::uniformRod));
+    addStringScales(blow, rowsFor(OutputOf::drillString));
     return rows;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/report_text.h"
 
-#include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
@@ -19,8 +19,8 @@ std::string groupsLine(const Scenario& scenario, const ReadingStyle& style) {
     const Groups groups = groupsOf(scenario);
     std::string line = "  beta " + style.number(groups.beta) + "  gamma " + style.number(groups.gamma) +
                        "  tau " + style.number(groups.tau) + "  delta " + style.number(groups.delta);
-    if (followsFromGroups(scenario))
-        line += "  " + style.said({translatable("pulse %1"), {style.name(name(scenario.pulse.shape))}});
+    if (const char* pulse = chainWords(scenario).pulse; *pulse)
+        line += "  " + style.said({pulse, {style.name(name(scenario.pulse.shape))}});
     return line + "\n";
 }
 

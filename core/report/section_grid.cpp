@@ -51,6 +51,8 @@ TextGrid energyGrid(const Blow& blow, const ReadingStyle& style) {
                               {"face_energy", translatable("between the faces"), true}};
     const ImpactSummary& summary = blow.summary;
     TextGrid grid(CellAlignment::left);
+    // The three shares of a uniform rod are lines of its summary.
+    if (!findOutput("joint_loss")->value({summary, blow.scenario})) return grid;
     const double unit = blow.drivenEnergy() * blow.scales.energy;
     const auto add = [&](const std::string& label, double share) {
         grid.add({label, percent(share, style), style.quantity(share * unit, Quantity::energy, 4)});

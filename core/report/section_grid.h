@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Where the energy of the hammer went, in shares and in J.
+/// Where the energy of the hammer went, in shares and in J. Empty for a uniform rod.
 TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// Returns titles, then for every section its largest stresses with place and time, as shares of its

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/blow/string_blow.h"
-#include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
 #include "core/model/section_words.h"
 #include "core/report/parameter_words.h"
@@ -24,13 +23,12 @@ const char* firstPattern(const StrengthUse& use) {
 
 /// Returns the fatigue strength of the rods, or of the first section if no section is a rod.
 Message wantedStrength(const Scenario& scenario, const ReadingStyle& style) {
-    std::string key = "rod.fatigue_strength";
-    if (hasSections(scenario)) {
-        const std::vector<const Section*> sections = expandedSections(scenario.drillString);
-        const bool hasRods =
-            std::ranges::any_of(sections, [](const Section* section) { return section->name == "rod"; });
-        key = hasRods ? "string.rod.fatigue_strength" : "string.1.fatigue_strength";
-    }
+    const std::vector<const Section*> sections = expandedSections(scenario.drillString);
+    const bool hasRods =
+        std::ranges::any_of(sections, [](const Section* section) { return section->name == "rod"; });
+    const char* key = sections.empty() ? "rod.fatigue_strength"
+                      : hasRods        ? "string.rod.fatigue_strength"
+                                       : "string.1.fatigue_strength";
     return fieldMessage(*findParameter(key), style);
 }
 
@@ -46,10 +44,11 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
                 {wantedStrength(scenario, style)}};
     const StrengthUse& use = *uses[*most];
     const auto stress = [&](double si) { return style.quantity(si, Quantity::stress, 4); };
+    const std::vector<Message> words = sectionWords(scenario.drillString);
     const Message first{
         firstPattern(use),
-        {hasSections(scenario) ? sectionWords(scenario.drillString)[*most] : Message(translatable("the rod")),
-         stress(use.peak.stress), style.number(100 * use.share(), 3) + " %", stress(use.strength)}};
+        {words.empty() ? Message(translatable("the rod")) : words[*most], stress(use.peak.stress),
+         style.number(100 * use.share(), 3) + " %", stress(use.strength)}};
     const std::size_t ofHammer = scenario.drillString.hammer.sections.size();
     const auto without = static_cast<std::uint64_t>(
         std::count(uses.begin() + static_cast<std::ptrdiff_t>(std::min(ofHammer, uses.size())), uses.end(),

@@ -5,7 +5,6 @@
 #include <ranges>
 
 #include "core/model/alerts.h"
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/alert_words.h"
 #include "core/report/curve_text.h"

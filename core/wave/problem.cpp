@@ -27,7 +27,7 @@ UniformSection uniformSection(const Section& section, const DrillString& drill, 
 
 Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) {
     const DrillString& drill = scenario.drillString;
-    const double impedance = propertiesOf(ruleSection(drill), drill.material).impedance;
+    const double impedance = propertiesOf(*ruleSection(drill), drill.material).impedance;
     const double time = pulseDuration(scenario);
     const double slope = time / impedance;
 
@@ -83,7 +83,7 @@ std::string_view rodRefusal(const Problem& problem) {
 }
 
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces) {
-    if (!followsFromGroups(scenario)) return stringProblem(scenario, pieces);
+    if (!isFollowedByEvents(scenario)) return stringProblem(scenario, pieces);
     Problem problem;
     problem.drive = pulseForceOf(scenario);
     setRod(problem, scenario);

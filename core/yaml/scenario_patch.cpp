@@ -7,7 +7,6 @@
 #include <map>
 #include <vector>
 
-#include "core/model/blow_traits.h"
 #include "core/yaml/design_setup_text.h"
 #include "core/yaml/list_pairs.h"
 #include "core/yaml/scenario_text.h"
@@ -30,7 +29,7 @@ class Patcher {
         : m_text(text),
           m_edits(text),
           m_scenario(scenario),
-          m_isOfSections(hasSections(scenario)),
+          m_parts(listItems(scenario, "string")),
           m_design(design),
           m_values(savedValues(scenario)) {
         std::ranges::copy(savedDesignValues(design), std::back_inserter(m_values));
@@ -47,7 +46,7 @@ class Patcher {
         patchOrReplace(root, "pulse", [this](const YamlNode& map) {
             patchList(map, "pulse", "points", listItems(m_scenario, pointsPath));
         });
-        if (m_isOfSections) {
+        if (!m_parts.empty()) {
             patchOrReplace(root, "hammer", [this](const YamlNode& map) { patchHammer(map); });
             patchString(root);
         }
@@ -87,7 +86,7 @@ class Patcher {
     /// Patches a file that is one map in braces: replaces values and keys, and rewrites no
     /// section.
     std::string patchedBraces(const YamlNode& root) {
-        if (m_scenario.form != formOf(root) || m_isOfSections) throw NotPatchable();
+        if (m_scenario.form != formOf(root) || !m_parts.empty()) throw NotPatchable();
         patchMap(root, "");
         for (const std::string_view section : {"dimensionless", "rod", "pulse", "bit_rock", "drill"}) {
             const std::size_t at = indexOf(root, section);
@@ -137,9 +136,7 @@ class Patcher {
 
     void patchString(const YamlNode& root) {
         const std::size_t at = indexOf(root, "string");
-        const auto patch = [&] {
-            patchSections(root.children[at + 1], "string", listItems(m_scenario, "string"));
-        };
+        const auto patch = [&] { patchSections(root.children[at + 1], "string", m_parts); };
         if (!m_edits.attempt(patch)) m_edits.replaceEntry(root, at, sectionText(m_scenario, "string"));
     }
 
@@ -362,7 +359,7 @@ class Patcher {
     std::string_view m_text;
     YamlEdits m_edits;
     const Scenario& m_scenario;
-    const bool m_isOfSections;
+    const std::vector<std::string> m_parts;  ///< of a string
     const DesignSetup& m_design;
     std::vector<SavedValue> m_values;
     std::map<std::string, std::vector<const SavedValue*>, std::less<>> m_sections;

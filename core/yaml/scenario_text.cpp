@@ -205,7 +205,9 @@ std::vector<std::string> partItems(const Scenario& scenario) {
     return items;
 }
 
+/// Empty for a uniform rod.
 std::string drillStringText(const Scenario& scenario) {
+    if (listItems(scenario, "string").empty()) return {};
     return sectionText(scenario, "material") +
            sectionText(scenario, isForced(scenario) ? "pulse" : "hammer") + sectionText(scenario, "string");
 }
@@ -282,7 +284,7 @@ Scenario withoutUnusedValues(const Scenario& scenario) {
     Scenario result;
     result.title = scenario.title;
     result.form = scenario.form;
-    if (hasSections(scenario)) result.drillString = withoutUnusedValues(scenario.drillString);
+    result.drillString = withoutUnusedValues(scenario.drillString);
     if (isForced(scenario)) result.pulse.shape = scenario.pulse.shape;
     result.bitRock.law = scenario.bitRock.law;
     if (scenario.bitRock.law == RockLaw::corners) result.bitRock.corners = scenario.bitRock.corners;
@@ -365,15 +367,15 @@ std::string sectionText(const Scenario& scenario, std::string_view section) {
 }
 
 std::string scenarioText(const Scenario& scenario) {
-    const bool isOfSections = hasSections(scenario);
-    std::string text = "drillwave: " + std::to_string(isOfSections ? stringFormat : rodFormat) + "\n";
+    const std::string ofString = drillStringText(scenario);
+    std::string text = "drillwave: " + std::to_string(ofString.empty() ? rodFormat : stringFormat) + "\n";
     if (!scenario.title.empty()) text += "title: " + yamlScalar(scenario.title) + "\n";
     for (const SavedValue& value : savedValues(scenario))
         if (value.section.empty() && value.parameter)
             text += std::string(value.key) + ": " + valueText(value) + "\n";
-    if (isOfSections) text += drillStringText(scenario);
+    text += ofString;
     for (const std::string_view section : plainSections(scenario))
-        if (section != "pulse" || !isOfSections) text += sectionText(scenario, section);
+        if (section != "pulse" || ofString.empty()) text += sectionText(scenario, section);
     return text;
 }
 

@@ -3201,16 +3201,8 @@ Trotzdem löschen?</translation>
         <translation>im Hammer, %1</translation>
     </message>
     <message>
-        <source>%1 from the shank, %2</source>
-        <translation>%1 vom Einsteckende, %2</translation>
-    </message>
-    <message>
         <source>at x/L = %1, t = %2</source>
         <translation>bei x/L = %1, t = %2</translation>
-    </message>
-    <message>
-        <source>%1 from the hammer, %2</source>
-        <translation>%1 vom Hammer, %2</translation>
     </message>
     <message>
         <source>Place and time where this value is first reached: a click leads there</source>
@@ -3243,14 +3235,6 @@ Trotzdem löschen?</translation>
     <message>
         <source>no %1</source>
         <translation>kein %1</translation>
-    </message>
-    <message>
-        <source>drill string</source>
-        <translation>Bohrstrang</translation>
-    </message>
-    <message>
-        <source>uniform rod</source>
-        <translation>gleichförmige Stange</translation>
     </message>
     <message>
         <source>divides by zero</source>
@@ -3363,22 +3347,6 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>dort, wo „%1“ gemessen wurde,</translation>
     </message>
     <message>
-        <source>in the middle of the longest section</source>
-        <translation>in der Mitte des längsten Abschnitts</translation>
-    </message>
-    <message>
-        <source>at the middle of the rod</source>
-        <translation>in der Mitte der Stange</translation>
-    </message>
-    <message>
-        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
-        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls des Strangs über der Zeit.</translation>
-    </message>
-    <message>
-        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
-        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
-    </message>
-    <message>
         <source>Measured signals are dashed.</source>
         <translation>Gemessenes ist gestrichelt.</translation>
     </message>
@@ -3389,14 +3357,6 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     <message>
         <source>The force in the rod over place and time, tension positive; bars at the right show contact of bit and rock. On the colour scale, lines mark the smallest and largest force, triangles forces beyond the colours.</source>
         <translation>Die Kraft in der Stange über Ort und Zeit, Zug positiv; Balken rechts zeigen den Kontakt von Krone und Gestein. Auf der Farbskala ist ein Strich die kleinste oder größte Kraft, ein Dreieck eine jenseits der Farben.</translation>
-    </message>
-    <message>
-        <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
-        <translation>Der größte Zug und Druck entlang Hammer (unter 0) und Strang, während der Schlag dauert, mit den Festigkeiten der Abschnitte.</translation>
-    </message>
-    <message>
-        <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
-        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den verbleibenden Wellen.</translation>
     </message>
     <message>
         <source>Hammer (dark) and string, lengths and diameters each to scale, with the numbers of the sections; the bore is dashed, the rock is at the right.</source>
@@ -3887,14 +3847,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>%1 hinter der Schlagfläche des Hammers</translation>
     </message>
     <message>
-        <source>%1 from the shank</source>
-        <translation>%1 vom Einsteckende</translation>
-    </message>
-    <message>
-        <source>%1 from the struck end</source>
-        <translation>%1 vom Schlagende</translation>
-    </message>
-    <message>
         <source>No time chosen: click an event, or press T over the plots.</source>
         <translation>Keine Zeit gewählt: auf ein Ereignis klicken, oder T über den Diagrammen drücken.</translation>
     </message>
@@ -3925,10 +3877,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>At this section the force is from %1 to %2, tension positive.</source>
         <translation>An dieser Stelle liegt die Kraft zwischen %1 und %2, Zug positiv.</translation>
-    </message>
-    <message>
-        <source>The rod rebounds with e = %1.</source>
-        <translation>Die Stange prallt mit e = %1 zurück.</translation>
     </message>
 </context>
 <context>
@@ -10672,10 +10620,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>es gibt keinen Schlag %1 von %2</translation>
     </message>
     <message>
-        <source>all gaps can be studied only for uniform rods (`drillwave: 1`)</source>
-        <translation>alle Spalte lassen sich nur bei gleichförmigen Stangen untersuchen (`drillwave: 1`)</translation>
-    </message>
-    <message>
         <source>a normal gap needs a mean of at least 0 and a deviation from %1 to %2 [d0]</source>
         <translation>ein normalverteilter Spalt braucht einen Mittelwert von mindestens 0 und eine Abweichung von %1 bis %2 [d0]</translation>
     </message>
@@ -10694,10 +10638,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>does not apply to this scenario</source>
         <translation>hat in diesem Szenario keine Bedeutung</translation>
-    </message>
-    <message>
-        <source>is a uniform rod (`drillwave: 1`), not a string</source>
-        <translation>ist eine gleichförmige Stange (`drillwave: 1`) und kein Bohrstrang</translation>
     </message>
     <message>
         <source>-o - names no folder for the files; add -o DIR, or --json, which prints to standard output</source>
@@ -12893,6 +12833,74 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>of its limit</source>
         <translation>ihrer Marke</translation>
     </message>
+    <message>
+        <source>uniform rod</source>
+        <translation>gleichförmige Stange</translation>
+    </message>
+    <message>
+        <source>The rod rebounds with e = %1.</source>
+        <translation>Die Stange prallt mit e = %1 zurück.</translation>
+    </message>
+    <message>
+        <source>Stress in the rod</source>
+        <translation>Spannung in der Stange</translation>
+    </message>
+    <message>
+        <source>at the middle of the rod</source>
+        <translation>in der Mitte der Stange</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
+        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
+        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den verbleibenden Wellen.</translation>
+    </message>
+    <message>
+        <source>%1 from the struck end</source>
+        <translation>%1 vom Schlagende</translation>
+    </message>
+    <message>
+        <source>%1 from the hammer, %2</source>
+        <translation>%1 vom Hammer, %2</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the rod</source>
+        <translation>Stelle x: darf höchstens %1 sein, die Länge der Stange</translation>
+    </message>
+    <message>
+        <source>drill string</source>
+        <translation>Bohrstrang</translation>
+    </message>
+    <message>
+        <source>Stress in hammer and string</source>
+        <translation>Spannung in Hammer und Strang</translation>
+    </message>
+    <message>
+        <source>in the middle of the longest section</source>
+        <translation>in der Mitte des längsten Abschnitts</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
+        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls des Strangs über der Zeit.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
+        <translation>Der größte Zug und Druck entlang Hammer (unter 0) und Strang, während der Schlag dauert, mit den Festigkeiten der Abschnitte.</translation>
+    </message>
+    <message>
+        <source>%1 from the shank</source>
+        <translation>%1 vom Einsteckende</translation>
+    </message>
+    <message>
+        <source>%1 from the shank, %2</source>
+        <translation>%1 vom Einsteckende, %2</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the string</source>
+        <translation>Stelle x: darf höchstens %1 sein, die Länge des Strangs</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13878,10 +13886,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Ereignisse</translation>
     </message>
     <message>
-        <source>Stress in hammer and string</source>
-        <translation>Spannung in Hammer und Strang</translation>
-    </message>
-    <message>
         <source>Drilling</source>
         <translation>Bohren</translation>
     </message>
@@ -14672,14 +14676,6 @@ in %4</translation>
     <message>
         <source>place x: must be at least %1, the rear of the hammer</source>
         <translation>Stelle x: muss mindestens %1 sein, das hintere Ende des Hammers</translation>
-    </message>
-    <message>
-        <source>place x: must be at most %1, the length of the string</source>
-        <translation>Stelle x: darf höchstens %1 sein, die Länge des Strangs</translation>
-    </message>
-    <message>
-        <source>place x: must be at most %1, the length of the rod</source>
-        <translation>Stelle x: darf höchstens %1 sein, die Länge der Stange</translation>
     </message>
     <message>
         <source>voltage</source>

@@ -3201,16 +3201,8 @@ Ta bort ändå?</translation>
         <translation>i hammaren, %1</translation>
     </message>
     <message>
-        <source>%1 from the shank, %2</source>
-        <translation>%1 från nacken, %2</translation>
-    </message>
-    <message>
         <source>at x/L = %1, t = %2</source>
         <translation>vid x/L = %1, t = %2</translation>
-    </message>
-    <message>
-        <source>%1 from the hammer, %2</source>
-        <translation>%1 från hammaren, %2</translation>
     </message>
     <message>
         <source>Place and time where this value is first reached: a click leads there</source>
@@ -3243,14 +3235,6 @@ Ta bort ändå?</translation>
     <message>
         <source>no %1</source>
         <translation>ingen %1</translation>
-    </message>
-    <message>
-        <source>drill string</source>
-        <translation>borrsträng</translation>
-    </message>
-    <message>
-        <source>uniform rod</source>
-        <translation>likformig stång</translation>
     </message>
     <message>
         <source>divides by zero</source>
@@ -3363,22 +3347,6 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>där ”%1” mättes</translation>
     </message>
     <message>
-        <source>in the middle of the longest section</source>
-        <translation>mitt i den längsta sektionen</translation>
-    </message>
-    <message>
-        <source>at the middle of the rod</source>
-        <translation>vid stångens mitt</translation>
-    </message>
-    <message>
-        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
-        <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och strängens rörelsemängd över tiden.</translation>
-    </message>
-    <message>
-        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
-        <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och stångens rörelsemängd över tiden.</translation>
-    </message>
-    <message>
         <source>Measured signals are dashed.</source>
         <translation>Det uppmätta är streckat.</translation>
     </message>
@@ -3389,14 +3357,6 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     <message>
         <source>The force in the rod over place and time, tension positive; bars at the right show contact of bit and rock. On the colour scale, lines mark the smallest and largest force, triangles forces beyond the colours.</source>
         <translation>Kraften i stången över läge och tid, drag positivt; staplar till höger visar kontakten mellan krona och berg. På färgskalan är ett streck den minsta eller största kraften, en triangel en bortom färgerna.</translation>
-    </message>
-    <message>
-        <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
-        <translation>Största drag och tryck längs hammare (under 0) och sträng medan slaget varar, med sektionernas hållfasthet.</translation>
-    </message>
-    <message>
-        <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
-        <translation>Största drag och tryck längs stången, medan slaget varar och i de kvarvarande vågorna.</translation>
     </message>
     <message>
         <source>Hammer (dark) and string, lengths and diameters each to scale, with the numbers of the sections; the bore is dashed, the rock is at the right.</source>
@@ -3887,14 +3847,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>%1 bakom hammarens slagyta</translation>
     </message>
     <message>
-        <source>%1 from the shank</source>
-        <translation>%1 från nacken</translation>
-    </message>
-    <message>
-        <source>%1 from the struck end</source>
-        <translation>%1 från slagänden</translation>
-    </message>
-    <message>
         <source>No time chosen: click an event, or press T over the plots.</source>
         <translation>Ingen tid vald: klicka på en händelse, eller tryck T över diagrammen.</translation>
     </message>
@@ -3925,10 +3877,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>At this section the force is from %1 to %2, tension positive.</source>
         <translation>I detta snitt ligger kraften mellan %1 och %2, drag positivt.</translation>
-    </message>
-    <message>
-        <source>The rod rebounds with e = %1.</source>
-        <translation>Stången studsar tillbaka med e = %1.</translation>
     </message>
 </context>
 <context>
@@ -10672,10 +10620,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>det finns inget slag %1 av %2</translation>
     </message>
     <message>
-        <source>all gaps can be studied only for uniform rods (`drillwave: 1`)</source>
-        <translation>alla spalter kan bara studeras för likformiga stänger (`drillwave: 1`)</translation>
-    </message>
-    <message>
         <source>a normal gap needs a mean of at least 0 and a deviation from %1 to %2 [d0]</source>
         <translation>en normalfördelad spalt kräver ett medelvärde på minst 0 och en avvikelse från %1 till %2 [d0]</translation>
     </message>
@@ -10694,10 +10638,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>does not apply to this scenario</source>
         <translation>har ingen betydelse i detta scenario</translation>
-    </message>
-    <message>
-        <source>is a uniform rod (`drillwave: 1`), not a string</source>
-        <translation>är en likformig stång (`drillwave: 1`) och ingen borrsträng</translation>
     </message>
     <message>
         <source>-o - names no folder for the files; add -o DIR, or --json, which prints to standard output</source>
@@ -12893,6 +12833,74 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>of its limit</source>
         <translation>av gränsen</translation>
     </message>
+    <message>
+        <source>uniform rod</source>
+        <translation>likformig stång</translation>
+    </message>
+    <message>
+        <source>The rod rebounds with e = %1.</source>
+        <translation>Stången studsar tillbaka med e = %1.</translation>
+    </message>
+    <message>
+        <source>Stress in the rod</source>
+        <translation>Spänning i stången</translation>
+    </message>
+    <message>
+        <source>at the middle of the rod</source>
+        <translation>vid stångens mitt</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
+        <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och stångens rörelsemängd över tiden.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
+        <translation>Största drag och tryck längs stången, medan slaget varar och i de kvarvarande vågorna.</translation>
+    </message>
+    <message>
+        <source>%1 from the struck end</source>
+        <translation>%1 från slagänden</translation>
+    </message>
+    <message>
+        <source>%1 from the hammer, %2</source>
+        <translation>%1 från hammaren, %2</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the rod</source>
+        <translation>läge x: får vara högst %1, stångens längd</translation>
+    </message>
+    <message>
+        <source>drill string</source>
+        <translation>borrsträng</translation>
+    </message>
+    <message>
+        <source>Stress in hammer and string</source>
+        <translation>Spänning i hammare och sträng</translation>
+    </message>
+    <message>
+        <source>in the middle of the longest section</source>
+        <translation>mitt i den längsta sektionen</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
+        <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och strängens rörelsemängd över tiden.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
+        <translation>Största drag och tryck längs hammare (under 0) och sträng medan slaget varar, med sektionernas hållfasthet.</translation>
+    </message>
+    <message>
+        <source>%1 from the shank</source>
+        <translation>%1 från nacken</translation>
+    </message>
+    <message>
+        <source>%1 from the shank, %2</source>
+        <translation>%1 från nacken, %2</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the string</source>
+        <translation>läge x: får vara högst %1, strängens längd</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13878,10 +13886,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Händelser</translation>
     </message>
     <message>
-        <source>Stress in hammer and string</source>
-        <translation>Spänning i hammare och sträng</translation>
-    </message>
-    <message>
         <source>Drilling</source>
         <translation>Borrning</translation>
     </message>
@@ -14672,14 +14676,6 @@ i %4</translation>
     <message>
         <source>place x: must be at least %1, the rear of the hammer</source>
         <translation>läge x: måste vara minst %1, hammarens bakände</translation>
-    </message>
-    <message>
-        <source>place x: must be at most %1, the length of the string</source>
-        <translation>läge x: får vara högst %1, strängens längd</translation>
-    </message>
-    <message>
-        <source>place x: must be at most %1, the length of the rod</source>
-        <translation>läge x: får vara högst %1, stångens längd</translation>
     </message>
     <message>
         <source>voltage</source>

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "core/archive/result_scenario.h"
-#include "core/model/blow_traits.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/pulse_reader.h"
 #include "ui/document/scenario_edit.h"
@@ -368,7 +367,8 @@ void Document::markUnsaved() {
 
 QString Document::applyPreset(const Preset& preset) {
     // A menu that is open stays so when the scenario is replaced, by an undo or another file.
-    if (hasSections(m_scenario) && preset.kind == PresetKind::rod)
+    if (preset.kind == PresetKind::rod && hasUnits(m_scenario) &&
+        !partProblem(PresetPart::rod, m_scenario).isEmpty())
         return tr("A preset of a rod is for uniform rods, and this scenario is a drill string.");
     if (!isForced(m_scenario) && preset.kind == PresetKind::hammer)
         return tr("A preset of a blow is a force, and this string is struck by the sections of its hammer.");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/model/blow_traits.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "ui/export/paper_plots.h"
 #include "ui/pages/blow/blow_curves.h"

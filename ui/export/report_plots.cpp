@@ -3,7 +3,7 @@
 
 #include <qcustomplot.h>
 
-#include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "core/report/gap_report.h"
 #include "ui/text/shown_text.h"
 
@@ -17,17 +17,11 @@ ReportPlot placed(const char* name, const QString& caption, PaperPlot paper, Mil
 }
 
 QString blowCaption(const BlowReport& report) {
-    const bool ofSections = hasSections(report.blow.scenario);
+    const ChainWords& words = chainWords(report.blow.scenario);
     const MeasuredSignal* inside = firstInside(report.measured);
     const QString where = inside ? tr("where \"%1\" was measured").arg(QString::fromStdString(inside->name))
-                          : ofSections ? tr("in the middle of the longest section")
-                                       : tr("at the middle of the rod");
-    const QString caption = ofSections
-                                ? tr("The force N %1 and its waves, the impact force, its impulse and the "
-                                     "momentum of the string over time.")
-                                : tr("The force N %1 and its waves, the impact force, its impulse and the "
-                                     "momentum of the rod over time.");
-    return caption.arg(where) +
+                                 : translated(words.historyPlace);
+    return translated(words.blowCaption).arg(where) +
            (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("Measured signals are dashed."));
 }
 
@@ -36,22 +30,17 @@ QString blowCaption(const BlowReport& report) {
 void addCurves(std::vector<ReportPlot>& plots, const BlowReport& report, const PaperReader& reader,
                const std::stop_token& stop) {
     const Blow& blow = report.blow;
-    const bool ofSections = hasSections(blow.scenario);
     plots.push_back(placed("rock", tr("Force over penetration: the area inside stays in the rock as energy."),
                            rockPaperPlot(blow, reader), {120, 66}));
     plots.push_back(
         placed("blow", blowCaption(report), blowPaperPlot(blow, reader, report.measured), {180, 128}));
-    if (!ofSections)
+    if (report.sections.empty())
         plots.push_back(placed("wave_picture",
                                tr("The force in the rod over place and time, tension positive; bars at the "
                                   "right show contact of bit and rock. On the colour scale, lines mark the "
                                   "smallest and largest force, triangles forces beyond the colours."),
                                wavePaperPlot(blow, reader), {180, 86}));
-    plots.push_back(placed("rod",
-                           ofSections ? tr("The largest tension and compression along hammer (below 0) and "
-                                           "string during the blow, with the strengths of the sections.")
-                                      : tr("The largest tension and compression along the rod, during the "
-                                           "blow and in the residual waves."),
+    plots.push_back(placed("rod", translated(chainWords(blow.scenario).stressCaption),
                            rodPaperPlot(blow, stop, reader), {180, 84}));
 }
 
@@ -80,7 +69,7 @@ void addStudies(std::vector<ReportPlot>& plots, const ReportStudies& studies, co
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
                                     const std::stop_token& stop) {
     std::vector<ReportPlot> plots;
-    if (hasSections(report.blow.scenario))
+    if (!report.sections.empty())
         plots.push_back(placed(stringPicture.data(),
                                tr("Hammer (dark) and string, lengths and diameters each to scale, with the "
                                   "numbers of the sections; the bore is dashed, the rock is at the right."),

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/archive/report_file.h"
-#include "core/model/blow_traits.h"
 #include "ui/document/measured_list.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"

@@ -8,9 +8,8 @@
 #include <cmath>
 
 #include "core/blow/blow_waves.h"
-#include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "core/model/scales.h"
-#include "core/model/section_pieces.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -274,24 +273,15 @@ double SignalFields::forcePerNumberNow() const {
 
 // Where the gauge is: a blow comes in at the struck end, a force on the rock leaves at the bit.
 GaugedBar SignalFields::barOfScenario() const {
-    const auto bar = [](double area, double modulus, double density) {
-        GaugedBar made;
-        made.area = area;
-        made.axialStiffness = area * modulus;
-        made.impedance = area * std::sqrt(modulus * density);
-        return made;
-    };
-    if (!hasSections(m_scenario))
-        return bar(propertiesOf(m_scenario.rod).area, m_scenario.rod.youngsModulus, m_scenario.rod.density);
-    const DrillString& drillString = m_scenario.drillString;
-    const double length = stringProperties(drillString).length;
-    const double share = m_use == ImportUse::normalForce ? place() / length
+    const double share = m_use == ImportUse::normalForce ? place() / chainProperties(m_scenario).length
                          : m_use == ImportUse::blow      ? 0
                                                          : 1;
-    const StringPlace at = stringPlace(drillString, share);
-    const Section& section = *allSections(drillString)[at.section];
-    return bar(areaAt(section, at.share), section.youngsModulus.value_or(drillString.material.youngsModulus),
-               section.density.value_or(drillString.material.density));
+    const SignalBar at = barAt(m_scenario, share);
+    GaugedBar made;
+    made.area = *at.area;
+    made.axialStiffness = *at.area * *at.modulus;
+    made.impedance = *at.impedance;
+    return made;
 }
 
 void SignalFields::use(const SignalOptions& settings) {
@@ -363,9 +353,7 @@ QString SignalFields::problemOfPlace() const {
     if (!hasUnits(m_scenario)) return {};
     const double length = chainProperties(m_scenario).length;
     if (place() <= length) return {};
-    return (hasSections(m_scenario) ? tr("place x: must be at most %1, the length of the string")
-                                    : tr("place x: must be at most %1, the length of the rod"))
-        .arg(m_units.text(length, UnitKind::length));
+    return translated(chainWords(m_scenario).beyondEnd).arg(m_units.text(length, UnitKind::length));
 }
 
 }  // namespace drillwave

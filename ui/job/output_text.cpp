@@ -6,6 +6,7 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -133,11 +134,9 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     const RodForce& force = *found;
     const QString time = shown(force.time, blow.units.time);
     if (force.section < 0) return tr("in the hammer, %1").arg(time);
-    if (hasSections(blow.scenario))
-        return tr("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
-    if (blow.request.units == UnitSystem::dimensionless)
+    if (blow.request.units == UnitSystem::dimensionless && blow.summary.rodForces)
         return tr("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
-    return tr("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);
+    return translated(chainWords(blow.scenario).peakPlace).arg(shown(force.section, blow.units.length), time);
 }
 
 QString largestStressText(const SolvedBlow& blow) {

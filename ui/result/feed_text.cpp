@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/blow/feed_estimate.h"
-#include "core/model/blow_traits.h"
 #include "core/report/feed_words.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/language.h"
@@ -47,8 +46,7 @@ WorstNeed::WorstNeed(QObject* parent) : QObject(parent) {
 
 void WorstNeed::ask(const SolvedBlow& blow) {
     std::optional<Scenario> asked;
-    if (blow.fault.isEmpty() && gapHasPeriod(blow.request.scenario) &&
-        thrustProblem(blow.request.scenario).isEmpty()) {
+    if (blow.fault.isEmpty() && blow.feed && blow.feed->gapsHavePeriod) {
         asked = blow.request.scenario;
         asked->title.clear();
     }

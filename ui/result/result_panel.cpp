@@ -12,6 +12,7 @@
 
 #include "core/blow/feed_estimate.h"
 #include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "core/report/sequence_words.h"
 #include "core/study/drilling/sequence.h"
 #include "ui/job/output_text.h"
@@ -374,9 +375,9 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     for (const ResultRow& row : std::as_const(m_rows))
         row.section()->setVisible(!solved || filled.contains(row.section()));
     // The names of a string's numbers are longer than those of a rod's.
-    if (const bool ofString = hasSections(blow->request.scenario);
-        std::exchange(m_ofString, ofString) != ofString) {
-        m_stress->setTitle(ofString ? tr("Stress in hammer and string") : tr("Stress in the rod"));
+    if (const QString title = translated(chainWords(blow->request.scenario).stresses);
+        m_stress->title() != title) {
+        m_stress->setTitle(title);
         updateGeometry();
     }
     m_alerts->present(blow->fault, blow->alerts, styleOf(blow->request));

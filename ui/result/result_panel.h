@@ -122,7 +122,6 @@ class ResultPanel : public SteadyScrollArea {
     void showWorst();
     std::optional<double> worstOf(const SolvedBlow& blow) const;
 
-    bool m_ofString = false;  // whose rows are there
     SolvedBlowPtr m_blow;
     SolvedBlowPtr m_reference;
     QString m_referenceTitle;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/blow/feed_estimate.h"
-#include "core/model/blow_traits.h"
+#include "core/model/scales.h"
 #include "ui/form/section_box.h"
 #include "ui/job/output_text.h"
 #include "ui/result/feed_text.h"
@@ -208,6 +208,7 @@ QList<ResultEntry> outputEntries(OutputGroup group) {
 }
 
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf) {
+    const auto hasPeriod = [](const Scenario& scenario) { return gapPeriod(scenario).has_value(); };
     return {
         {.name = tr("margin, this blow"),
          .meaning =
@@ -237,13 +238,13 @@ QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Numb
          .note = [&worst](const SolvedBlow&) { return worst.problem(); },
          .objectName = worstName,
          .number = worstOf,
-         .concerns = gapHasPeriod},
+         .concerns = hasPeriod},
         {.meaning = tr("Effective feed force minus the largest of the four, also as a share of it: "
                        "thrust_margin in commands and files"),
          .text = [&worst](const SolvedBlow& blow) { return worstMarginText(worst, blow); },
          .objectName = worstName,
          .warning = [&worst](const SolvedBlow& blow) { return isShortOfWorst(worst, blow); },
-         .concerns = gapHasPeriod},
+         .concerns = hasPeriod},
         {.name = tr("installed"),
          .meaning = tr("Feed force of the drill rig"),
          .text = thrustInstalledText,

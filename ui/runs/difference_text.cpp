@@ -8,6 +8,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "core/model/section_parameter.h"
 #include "core/model/section_words.h"
 #include "ui/text/number_text.h"
@@ -85,7 +86,7 @@ QString signedText(double difference, int digits) {
 QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units) {
     QStringList changes;
     // All the numbers of one form are new in the other.
-    if (!areOfOneKind(before, after)) return hasSections(after) ? tr("drill string") : tr("uniform rod");
+    if (!areOfOneKind(before, after)) return translated(chainWords(after).kind);
     if (before.pulse.shape != after.pulse.shape || !(before.pulse.tablePoints == after.pulse.tablePoints))
         changes << blowWords(after.pulse);
     const Scenario* const both[] = {&before, &after};

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QPushButton>
 
-#include "core/model/blow_traits.h"
 #include "ui/form/rig_dialog.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
@@ -158,11 +157,11 @@ void FormNotice::offer() {
     m_toRig->setToolTip(hasUnits(scenario)
                             ? tr("This scenario has physical units already")
                             : tr("Rod, force and duration of a physical scenario with the same groups"));
-    const bool isOfSections = hasSections(scenario);
-    m_toUniformRod->setEnabled(isOfSections);
+    const Section* kept = ruleSection(scenario.drillString);
+    m_toUniformRod->setEnabled(kept);
     m_toUniformRod->setToolTip(
-        isOfSections ? tr("Only the rod, as long for the waves as the string, struck by a uniform piston")
-                     : tr("This scenario is a uniform rod"));
+        kept ? tr("Only the rod, as long for the waves as the string, struck by a uniform piston")
+             : tr("This scenario is a uniform rod"));
     m_toForce->setEnabled(!isForced(scenario));
     m_toForce->setToolTip(isForced(scenario)
                               ? tr("A force drives this scenario already")

@@ -58,7 +58,7 @@ namespace {
 constexpr int messageMilliseconds = 8000;
 
 QString statusText(const SolvedBlow& blow) {
-    const bool isExact = isFollowedByEvents(blow.request.scenario);
+    const bool isExact = methodKey(blow.request.scenario, Method::exact) == name(Method::exact);
     if (!blow.fault.isEmpty())
         return isExact ? MainWindow::tr("exact · not solved") : MainWindow::tr("cells · not solved");
     const QLocale locale;
@@ -102,7 +102,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
         const QAction& toString = *m_formNotice->toString();
         if (!toString.isEnabled()) return inform(toString.toolTip());
         m_formNotice->toString()->trigger();
-        if (hasSections(m_document.scenario())) m_pages->setCurrentWidget(m_stringPage);
+        if (m_stringPage->shows(m_document.scenario())) m_pages->setCurrentWidget(m_stringPage);
     });
     connect(&m_document, &Document::scenarioChanged, &m_observation, [this] {
         const Scenario& scenario = m_document.scenario();
@@ -399,7 +399,7 @@ void MainWindow::goToPlace(double section, double time) {
 void MainWindow::goToParameter(const QString& key) {
     const KeptParameter parameter = findParameter(key.toStdString());
     if (!parameter || !parameter->address) return m_scenarioPanel->goTo(key);
-    if (!hasSections(m_document.scenario())) return;
+    if (!m_stringPage->shows(m_document.scenario())) return;
     m_pages->setCurrentWidget(m_stringPage);
     m_stringPage->goTo(*parameter->address);
 }

@@ -3,7 +3,6 @@
 
 #include <QPushButton>
 
-#include "core/model/blow_traits.h"
 #include "core/model/section_words.h"
 #include "core/model/string_edit.h"
 #include "ui/text/shown_text.h"
@@ -107,8 +106,8 @@ WavesNotice::WavesNotice(Document& document, PageTabs& pages, QWidget* parent)
 }
 
 void WavesNotice::present(const SolvedBlow& blow) {
-    const bool isThinned = hasSections(blow.scenario) && blow.fault.isEmpty() && !blow.marchedBlow &&
-                           !blow.pages.empty() && (!blow.impact.waves || blow.impact.wavesDifference);
+    const bool isThinned = blow.fault.isEmpty() && !blow.marchedBlow && !blow.pages.empty() &&
+                           (!blow.impact.waves || blow.impact.wavesDifference);
     if (!isThinned || blow.request.scenario != m_document.scenario()) return hide();
     const DrillString rounded = withRoundedLengths(m_document.scenario().drillString);
     if (rounded == m_document.scenario().drillString) return hide();

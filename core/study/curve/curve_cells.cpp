@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/numeric/fit_features.h"
+#include "core/study/rows/study_plan.h"
 
 namespace drillwave {
 
@@ -25,10 +25,8 @@ constexpr long mostBlowsAtLimit = 2;
 constexpr long mostEffortAtLimit = 5;
 /// Accuracy near zero of outputs that are no ratio, in their unit.
 constexpr double smallOfUnit = 1e-4;
-/// Work for drill strings, whose blows take longer: all blows of a cell for one output, in blows at the work
-/// limit; and at least this number of blows.
-constexpr long blowsOfStringCell = 40;
-constexpr long leastStringBlows = 150;
+/// At least this number of blows of a cell, where StudyPlan::blowsOfPiece limits them.
+constexpr long leastBlowsOfCell = 150;
 /// Half of this number of blows brackets a kink.
 constexpr std::uint64_t blowsOfKink = 80;
 constexpr const char* notSmooth = translatable("not smooth within the work permitted");
@@ -114,11 +112,11 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
                          .failuresOfCell = mostFailuresOfCell,
                          .mostFailedEffort = mostBlowsAtLimit * m_question.workLimit,
                          .ends = FitSettings::Ends::bracketed};
-    if (isFollowedByEvents(m_question.base)) {
+    if (const std::optional<long> blows = studyPlan(m_question.base).blowsOfPiece; !blows) {
         settings.mostEffort = mostEffortAtLimit * m_question.workLimit;
     } else {
-        const long most = blowsOfStringCell * m_question.workLimit / std::max(1L, sampler.effortAt(cuts[0]));
-        const auto solves = static_cast<std::uint64_t>(std::max(leastStringBlows, most));
+        const long most = *blows * m_question.workLimit / std::max(1L, sampler.effortAt(cuts[0]));
+        const auto solves = static_cast<std::uint64_t>(std::max(leastBlowsOfCell, most));
         settings.solvesOfCell = std::min(settings.solvesOfCell, solves);
         settings.kinksOfCell = std::min(settings.kinksOfCell, solves / blowsOfKink);
     }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/blow_traits.h"
 #include "core/study/curve/curve_cells.h"
+#include "core/study/rows/study_plan.h"
 
 namespace drillwave {
 
@@ -16,9 +16,6 @@ namespace {
 constexpr double farthestPoints = 1.0 / 500;
 constexpr double nearestPoints = 1e-9;
 constexpr int leastPartsOfGrid = 16;
-/// There are hundreds of points: the blow of each may take such a part of the work permitted. Whether one has
-/// an answer must not hang on how many there are, which other outputs decide, too.
-constexpr long partOfLimit = 6;
 
 /// Where a piece is rough in detail: closer than other points where it is narrow.
 void addGrid(std::vector<double>& places, const FitPiece& piece) {
@@ -85,8 +82,7 @@ std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> 
 }
 
 void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const {
-    CurveSampler sampler(m_question, m_axes, task.line, stop,
-                         isFollowedByEvents(m_question.base) ? partOfLimit : 1);
+    CurveSampler sampler(m_question, m_axes, task.line, stop, studyPlan(m_question.base).curvePart);
     task.points.clear();
     for (const double share : task.shares) {
         LinePoint& point = task.points.emplace_back();

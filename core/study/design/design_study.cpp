@@ -5,7 +5,6 @@
 #include <cassert>
 
 #include "core/blow/blow.h"
-#include "core/model/blow_traits.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_check.h"
 #include "core/study/design/scenario_designs.h"
@@ -136,10 +135,6 @@ std::vector<DesignAim> customaryAims(const Scenario& scenario) {
     if (const Output* thrust = findOutput("thrust"); thrust->problem(scenario).isEmpty())
         aims.push_back({Sense::least, thrust, {Kind::quantile, 95}});
     return aims;
-}
-
-int customarySamples(const Scenario& scenario) {
-    return isFollowedByEvents(scenario) ? 4096 : 1024;
 }
 
 std::uint64_t DesignStudy::designCount() const {

@@ -82,10 +82,6 @@ struct DesignStudy {
 /// there is a blow frequency.
 std::vector<DesignAim> customaryAims(const Scenario& scenario);
 
-/// Returns the default number of samples: a blow on cells takes a hundred times as long as
-/// another.
-int customarySamples(const Scenario& scenario);
-
 /// Results of a design study.
 struct DesignFindings {
     Message refusal = {};   ///< why the study cannot be made; then all else is empty

@@ -42,8 +42,8 @@ bool isPresetName(std::string_view name, const PresetFile& file) {
 Message unsuitable(PresetPart part, const Scenario& scenario) {
     if (part == PresetPart::bit) return translatable("is not a bit; give the preset of a bit");
     if (part == PresetPart::rod) return translatable("is not a rod; give the preset of a rod");
-    return isString(scenario) ? translatable("does not fit a drill string; give the preset of a piston")
-                              : translatable("does not fit a uniform rod; give the preset of a hammer");
+    return isForced(scenario) ? translatable("does not fit a uniform rod; give the preset of a hammer")
+                              : translatable("does not fit a drill string; give the preset of a piston");
 }
 
 /// Names may have commas: the longest run of items that is the name of a preset is one.

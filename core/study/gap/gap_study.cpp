@@ -6,17 +6,22 @@
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
-#include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 #include "core/text/handy_text.h"
 #include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 
+Message whyNoPeriod(const Scenario& scenario) {
+    if (gapPeriod(scenario)) return {};
+    return translatable(
+        "is a drill string, and this command solves uniform rods alone (`drillwave: 1`); "
+        "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
+}
+
 Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal) {
     if (Message problem = invalidity(scenario); !problem.isEmpty()) return problem;
-    if (!gapHasPeriod(scenario))
-        return translatable("all gaps can be studied only for uniform rods (`drillwave: 1`)");
+    if (Message problem = whyNoPeriod(scenario); !problem.isEmpty()) return problem;
     const auto isGap = [](const NormalGap& gap) {
         return gap.mean >= 0 && std::isfinite(gap.mean) && gap.deviation >= NormalGap::leastDeviation &&
                gap.deviation <= NormalGap::mostDeviation;

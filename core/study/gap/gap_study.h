@@ -29,6 +29,9 @@ struct GapStudy {
     }
 };
 
+/// Returns why results do not repeat over the gap of such a scenario; empty where they do.
+Message whyNoPeriod(const Scenario& scenario);
+
 /// Why there is no study of all gaps of a scenario; empty when there is.
 Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal = {});
 

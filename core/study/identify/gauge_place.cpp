@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/model/form_conversion.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
 
@@ -15,20 +16,8 @@ namespace {
 /// Pieces of a cone are as long as that: waves in them differ by the square of it [m].
 constexpr double coneStep = 0.012;
 
-Section rodAsSection(const Rod& rod) {
-    Section section;
-    section.name = "rod";
-    section.length = rod.length;
-    section.diameter = rod.diameter;
-    section.bore = rod.bore;
-    section.area = rod.area;
-    section.youngsModulus = rod.youngsModulus;
-    section.density = rod.density;
-    return section;
-}
-
 std::string keyOfSection(const Scenario& scenario, const std::vector<Section>& all, std::size_t index) {
-    if (!isString(scenario)) return "rod";
+    if (expandedSections(scenario.drillString).empty()) return "rod";
     std::string name = all[index].name;
     std::replace(name.begin(), name.end(), ' ', '_');
     const auto same = std::count_if(all.begin(), all.end(),
@@ -73,11 +62,9 @@ void addPieces(RockEnd& end, const Section& section, const Material& material, s
 std::optional<GaugePlace> gaugePlace(const Scenario& scenario, double distance) {
     if (!(distance > 0) || !hasUnits(scenario)) return std::nullopt;
     std::vector<Section> all;
-    if (isString(scenario))
-        for (const Section* section : expandedSections(scenario.drillString)) all.push_back(*section);
-    else
-        all.push_back(rodAsSection(scenario.rod));
     const Material& material = scenario.drillString.material;
+    for (const Section* section : expandedSections(scenario.drillString)) all.push_back(*section);
+    if (all.empty()) all.push_back(sectionOf(scenario.rod, material));
     std::size_t index = all.size();
     double left = distance;
     while (index > 0 && left > all[index - 1].length) left -= all[--index].length;

@@ -100,7 +100,7 @@ void AxisScenario::restore() {
     m_scenario.bitRock = m_base.bitRock;
     m_scenario.drill = m_base.drill;
     if (m_restoresPulse) m_scenario.pulse = m_base.pulse;
-    if (hasSections(m_base)) m_scenario.drillString = m_base.drillString;
+    m_scenario.drillString = m_base.drillString;
 }
 
 }  // namespace drillwave

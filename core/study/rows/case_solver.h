@@ -7,7 +7,6 @@
 #include <stop_token>
 
 #include "core/blow/method.h"
-#include "core/model/blow_traits.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "core/text/message.h"
@@ -25,7 +24,7 @@ class CaseSolver {
 
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) {
-        if (followsFromGroups(scenario)) m_problem.drive = pulseForceOf(scenario);
+        if (isForced(scenario)) m_problem.drive = pulseForceOf(scenario);
     }
 
     /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "core/blow/feed_estimate.h"
-#include "core/model/blow_traits.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
@@ -37,7 +36,6 @@ ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double v
 /// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
 /// in its memory.
 bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
-    if (!gapHasPeriod(base)) return false;
     const auto blowAt = [&](double value) -> std::optional<Problem> {
         const ScenarioAt at = scenarioAt(base, parameter, value);
         if (!at.obstacle.isEmpty()) return std::nullopt;
@@ -46,7 +44,7 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
         return problem;
     };
     const std::optional<Problem> first = blowAt(values.front());
-    return first && first == blowAt(values.back());
+    return first && rodRefusal(*first).empty() && first == blowAt(values.back());
 }
 
 /// With what they keep from point to point.
@@ -55,19 +53,15 @@ struct PointSolvers {
     MethodSolver& solver;
 };
 
-ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const PointSolvers& solvers,
-                        const std::stop_token& stop) {
-    const ThrustStudy study = studyStringThrust(scenario, NetworkAccuracy::quick, solvers.solver, stop);
-    point.reason = study.stopped ? "stopped" : study.reason;
-    if (!point.reason.isEmpty()) return point;
-    point.feed = study.feed;
-    return point;
-}
-
 ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolvers& solvers,
                         const std::stop_token& stop) {
     ThrustPoint point{.value = value, .feed = {}, .reason = {}};
-    if (!gapHasPeriod(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
+    if (const std::optional<ThrustStudy> study =
+            studyStringThrust(scenario, NetworkAccuracy::quick, solvers.solver, stop)) {
+        point.reason = study->stopped ? "stopped" : study->reason;
+        if (point.reason.isEmpty()) point.feed = study->feed;
+        return point;
+    }
     const Problem problem = problemOf(scenario);
     const Impact impact = solvers.solver.solve(problem, Detail::cor, {}, stop);
     if (impact.outcome != Outcome::rebounded) {

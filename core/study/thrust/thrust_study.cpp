@@ -6,7 +6,6 @@
 
 #include "core/blow/feed_estimate.h"
 #include "core/blow/impact_summary.h"
-#include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -41,7 +40,8 @@ std::optional<double> ThrustStudy::margin() const {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
     MethodSolver solver(limits);
-    if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop);
+    if (auto ofString = studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop))
+        return *std::move(ofString);
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);
     if (!study.reason.isEmpty()) return study;
@@ -60,12 +60,13 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
         return rebound.known();
     };
     const GapCurve rock = rockCurve(problem, stop, half.from(0), mostPieces);
-    study.rebounds.quantile = quantileOf(rock);
-    if (!isKnown(study.rebounds.quantile)) return study;
-    study.rebounds.worst = worstOf(elasticCurve(problem, stop, half.from(0.5), mostPieces));
-    if (!isKnown(study.rebounds.worst)) return study;
+    GapRebounds& rebounds = study.rebounds.emplace();
+    rebounds.quantile = quantileOf(rock);
+    if (!isKnown(rebounds.quantile)) return study;
+    rebounds.worst = worstOf(elasticCurve(problem, stop, half.from(0.5), mostPieces));
+    if (!isKnown(rebounds.worst)) return study;
 
-    study.feed = *feedEstimate(scenario, {impact.cor, impact.corError}, 1, study.rebounds.known());
+    study.feed = *feedEstimate(scenario, {impact.cor, impact.corError}, 1, rebounds.known());
     if (const auto force = study.feed.effective()) {
         const double served = *force / study.feed.balance - 1;  // up to which e
         study.shareFull = 1 - shareAbove(rock, served).value;
@@ -73,12 +74,11 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     return study;
 }
 
-ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
-                              const std::stop_token& stop) {
+std::optional<ThrustStudy> studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy,
+                                             MethodSolver& solver, const std::stop_token& stop) {
+    if (gapPeriod(scenario)) return std::nullopt;
     ThrustStudy study;
     study.reason = thrustRefusal(scenario);
-    if (study.reason.isEmpty() && gapHasPeriod(scenario))
-        study.reason = translatable("is a uniform rod (`drillwave: 1`), not a string");
     if (!study.reason.isEmpty()) return study;
     const auto [problem, impact] = solver.solveString(scenario, {.accuracy = accuracy, .wants = {}}, stop);
     study.stopped = stop.stop_requested();

@@ -14,7 +14,7 @@ namespace drillwave {
 
 struct ThrustStudy {
     FeedEstimate feed;
-    GapRebounds rebounds;             ///< for the cases of all gaps; of a uniform rod
+    std::optional<GapRebounds> rebounds;  ///< for the cases of all gaps, whose period a string has not
     double transferred = 1;           ///< impulse transferred by the hammer [I0] (ImpactSummary::transferred)
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
     Message reason;                   ///< why there is no result; empty if there is one
@@ -36,8 +36,9 @@ Message thrustRefusal(const Scenario& scenario);
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
-/// Studies a drill string by one run of its solver: one blow, and no gaps.
-ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
-                              const std::stop_token& stop);
+/// Studies a drill string by one run of its solver: one blow, and no gaps. Nothing for a uniform rod, whose
+/// gaps are to be studied.
+std::optional<ThrustStudy> studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy,
+                                             MethodSolver& solver, const std::stop_token& stop);
 
 }  // namespace drillwave

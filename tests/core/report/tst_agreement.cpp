@@ -287,7 +287,7 @@ void TestAgreement::mapAndCurveAreTheRun() {
 void TestAgreement::gapIsTheRun() {
     int compared = 0;
     for (const Case& one : m_cases) {
-        if (one.isString() || !gapHasPeriod(one.document.scenario)) continue;
+        if (one.isString() || !gapPeriod(one.document.scenario)) continue;
         const GapStudy study = studyGap(one.document.scenario, {});
         if (!study.curve.reason.isEmpty()) continue;
         ++compared;
@@ -310,9 +310,9 @@ void TestAgreement::thrustIsTheRun() {
     MethodSolver solver;
     for (const Case& one : m_cases) {
         const Scenario& scenario = one.document.scenario;
-        if (!one.isString() && !gapHasPeriod(scenario)) continue;
+        if (!one.isString() && !gapPeriod(scenario)) continue;
         const ThrustStudy study = one.isString()
-                                      ? studyStringThrust(scenario, NetworkAccuracy::sure, solver, {})
+                                      ? *studyStringThrust(scenario, NetworkAccuracy::sure, solver, {})
                                       : studyThrust(scenario);
         if (!study.reason.isEmpty()) continue;
         const QByteArray json = QByteArray::fromStdString(thrustJson({scenario, study}, one.text));

@@ -3,7 +3,6 @@
 // numbers have its decimal sign.
 #include <QTest>
 
-#include "core/model/blow_traits.h"
 #include "core/report/accuracy_report.h"
 #include "core/report/blow_text.h"
 #include "core/report/curve_text.h"
@@ -37,7 +36,7 @@ struct CommandText {
 
 Told toldBlow(const Scenario& scenario, const MethodChoice& method) {
     Blow blow = solveBlow(scenario, method, Detail::ledger, {}, Stresses::wanted);
-    if (gapHasPeriod(scenario)) addThrustMargin(blow);
+    if (gapPeriod(scenario)) addThrustMargin(blow);
     return [blow](const ReadingStyle& style) { return blowText(blow, style); };
 }
 
@@ -133,7 +132,7 @@ Told stability(const Scenario&) {
 }
 
 bool isRod(const Scenario& scenario) {
-    return gapHasPeriod(scenario);
+    return gapPeriod(scenario).has_value();
 }
 
 /// A study for all examples, or one that is about none of them, is made of the first.

@@ -49,7 +49,7 @@ class StudiedBlow {
         scenario.drill.blowFrequency = frequency;
         ThrustStudy& study = report.study;
         study.feed = *feedEstimate(scenario, study.need(ThrustCase::scenario).cor, study.transferred,
-                                   m_rock ? study.rebounds.known() : std::nullopt);
+                                   m_rock ? study.rebounds->known() : std::nullopt);
         if (m_rock)
             study.shareFull = 1 - shareAbove(*m_rock, *study.feed.effective() / study.feed.balance - 1).value;
         return report;

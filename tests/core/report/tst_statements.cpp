@@ -11,7 +11,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_text.h"
@@ -131,7 +130,7 @@ QByteArray stateByDefinition(const Scenario& scenario, const ThrustStudy& study,
     const double own = balance * (1 + std::max(study.need(ThrustCase::scenario).cor.value, 0.0));
     double largest = std::max(study.need(ThrustCase::scenario).cor.value, 1.0);
     if (!isString(scenario))
-        largest = std::max({largest, study.rebounds.quantile.cor.value, study.rebounds.worst.cor.value});
+        largest = std::max({largest, study.rebounds->quantile.cor.value, study.rebounds->worst.cor.value});
     if (effective < balance) return "pushed_back";
     if (effective < own) return "below_required";
     if (effective < balance * (1 + largest)) return "required_at_this_gap";

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "core/blow/blow_waves.h"
-#include "core/model/blow_traits.h"
+#include "core/model/chain_words.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
@@ -18,6 +18,7 @@
 #include "ui/pages/place_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -41,9 +42,8 @@ QString answerOf(const SolvedBlow& blow, const BlowCurves& curves) {
                 BlowPage::tr("At this section the force is from %1 to %2, tension positive.")
                     .arg(shown(least->value, blow.units.force), shown(largest->value, blow.units.force));
     }
-    if (!hasSections(blow.scenario))
-        text += QLatin1Char(' ') +
-                BlowPage::tr("The rod rebounds with e = %1.").arg(numberText(blow.summary.cor, 4, locale));
+    if (const char* rebound = chainWords(blow.scenario).rebound; *rebound)
+        text += QLatin1Char(' ') + translated(rebound).arg(numberText(blow.summary.cor, 4, locale));
     return text;
 }
 
@@ -162,10 +162,8 @@ void BlowPage::showPlace() {
     const Scenario& scenario = m_blow->request.scenario;
     const double x = m_observation.section() * chainProperties(scenario).length;
     const QString place = quantityText(std::abs(x), m_blow->units.of(UnitKind::length, x), QLocale());
-    m_place->setText((x < 0                   ? tr("%1 from the face of the hammer")
-                      : hasSections(scenario) ? tr("%1 from the shank")
-                                              : tr("%1 from the struck end"))
-                         .arg(place));
+    m_place->setText(
+        (x < 0 ? tr("%1 from the face of the hammer") : translated(chainWords(scenario).place)).arg(place));
 }
 
 void BlowPage::showInstant() {

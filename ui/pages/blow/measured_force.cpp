@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/blow/blow_waves.h"
-#include "core/model/blow_traits.h"
 #include "ui/pages/blow/blow_curves.h"
 
 namespace drillwave {

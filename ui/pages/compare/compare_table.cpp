@@ -40,8 +40,8 @@ void addBlow(CompareTable& table, const Columns& columns) {
     const Pulse& first = columns.front().scenario->pulse;
     const bool isOther = std::ranges::any_of(columns, [&](const CompareColumn& each) {
         const Pulse& pulse = each.scenario->pulse;
-        return followsFromGroups(*each.scenario) != followsFromGroups(*columns.front().scenario) ||
-               (followsFromGroups(*each.scenario) &&
+        return !areOfOneKind(*each.scenario, *columns.front().scenario) ||
+               (!hasSections(*each.scenario) &&
                 (pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints)));
     });
     if (!isOther) return;
@@ -120,15 +120,11 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
                        .words = {}};
         double size = 0;
         for (const CompareColumn& each : columns) {
+            row.hasOtherUnit.push_back(isSolved(each) &&
+                                       !haveSameUnit(output, *base->blow, *each.blow, system));
             row.numbers.push_back(each.blow ? comparableNumber(output, *each.blow, system) : std::nullopt);
             size = std::max(size, std::abs(row.numbers.back().value_or(0)));
         }
-        const auto isOtherUnit = [&](const CompareColumn& each) {
-            return isSolved(each) && !haveSameUnit(output, *base->blow, *each.blow, system);
-        };
-        if (std::ranges::any_of(columns, isOtherUnit))
-            for (const CompareColumn& each : columns)
-                row.ofString.push_back(!followsFromGroups(*each.scenario));
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(row.numbers, isThere)) continue;
         const ShownUnit unit = unitOf(output, units, scales, size);
@@ -196,7 +192,7 @@ QString CompareRow::text(std::size_t column, const QLocale& locale) const {
 
 std::optional<double> CompareRow::difference(std::size_t column, std::size_t reference) const {
     if (numbers.empty() || !numbers[column] || !numbers[reference]) return std::nullopt;
-    if (!ofString.empty() && ofString[column] != ofString[reference]) return std::nullopt;
+    if (!hasOtherUnit.empty() && hasOtherUnit[column] != hasOtherUnit[reference]) return std::nullopt;
     return *numbers[column] - *numbers[reference];
 }
 

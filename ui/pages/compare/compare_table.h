@@ -29,9 +29,9 @@ struct CompareRow {
     QString unit;                                ///< empty for plain numbers
     std::vector<std::optional<double>> numbers;  ///< one for each column; none where it has none
     QStringList words;                           ///< instead of numbers: shapes of the blow
-    /// Whether each number is a multiple of a scale of a string, and not of a rod, where the two differ. Only
-    /// numbers of the same kind can be compared.
-    std::vector<bool> ofString = {};
+    /// Whether each number has another unit than the first: multiples of a scale of a rod cannot be compared
+    /// with those of a string.
+    std::vector<bool> hasOtherUnit = {};
     bool isSigned = false;  ///< a margin, which is printed with its sign
 
     bool hasNumbers() const { return !numbers.empty(); }

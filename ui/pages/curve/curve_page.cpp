@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
 #include "core/numeric/available_threads.h"
 #include "core/report/curve_report.h"
+#include "core/study/rows/study_plan.h"
 #include "ui/form/choice_box.h"
 #include "ui/job/output_text.h"
 #include "ui/pages/curve/curve_plot.h"
@@ -175,7 +175,7 @@ void CurvePage::showGoal() {
 
 // The paper's curves and its family of elasticities are of uniform rods.
 void CurvePage::followForm() {
-    const bool isSampled = !isFollowedByEvents(scenario());
+    const bool isSampled = studyPlan(scenario()).curvePoints.has_value();
     if (isSampled == m_isSampled) return;
     m_isSampled = isSampled;
     m_closedForm->setVisible(!isSampled);

@@ -6,8 +6,8 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/model/blow_traits.h"
 #include "core/study/curve/sampled_curve.h"
+#include "core/study/rows/study_plan.h"
 
 namespace drillwave {
 
@@ -26,7 +26,7 @@ struct CurvePageQuestion {
     bool operator==(const CurvePageQuestion&) const = default;
 
     /// Whether it cannot be followed: its curve is solved at CurveQuestion::along.count points.
-    bool isSampled() const { return !isFollowedByEvents(curve.base); }
+    bool isSampled() const { return studyPlan(curve.base).curvePoints.has_value(); }
     /// Whether there is a reference: e along stiffness or β, for a family of γ or none.
     bool hasReference() const;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/curve/run_lines.h"
 
-#include "core/model/blow_traits.h"
+#include "core/study/rows/study_plan.h"
 #include "ui/pages/curve/curve_study.h"
 
 namespace drillwave {
@@ -17,16 +17,14 @@ std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Sc
     question.levels.clear();  // nothing is marked on it
     question.goal.reset();
     takeOut(question.base, *question.along.parameter, question.along.start);
-    if (!isFollowedByEvents(run) && isFollowedByEvents(page.base)) question.along.count = sampledPoints;
-    const bool isUsable =
-        isFollowedByEvents(run) ? problemsOf(question).empty() : sampledProblemsOf(question).empty();
-    return isUsable ? std::optional(question) : std::nullopt;
+    const std::optional<std::uint64_t> points = studyPlan(run).curvePoints;
+    if (points && !studyPlan(page.base).curvePoints) question.along.count = *points;
+    return problemsOf(CurvePageQuestion{question}).empty() ? std::optional(question) : std::nullopt;
 }
 
 std::optional<CurveStudy> runLine(const CurveQuestion& question, const std::stop_token& stop) {
     constexpr int jobs = 1;  // the others are left to what the user waits for
-    CurveStudy study = isFollowedByEvents(question.base) ? studyCurve(question, jobs, stop)
-                                                         : sampleCurve(question, jobs, stop);
+    CurveStudy study = studyCurvePage({question}, jobs, stop).curve;
     if (study.stopped) return std::nullopt;
     return study;
 }

@@ -2,7 +2,6 @@
 // A result along a parameter for a pinned run, laid over that of the scenario.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <stop_token>
 
@@ -10,10 +9,6 @@
 #include "ui/pages/study/run_studies.h"
 
 namespace drillwave {
-
-/// Number of points of a curve of a drill string, which is sampled: the default of the page, and that of a
-/// pinned drill string beside a uniform rod.
-inline constexpr std::uint64_t sampledPoints = 101;
 
 using RunLines = RunStudies<CurveQuestion, CurveStudy>;
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
 #include "core/study/design/design_check.h"
+#include "core/study/rows/study_plan.h"
 #include "ui/job/study_budget.h"
 
 namespace drillwave {
@@ -15,7 +15,7 @@ namespace {
 /// The study with few samples first, then with more.
 std::vector<DesignStudy> stagesOf(const DesignStudy& asked) {
     std::vector<DesignStudy> stages;
-    const std::uint64_t first = isFollowedByEvents(asked.base) ? quickSamples : firstSamples;
+    const auto first = static_cast<std::uint64_t>(studyPlan(asked.base).firstSamples);
     for (const std::uint64_t samples : {first, quickSamples, asked.samples}) {
         if (samples > asked.samples || (!stages.empty() && samples <= stages.back().samples)) continue;
         stages.push_back(asked);

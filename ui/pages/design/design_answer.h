@@ -14,11 +14,6 @@ namespace drillwave {
 
 /// Samples of an answer which is there while the hand still moves.
 inline constexpr std::uint64_t quickSamples = 256;
-/// First samples of blows that are marched on cells, which takes a hundred times as long.
-inline constexpr std::uint64_t firstSamples = 16;
-
-/// Seconds that a study of drill strings takes unasked.
-inline constexpr double unaskedSeconds = 10;
 
 /// A study, and the seconds that it may take; without them it takes what it needs.
 struct DesignQuestion {

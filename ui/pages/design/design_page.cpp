@@ -14,13 +14,13 @@
 #include <sstream>
 
 #include "core/archive/result_scenario.h"
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/design_report.h"
 #include "core/report/design_words.h"
 #include "core/report/report_studies.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"
+#include "core/study/rows/study_plan.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/section_box.h"
 #include "ui/job/study_status.h"
@@ -217,7 +217,7 @@ void DesignPage::forget() {
 
 // Sets the default number of samples for the scenario, until the user chooses one.
 void DesignPage::followScenario() {
-    const int customary = customarySamples(scenario());
+    const int customary = studyPlan(scenario()).designSamples;
     if (m_customary == customary) return;
     m_customary = customary;
     chooseSamples(customary);
@@ -255,7 +255,8 @@ void DesignPage::showSetup(const DesignSetup& setup) {
     const QSignalBlocker first(m_aims), second(m_keepEnergy);
     m_aims->setAims(aims.empty() ? customaryAims(scenario()) : aims);
     if (canKeepEnergy()) m_keepEnergy->setChecked(setup.keepEnergy);  // else its tick waits until it can
-    const auto samples = setup.samples.value_or(static_cast<std::uint64_t>(customarySamples(scenario())));
+    const auto samples =
+        setup.samples.value_or(static_cast<std::uint64_t>(studyPlan(scenario()).designSamples));
     chooseSamples(static_cast<int>(std::max(leastDesignSamples, std::bit_ceil(samples))));
 }
 
@@ -340,9 +341,9 @@ void DesignPage::ask() {
     Wish now = wish();
     m_problem = now.problem;
     if (!now.study) return m_study.job().cancel();
-    // A study of drill strings takes minutes: all of it is solved when the user wants it.
-    const bool isLong = !isFollowedByEvents(scenario()) && m_refined != now.study;
-    m_study.ask({std::move(*now.study), isLong ? std::optional(unaskedSeconds) : std::nullopt});
+    // A study that takes minutes is solved to its end when the user wants it.
+    const bool isWanted = m_refined == now.study;
+    m_study.ask({std::move(*now.study), isWanted ? std::nullopt : studyPlan(scenario()).unasked});
 }
 
 void DesignPage::refine() {

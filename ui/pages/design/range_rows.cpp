@@ -55,7 +55,8 @@ bool isOfDesign(const Parameter& parameter) {
 std::vector<KeptParameter> proposable(RangeUse use, const Scenario& scenario) {
     std::vector<KeptParameter> found;
     for (const std::string_view key : usualKeys(use, scenario)) found.push_back(findParameter(key));
-    if (use == RangeUse::chosen && hasSections(scenario)) found.push_back(typicalSize(scenario));
+    if (const KeptParameter size = typicalSize(scenario); size && use == RangeUse::chosen)
+        found.push_back(size);
     const auto add = [&](const KeptParameter& parameter) {
         if (use == RangeUse::uncertain || isOfDesign(*parameter)) found.push_back(parameter);
     };

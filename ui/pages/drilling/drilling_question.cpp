@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/blow/blow.h"
-#include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
 #include "core/study/drilling/quick_march.h"
 
@@ -100,12 +99,11 @@ DrillingAnswer DrillingCache::answer(const DrillingQuestion& question,
 
 QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop) {
     QVector<QPointF> curve;
-    if (!gapHasPeriod(scenario)) return curve;
+    const std::optional<double> period = gapPeriod(scenario);
     Scenario at = scenario;
-    const double period = scalesOf(scenario).penetration;
-    for (int i = 0; i <= gapsOfPeriod && !stop.stop_requested(); ++i) {
+    for (int i = 0; period && i <= gapsOfPeriod && !stop.stop_requested(); ++i) {
         const double share = double(i) / gapsOfPeriod;
-        at.bitRock.gap = share * period;
+        at.bitRock.gap = share * *period;
         const Blow blow = solveBlow(at, {}, Detail::cor, stop);
         if (blow.isSolved()) curve.append({share, blow.summary.cor});
     }

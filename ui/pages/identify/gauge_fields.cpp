@@ -6,7 +6,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/model/blow_traits.h"
 #include "core/signal/detected_table.h"
 #include "core/text/units.h"
 #include "ui/form/choice_box.h"

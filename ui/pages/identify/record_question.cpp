@@ -10,7 +10,6 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
 #include "core/signal/signal_option.h"
 #include "core/text/decimal_text.h"

@@ -5,10 +5,10 @@
 #include <QSignalBlocker>
 
 #include "core/model/assignments.h"
-#include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
+#include "core/study/rows/study_plan.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/map/level_field.h"
 #include "ui/pages/map/map_crosshair.h"
@@ -26,8 +26,6 @@ namespace {
 // More are for the command: their picture is no better, and their numbers would have to be kept several
 // times.
 constexpr int pointsEachWay[] = {20, 40, 50, 100, 200, 400, 1000};
-constexpr int usualPoints = 200;
-constexpr int usualPointsOfString = 40;  // each takes a millisecond or several
 
 /// Returns the whole range of the elasticity.
 StudyRange wholeElasticity(const Parameter& gamma) {
@@ -67,7 +65,7 @@ ChoiceBox* MapPage::pointsBox() {
     box->setAccessibleName(tr("Points of the map"));
     box->setToolTip(tr("Number of values of each of the two parameters"));
     for (const int points : pointsEachWay) box->addItem(QStringLiteral("%1 × %1").arg(points), points);
-    box->setCurrentIndex(box->findData(usualPoints));
+    box->setCurrentIndex(box->findData(studyPlan(scenario()).mapPoints));
     return box;
 }
 
@@ -137,13 +135,13 @@ void MapPage::takeUsualLevels() {
 
 // A size of the string against the rock, where a rod has its rock against the elasticity.
 void MapPage::followForm() {
-    const bool ofString = !isFollowedByEvents(scenario());
-    if (ofString == m_ofString) return;
-    m_ofString = ofString;
+    const KeptParameter size = typicalSize(scenario());
+    if (m_hasSize == (size != nullptr)) return;
+    m_hasSize = size != nullptr;
     const QSignalBlocker quietPoints(m_points), quietX(m_x), quietY(m_y);
-    m_points->setCurrentIndex(m_points->findData(ofString ? usualPointsOfString : usualPoints));
-    if (ofString) {
-        m_x->setRange(rangeAround(*typicalSize(scenario()), scenario()));
+    m_points->setCurrentIndex(m_points->findData(studyPlan(scenario()).mapPoints));
+    if (size) {
+        m_x->setRange(rangeAround(*size, scenario()));
         m_y->setRange(rangeAround(*findParameter("bit_rock.stiffness"), scenario()));
     } else if (hasUnits(scenario())) {
         m_y->setRange(wholeElasticity(*findParameter("bit_rock.gamma")));

@@ -61,10 +61,10 @@ class MapPage : public StudyPage {
     ChoiceBox* m_points;
     LevelField* m_levels;
     MapPlot* m_plot = nullptr;
-    QString m_problem;  // why the controls give no map
-    QString m_readout;  // of what is below the pointer
-    int m_gesture = 0;  // of the crosshair
-    bool m_ofString = false;
+    QString m_problem;       // why the controls give no map
+    QString m_readout;       // of what is below the pointer
+    int m_gesture = 0;       // of the crosshair
+    bool m_hasSize = false;  // of a section, on the x axis
     std::shared_ptr<const MapReport> m_shown;
     ShownUnits m_shownUnits;
     std::shared_ptr<std::atomic<int>> m_newest;

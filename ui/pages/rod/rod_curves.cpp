@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "core/model/blow_traits.h"
 #include "core/text/csv.h"
 #include "core/text/units.h"
 
@@ -35,8 +34,8 @@ RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_t
     RodCurves curves;
     curves.units = units;
     curves.strengthFactor = units.stress.factor / scalesOf(blow.scenario).stress;
-    if (hasSections(blow.scenario)) {
-        curves.string = stringRod(blow);
+    if (StringRod string = stringRod(blow); !string.stretches.empty()) {
+        curves.string = std::move(string);
         curves.envelope = stringRodEnvelope(*curves.string, blow, stop);
     } else {
         curves.envelope = rodEnvelope(blow.impact, blow.problem.force(), stop);

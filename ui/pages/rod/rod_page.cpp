@@ -10,7 +10,6 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/blow/string_blow.h"
-#include "core/model/blow_traits.h"
 #include "core/report/strength_words.h"
 #include "ui/job/output_text.h"
 #include "ui/pages/place_field.h"
@@ -165,14 +164,12 @@ void RodPage::showReadout() {
 std::vector<SectionStress> RodPage::stresses() const {
     const Scenario& scenario = m_blow->scenario;
     if (!hasUnits(scenario)) return {};
-    if (hasSections(scenario)) return sectionStresses(scenario, m_blow->impact);
-    return m_blow->summary.rodForces ? sectionStresses(scenario, *m_blow->summary.rodForces)
-                                     : std::vector<SectionStress>();
+    const std::optional<RodForces>& ofRod = m_blow->summary.rodForces;
+    return ofRod ? sectionStresses(scenario, *ofRod) : sectionStresses(scenario, m_blow->impact);
 }
 
 // The share of strength of the section.
 QString RodPage::strengthText(std::size_t section) const {
-    if (!hasSections(m_blow->scenario)) return {};
     const std::vector<std::optional<StrengthUse>> uses = strengthUses(m_blow->scenario, stresses());
     if (section >= uses.size() || !uses[section]) return {};
     return tr(", which uses %1 % of its strength")
@@ -189,7 +186,7 @@ QString RodPage::answer() const {
     const QString strength = translated(strengthSentence(m_blow->scenario, known, style));
     if (hasStrength) return strength;
     const QString largest = largestStressText(*m_blow);
-    return hasSections(m_blow->scenario) ? (largest + QLatin1Char(' ') + strength).trimmed() : largest;
+    return curves()->string ? (largest + QLatin1Char(' ') + strength).trimmed() : largest;
 }
 
 void RodPage::goTo(QPointF coordinates) {

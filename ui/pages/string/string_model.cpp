@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -84,8 +83,7 @@ StringModel::StringModel(Document& document, QObject* parent)
 
 void StringModel::follow() {
     const Scenario& scenario = m_document.scenario();
-    std::vector<StringRow> rows;
-    if (hasSections(scenario)) rows = stringRows(scenario.drillString);
+    std::vector<StringRow> rows = stringRows(scenario.drillString);
     const bool same = std::ranges::equal(rows, m_rows, {}, &StringRow::spot, &StringRow::spot);
     if (!same) beginResetModel();
     m_rows = std::move(rows);
@@ -325,7 +323,7 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
 bool StringModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     // A cell that is still open when another file is opened hands over its text as its page hides.
     const Scenario& scenario = m_document.scenario();
-    if (!hasSections(scenario) || scenario.drillString != m_shown) return false;
+    if (m_rows.empty() || scenario.drillString != m_shown) return false;
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const StringRow row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == sectionName) return rename(row, value.toString().trimmed());

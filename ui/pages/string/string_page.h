@@ -2,7 +2,6 @@
 // Hammer and string: drawn to scale with the stresses of the blow, and as a table to be edited.
 #pragma once
 
-#include "core/model/blow_traits.h"
 #include "core/model/section_field.h"
 #include "ui/document/document.h"
 #include "ui/pages/page.h"
@@ -25,7 +24,7 @@ class StringPage : public Page {
     explicit StringPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("String"); }
-    bool shows(const Scenario& scenario) const override { return hasSections(scenario); }
+    bool shows(const Scenario& scenario) const override { return sectionCount(scenario.drillString) > 0; }
     /// The blow has it all.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;

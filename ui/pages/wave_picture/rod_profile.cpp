@@ -23,7 +23,7 @@ constexpr double room = 1.06;     // above the largest value
 /// Returns the units of the picture, for the dimensionless numbers of a run.
 PictureUnits unitsOfRun(const WavePicture& now, const Scales& nowScales, const SolvedBlow& run,
                         const ShownUnits& units) {
-    PictureUnits own = pictureUnits(run.scenario, units);
+    PictureUnits own = pictureUnits(run, units);
     if (own.velocity.dimensionless) return own;
     own.velocity = now.units.velocity;
     own.velocity.factor *= run.scales.particleVelocity / nowScales.particleVelocity;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/wave/problem.h"
 
@@ -57,20 +56,19 @@ RasterGrid gridOf(const WavePictureNeed& need, const PictureWindow& window) {
 
 }  // namespace
 
-PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
+PictureUnits pictureUnits(const Blow& blow, const ShownUnits& units) {
+    const Scales& scales = blow.scales;
+    const bool isOfString = blow.impact.waves != nullptr;
     if (units.force.dimensionless) {
         // F0/Z is τ v0: the momentum I0 = m v0 is carried by a pulse of length t0 in a rod of length τ t0.
         // The wave that a hammer of the same impedance sends into a string has half its velocity.
-        const Scales scales = scalesOf(scenario);
-        const double velocity =
-            hasSections(scenario) ? scales.particleVelocity / scales.velocity : groupsOf(scenario).tau;
+        const double velocity = isOfString ? scales.particleVelocity / scales.velocity : blow.groups.tau;
         return {{1, QStringLiteral("L"), true},
                 units.time,
                 units.force,
                 {velocity, QStringLiteral("v₀"), true},
-                hasSections(scenario) ? units.stress : units.force};
+                isOfString ? units.stress : units.force};
     }
-    const Scales scales = scalesOf(scenario);
     ShownUnit velocity = units.of(UnitKind::speed, scales.particleVelocity);
     velocity.factor *= scales.particleVelocity;
     return {units.length, units.time, units.force, velocity, units.stress};
@@ -101,7 +99,7 @@ WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePic
     const BlowWaves waves(blow);
     WavePicture picture;
     picture.need = need;
-    picture.units = pictureUnits(blow.scenario, units);
+    picture.units = pictureUnits(blow, units);
     picture.rear = waves.rear();
     picture.interesting = waves.interesting();
     picture.limit = largestMagnitude(blow, waves, need.field);

@@ -41,8 +41,8 @@ struct PictureUnits {
     const ShownUnit& of(WaveQuantity field) const { return field == WaveQuantity::force ? force : velocity; }
 };
 
-/// `units` gives times and forces; what else there is follows from the scenario.
-PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units);
+/// `units` gives times and forces; what else there is follows from the blow, whose waves can be read.
+PictureUnits pictureUnits(const Blow& blow, const ShownUnits& units);
 
 /// Upper limits of the waves of a run, known beforehand: the waves are looked up when they are drawn.
 struct RunWaves {
