@@ -200,7 +200,7 @@ StudyFigure thrustFigure(const ThrustReport& report) {
                            .isLogarithmic = axis.kind == SweepAxis::Kind::logarithmic,
                            .range = std::pair(from, to),
                            .target = AxisTarget{axis.parameter}},
-                     .y = {.title = translatable("thrust"), .quantity = force, .isFromZero = true}};
+                     .y = {.title = translatable("feed force"), .quantity = force, .isFromZero = true}};
     std::vector<Message> cases;
     for (const ThrustCase which : thrustCases) {
         if (points.empty() || !points.front().need(which).known) continue;

@@ -5894,20 +5894,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::LawSection</name>
     <message>
-        <source>law</source>
-        <translation>Kraft–Eindringung</translation>
-    </message>
-    <message>
         <source>Bit and rock: law</source>
         <translation>Bohrkrone und Gestein: Kraft–Eindringung</translation>
     </message>
     <message>
         <source>Rise of the force with penetration: along a line, along lines with corners, or as a power; unloading always follows one slope</source>
         <translation>Wie die Kraft mit der Eindringung steigt: entlang einer Geraden, entlang eines Linienzugs mit Knicken oder mit einer Potenz davon; sie fällt immer mit derselben Steigung</translation>
-    </message>
-    <message>
-        <source>one line</source>
-        <translation>Gerade</translation>
     </message>
     <message>
         <source>corners</source>
@@ -5956,6 +5948,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>remove a corner from the law of the rock</source>
         <translation>aus dem Gesetz des Gesteins eine Ecke entfernen</translation>
+    </message>
+    <message>
+        <source>force–penetration</source>
+        <translation>Kraft–Eindringung</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>Gerade</translation>
     </message>
 </context>
 <context>
@@ -6328,10 +6328,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>installed feed force</source>
         <translation>installierter Andruck</translation>
-    </message>
-    <message>
-        <source>thrust</source>
-        <translation>Andruck</translation>
     </message>
     <message>
         <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
@@ -12901,6 +12897,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>place x: must be at most %1, the length of the string</source>
         <translation>Stelle x: darf höchstens %1 sein, die Länge des Strangs</translation>
     </message>
+    <message>
+        <source>feed force</source>
+        <translation>Andruck</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -14163,16 +14163,16 @@ in %4</translation>
         <translation>so viele Wellen, dass eine Kurve zwischen den Spitzen um %1 zu niedrig sein kann</translation>
     </message>
     <message>
-        <source>stresses of the uniform rod; couplings and threads raise them locally; residual waves are undamped</source>
-        <translation>der gleichförmigen Stange; Muffen und Gewinde erhöhen Spannungen örtlich, nichts dämpft Restwellen</translation>
-    </message>
-    <message>
         <source>%1 up to %2 at %3, %4</source>
         <translation>%1 bis %2 bei %3, %4</translation>
     </message>
     <message>
         <source>Largest stresses along the rod, tension positive: %1.</source>
         <translation>Größte Spannungen entlang der Stange, Zug positiv: %1.</translation>
+    </message>
+    <message>
+        <source>uniform rod: couplings and threads raise stresses locally; residual waves undamped</source>
+        <translation>gleichförmige Stange: Gewinde erhöhen Spannungen örtlich; Restwellen ungedämpft</translation>
     </message>
 </context>
 <context>

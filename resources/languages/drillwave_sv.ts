@@ -5894,20 +5894,12 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::LawSection</name>
     <message>
-        <source>law</source>
-        <translation>kraft–inträngning</translation>
-    </message>
-    <message>
         <source>Bit and rock: law</source>
         <translation>Borrkrona och berg: kraft–inträngning</translation>
     </message>
     <message>
         <source>Rise of the force with penetration: along a line, along lines with corners, or as a power; unloading always follows one slope</source>
         <translation>Hur kraften växer med inträngningen: längs en rät linje, längs en bruten linje eller med en potens av den; den faller alltid med samma lutning</translation>
-    </message>
-    <message>
-        <source>one line</source>
-        <translation>rak</translation>
     </message>
     <message>
         <source>corners</source>
@@ -5956,6 +5948,14 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>remove a corner from the law of the rock</source>
         <translation>ta bort ett hörn ur bergets lag</translation>
+    </message>
+    <message>
+        <source>force–penetration</source>
+        <translation>kraft–inträngning</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>rak</translation>
     </message>
 </context>
 <context>
@@ -6328,10 +6328,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>installed feed force</source>
         <translation>installerad matningskraft</translation>
-    </message>
-    <message>
-        <source>thrust</source>
-        <translation>matningskraft</translation>
     </message>
     <message>
         <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
@@ -12901,6 +12897,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>place x: must be at most %1, the length of the string</source>
         <translation>läge x: får vara högst %1, strängens längd</translation>
     </message>
+    <message>
+        <source>feed force</source>
+        <translation>matningskraft</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -14163,16 +14163,16 @@ i %4</translation>
         <translation>så många vågor att en kurva mellan topparna kan vara %1 för låg</translation>
     </message>
     <message>
-        <source>stresses of the uniform rod; couplings and threads raise them locally; residual waves are undamped</source>
-        <translation>för den likformiga stången; hylsor och gängor höjer spänningar lokalt, inget dämpar restvågor</translation>
-    </message>
-    <message>
         <source>%1 up to %2 at %3, %4</source>
         <translation>%1 upp till %2 vid %3, %4</translation>
     </message>
     <message>
         <source>Largest stresses along the rod, tension positive: %1.</source>
         <translation>Största spänningar längs stången, drag positivt: %1.</translation>
+    </message>
+    <message>
+        <source>uniform rod: couplings and threads raise stresses locally; residual waves undamped</source>
+        <translation>likformig stång: gängor höjer spänningar lokalt; restvågor odämpade</translation>
     </message>
 </context>
 <context>

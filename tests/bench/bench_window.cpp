@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page, of a rod and
 // of a drill string, and from a step of a slider to those of a map, of designs and of many blows, first and
-// whole: bench_window [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the
-// machine.
+// whole; then the longest wait for a record of a million samples: bench_window [REPEATS], 50 by default. Not
+// run by ctest but for a trial: times depend on the machine.
 #include <QLabel>
 #include <QLineEdit>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <optional>
+#include <random>
+#include <string>
 
+#include "core/report/gauge_record.h"
+#include "core/study/identify/gauge_noise.h"
 #include "core/yaml/examples.h"
 #include "tests/bench/bench_program.h"
 #include "tests/support/slider_drag.h"
@@ -21,6 +27,7 @@
 #include "ui/job/solve_job.h"
 #include "ui/pages/design/design_page.h"
 #include "ui/pages/drilling/drilling_page.h"
+#include "ui/pages/identify/identify_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
@@ -223,7 +230,39 @@ void measurePages(MainWindow& window, const QString& what, int repeats) {
     }
 }
 
+/// The longest time that the window let wait while a record of a million samples was read and identified.
+void measureRecord(MainWindow& window) {
+    constexpr int samples = 1000000;
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("record.csv")));
+    if (!file.open(QIODevice::WriteOnly)) qFatal("no folder for a record");
+    const Blow blow = solveBlow(window.document().scenario(), {}, Detail::histories);
+    const std::string table = gaugeRecordCsv(blow, {{"strain", 1.83}}, 0.005, 1);
+    file.write(table.data(), qint64(table.size()));
+    // quiet afterwards, at the rate of the record
+    std::mt19937_64 random(1);
+    double time = std::stod(table.substr(table.rfind('\n', table.size() - 2) + 1));
+    for (auto line = std::ranges::count(table, '\n'); line < samples; ++line)
+        file.write(QByteArray::number(time += 1e6 / gaugeRecordRate) + ',' +
+                   QByteArray::number(4 * standardNormal(random)) + '\n');
+    file.close();
+    auto* page = window.findChild<IdentifyPage*>();
+    window.findChild<PageTabs*>()->setCurrentWidget(page);
+    GapWatch gaps;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, page, [&gaps] { gaps.turn(); });
+    timer.start(1);
+    const Clock::time_point start = Clock::now();
+    page->openRecord(file.fileName());
+    page->findChild<QuantityField*>(QStringLiteral("distance1"))->setText(QStringLiteral("1.83 m"));
+    if (!QTest::qWaitFor([page] { return bool(page->answer()); }, 60000)) qFatal("no answer");
+    std::printf("%-36s %8.1f ms, longest turn %.1f ms\n", "Identify, a million samples",
+                std::chrono::duration<double, std::milli>(Clock::now() - start).count(),
+                gaps.longestWall.count());
+}
+
 void measure(MainWindow& window, int repeats) {
+    measureRecord(window);
     std::printf("%-36s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
     measurePages(window, QString(), repeats);
     for (const PulseShape shape : {PulseShape::rectangular, PulseShape::halfSine})

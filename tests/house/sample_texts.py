@@ -30,7 +30,7 @@ def screens(root):
     headers = ''.join(header.read_text() for header in (root / 'ui/pages').rglob('*_page.h'))
     studies = ''.join(source.read_text() for source in (root / 'core/report').glob('*_answer.cpp'))
     titles = set(re.findall(r'title\(\) const override \{ return tr\("([^"]+)"\)', headers))
-    titles |= set(re.findall(r'\.title = translatable\("([^"]+)"\)', studies)) | {'COR–stiffness'}
+    titles |= set(re.findall(r'^ {8}\.title = translatable\("([^"]+)"\)', studies, re.MULTILINE)) | {'COR–stiffness'}
     return [f'screenshots --size {size} --language {language} FOLDER "{title}"'
             for title in sorted(titles) for size in SIZES for language in ('en', 'de', 'sv')]
 

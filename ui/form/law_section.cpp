@@ -29,14 +29,14 @@ LawSection::LawSection(Document& document, QGridLayout* grid, QWidget* parent)
       m_lines(new QVBoxLayout(m_corners)),
       m_add(new QToolButton(m_corners)),
       m_gesture(document.newGesture()) {
-    auto* label = new QLabel(tr("law"), parent);
+    auto* label = new QLabel(tr("force–penetration"), parent);
     label->setBuddy(m_law);
     m_law->setObjectName(QStringLiteral("bit_rock.law"));
     m_law->setAccessibleName(tr("Bit and rock: law"));
     m_law->setToolTip(
         tr("Rise of the force with penetration: along a line, along lines with corners, or as a power; "
            "unloading always follows one slope"));
-    for (const QString& name : {tr("one line"), tr("corners"), tr("power")}) m_law->addItem(name);
+    for (const QString& name : {tr("straight"), tr("corners"), tr("power")}) m_law->addItem(name);
     const int row = grid->rowCount();
     grid->addWidget(label, row, 0);
     grid->addWidget(m_law, row, 1, 1, formColumns - 1);

@@ -305,9 +305,9 @@ void RodPlot::nameNumbers() {
     m_caption->setText(
         m_curves.string
             ? tr("stresses of uniform sections; threads and changes of diameter raise them locally")
-        : missed > 0 ? tr("many waves: between peaks the curve may be too low by %1").arg(stressText(missed))
-                     : tr("stresses of the uniform rod; couplings and threads raise them locally; residual "
-                          "waves are undamped"));
+        : missed > 0
+            ? tr("many waves: between peaks the curve may be too low by %1").arg(stressText(missed))
+            : tr("uniform rod: couplings and threads raise stresses locally; residual waves undamped"));
 }
 
 void RodPlot::summarize() {

@@ -168,7 +168,9 @@ void TestIdentifyPage::theAnswerIsThatOfTheCommand() {
     open(name + QStringLiteral(".csv"), distances);
     QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
     const test::Finished text = test::shell(m_page->command());
-    QVERIFY2(text.exitCode == 0, text.error.constData());
+    constexpr int nothingKnown = 6;
+    const bool isKnown = m_page->answer()->report.findings.saysSomething();
+    QVERIFY2(text.exitCode == (isKnown ? 0 : nothingKnown), text.error.constData());
     QCOMPARE(belowTitle(text.out), belowTitle(identifyText(m_page->answer()->report).c_str()));
     const QString sentence = translated(identifySentence(found()));
     QCOMPARE(words(), sentence);
