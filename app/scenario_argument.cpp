@@ -16,6 +16,7 @@
 #include "core/model/assignments.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
+#include "core/model/section_words.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
@@ -189,6 +190,23 @@ void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
     checkNotInputFile(output, inputsOf(arguments, document));
 }
 
+namespace {
+
+/// Tells that a number of one place of a string is that of all sections of its repeat.
+void remarkOnRepeat(std::string_view key, const Scenario& scenario, const ReadingStyle& style) {
+    const KeptParameter parameter = findParameter(key);
+    if (!parameter || !parameter->address || parameter->address->chain != SectionAddress::Chain::string)
+        return;
+    const std::vector<const Section*> sections = expandedSections(scenario.drillString);
+    const std::size_t place = parameter->address->place;
+    if (place < 1 || place > sections.size() || std::ranges::count(sections, sections[place - 1]) < 2) return;
+    printRemark({translatable("note: %1 sets %2, which is one section with a repeat"),
+                 {std::string(key), addressedWords(*parameter->address, scenario.drillString)}},
+                style);
+}
+
+}  // namespace
+
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {
     if (isStandardInput(path) && arguments.value("presets") == "-")
         throw CommandError(ExitCode::usage,
@@ -220,6 +238,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
         problems.emplace_back(pattern, std::vector<Message>{inputName(path), problem.text});
     if (!problems.empty())
         throw CommandError(ExitCode::invalidScenario, problems, CommandError::Begin::withOption);
+    for (const Setting& setting : all) remarkOnRepeat(setting.key, scenario, arguments.style());
     return input;
 }
 
@@ -235,6 +254,8 @@ ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& 
 void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
                  std::span<const std::string> words) {
     assert(axes.size() == words.size());
+    for (const SweepAxis& axis : axes)
+        if (!axis.presets) remarkOnRepeat(axis.key(), scenario, arguments.style());
     // The places of a string that an axis names are counted with the repeats of the point.
     std::vector<Scenario> repeated{scenario};
     for (const SweepAxis& axis : axes) {

@@ -234,13 +234,11 @@ StudyFigure thrustFigure(const ThrustReport& report) {
                                   FeedState::requiredAtThisGap, FeedState::requiredMet, FeedState::returnMet})
         panel.layers.names.push_back(Message::ofTable(feedWord(state)));
     panel.series.push_back(std::move(feed));
-    return {.caption = {{translatable(
-                "each need from full penetration to the bit back before the next blow undamped")}},
+    return {.caption = {{translatable("each strip: from the required feed to that of return in time")}},
             .panels = {panel},
             .summary = {translatable(
-                            "Needs of the thrust over %1, for %2, each from full penetration to the bit back "
-                            "before the next blow; behind them what the feed does by the rebound of this "
-                            "blow."),
+                            "Feed force over %1, for %2: each strip from the required feed to that of return "
+                            "in time; behind them what the feed does by the rebound of this blow."),
                         {labelMessage(*axis.parameter), inOneLine(std::move(cases))}},
             .paperHeight = 120};
 }

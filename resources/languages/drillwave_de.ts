@@ -3538,16 +3538,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Dieses Szenario</translation>
     </message>
     <message>
-        <source>Stiff and extreme cases</source>
-        <translation>Steife und extreme Fälle</translation>
-    </message>
-    <message>
         <source>The worst first; a click loads a case</source>
         <translation>Die schlechtesten zuerst; ein Klick lädt einen Fall</translation>
-    </message>
-    <message>
-        <source>Run 10 s</source>
-        <translation>10 s rechnen</translation>
     </message>
     <message>
         <source>Run</source>
@@ -3556,10 +3548,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Run 20 s</source>
-        <translation>20 s rechnen</translation>
     </message>
     <message>
         <source>Stiff and extreme cases of uniform rods</source>
@@ -3572,14 +3560,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Solve and check some thousand stiff and extreme cases</source>
         <translation>Einige tausend steife und extreme Fälle lösen und prüfen</translation>
-    </message>
-    <message>
-        <source>Solving exactly, and in long double …</source>
-        <translation>Löst exakt, und in long double …</translation>
-    </message>
-    <message>
-        <source>Solving with cells half as large …</source>
-        <translation>Löst mit halb so großen Zellen …</translation>
     </message>
     <message>
         <source>Run compares all methods on this scenario: error against time.</source>
@@ -3632,6 +3612,14 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>case</source>
         <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Run %1 s</source>
+        <translation>%1 s rechnen</translation>
+    </message>
+    <message>
+        <source>Solving with the most exact method …</source>
+        <translation>Lösen mit dem genauesten Verfahren …</translation>
     </message>
 </context>
 <context>
@@ -6328,14 +6316,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>installed feed force</source>
         <translation>installierter Andruck</translation>
-    </message>
-    <message>
-        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
-        <translation>Bedarfe an Andruck über %1, für %2, jeder von voller Eindringung bis zur Bohrkrone, die vor dem nächsten Schlag zurück ist; dahinter, was der Vorschub beim Rückprall dieses Schlags bewirkt.</translation>
-    </message>
-    <message>
-        <source>each need from full penetration to the bit back before the next blow undamped</source>
-        <translation>jeder Bedarf: volle Eindringung bis Bohrkrone ungedämpft rechtzeitig zurück</translation>
     </message>
     <message>
         <source>95 % of gaps</source>
@@ -12900,6 +12880,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>feed force</source>
         <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>note: %1 sets %2, which is one section with a repeat</source>
+        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung</translation>
+    </message>
+    <message>
+        <source>each strip: from the required feed to that of return in time</source>
+        <translation>jeder Streifen: vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr</translation>
+    </message>
+    <message>
+        <source>Feed force over %1, for %2: each strip from the required feed to that of return in time; behind them what the feed does by the rebound of this blow.</source>
+        <translation>Andruck über %1, für %2: jeder Streifen vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr; dahinter, was der Andruck bei dem Rückprall dieses Schlags tut.</translation>
     </message>
 </context>
 <context>

@@ -3538,16 +3538,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Detta scenario</translation>
     </message>
     <message>
-        <source>Stiff and extreme cases</source>
-        <translation>Styva och extrema fall</translation>
-    </message>
-    <message>
         <source>The worst first; a click loads a case</source>
         <translation>De sämsta först; ett klick laddar ett fall</translation>
-    </message>
-    <message>
-        <source>Run 10 s</source>
-        <translation>Beräkna i 10 s</translation>
     </message>
     <message>
         <source>Run</source>
@@ -3556,10 +3548,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Cancel</source>
         <translation>Avbryt</translation>
-    </message>
-    <message>
-        <source>Run 20 s</source>
-        <translation>Beräkna i 20 s</translation>
     </message>
     <message>
         <source>Stiff and extreme cases of uniform rods</source>
@@ -3572,14 +3560,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Solve and check some thousand stiff and extreme cases</source>
         <translation>Lös och kontrollera några tusen styva och extrema fall</translation>
-    </message>
-    <message>
-        <source>Solving exactly, and in long double …</source>
-        <translation>Löser exakt, och i long double …</translation>
-    </message>
-    <message>
-        <source>Solving with cells half as large …</source>
-        <translation>Löser med hälften så stora celler …</translation>
     </message>
     <message>
         <source>Run compares all methods on this scenario: error against time.</source>
@@ -3632,6 +3612,14 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>case</source>
         <translation>fall</translation>
+    </message>
+    <message>
+        <source>Run %1 s</source>
+        <translation>Kör %1 s</translation>
+    </message>
+    <message>
+        <source>Solving with the most exact method …</source>
+        <translation>Löser med den noggrannaste metoden …</translation>
     </message>
 </context>
 <context>
@@ -6328,14 +6316,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>installed feed force</source>
         <translation>installerad matningskraft</translation>
-    </message>
-    <message>
-        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
-        <translation>Behov av matningskraft över %1, för %2, vart och ett från full inträngning till borrkronan tillbaka före nästa slag; bakom dem vad matningen gör vid detta slags studs.</translation>
-    </message>
-    <message>
-        <source>each need from full penetration to the bit back before the next blow undamped</source>
-        <translation>varje behov: full inträngning till kronan odämpat tillbaka före nästa slag</translation>
     </message>
     <message>
         <source>95 % of gaps</source>
@@ -12900,6 +12880,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>feed force</source>
         <translation>matningskraft</translation>
+    </message>
+    <message>
+        <source>note: %1 sets %2, which is one section with a repeat</source>
+        <translation>anmärkning: %1 sätter %2, en sektion som upprepas</translation>
+    </message>
+    <message>
+        <source>each strip: from the required feed to that of return in time</source>
+        <translation>varje band: från matningen som krävs till den för återkomst i tid</translation>
+    </message>
+    <message>
+        <source>Feed force over %1, for %2: each strip from the required feed to that of return in time; behind them what the feed does by the rebound of this blow.</source>
+        <translation>Matningskraft över %1, för %2: varje band från matningen som krävs till den för återkomst i tid; bakom dem vad matningen gör vid detta slags studs.</translation>
     </message>
 </context>
 <context>

@@ -40,6 +40,7 @@ class TestCommandLine : public QObject {
     void pointsThatCannotBeAreEmptyAndTold();
     void oneSetTakesSeveralAssignments();
     void implausibleValuesAreRemarkedOnBeforeTheWork();
+    void aNumberOfARepeatedSectionIsRemarkedOn();
     void aLongSolutionShowsItsTimeOnATerminal();
     void aFullDeviceIsToldOfByHelpToo();
     void aNameThatIsNotUtf8IsRefused();
@@ -523,6 +524,16 @@ void TestCommandLine::implausibleValuesAreRemarkedOnBeforeTheWork() {
 }
 
 // The time is shown on a terminal, and only there.
+void TestCommandLine::aNumberOfARepeatedSectionIsRemarkedOn() {
+    const QByteArray note =
+        "note: string.2.loss sets 1st to 3rd coupling, which is one section with a repeat";
+    const QString string = QStringLiteral("t38_string");
+    QVERIFY(run({"run", string, "--set", "string.2.loss=10%"}).error.contains(note));
+    QVERIFY(run({"sweep", string, "--vary", "string.2.loss=5%,10%", "--outputs", "efficiency"})
+                .error.contains(note));
+    QVERIFY(!run({"run", string, "--set", "string.coupling.loss=10%"}).error.contains("note:"));
+}
+
 void TestCommandLine::aLongSolutionShowsItsTimeOnATerminal() {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
     const bool isOpen = terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0;

@@ -15,7 +15,8 @@ StudyPlan studyPlan(const Scenario& scenario) {
             .mapPoints = 40,
             .curvePoints = sampledPoints,
             .curvePart = 1,
-            .blowsOfPiece = 40};
+            .blowsOfPiece = 40,
+            .accuracySeconds = {}};
 }
 
 }  // namespace drillwave

@@ -26,6 +26,8 @@ struct StudyPlan {
     /// Blows of a piece of a followed curve, in blows at the work limit; empty: the work of all pieces is
     /// limited.
     std::optional<long> blowsOfPiece;
+    /// Seconds that a comparison of methods takes; empty: it depends on the string.
+    std::optional<int> accuracySeconds = 10;
 };
 StudyPlan studyPlan(const Scenario& scenario);
 

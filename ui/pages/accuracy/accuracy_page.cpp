@@ -10,10 +10,10 @@
 #include <stdexcept>
 
 #include "core/archive/result_scenario.h"
-#include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
 #include "core/report/blow_csv.h"
 #include "core/report/proof_answer.h"
+#include "core/study/rows/study_plan.h"
 #include "ui/pages/accuracy/proof_table.h"
 #include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
@@ -72,7 +72,7 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     m_tabs->setObjectName(QStringLiteral("proofs"));
     m_tabs->setDocumentMode(true);
     addTable(QStringLiteral("accuracyTable"), tr("This scenario"));
-    addTable(QStringLiteral("stabilityTable"), tr("Stiff and extreme cases"));
+    addTable(QStringLiteral("stabilityTable"), tr("Stiff and extreme cases of uniform rods"));
     m_tabs->widget(1)->setToolTip(tr("The worst first; a click loads a case"));
     static_cast<QVBoxLayout*>(layout())->addWidget(m_tabs, 1);
     watch(m_study.job());
@@ -139,11 +139,9 @@ StudyAnswerPtr AccuracyPage::wanted() const {
 
 void AccuracyPage::present() {
     takeOver();
-    const QString lasts =
-        isFollowedByEvents(scenario()) ? tr("Run 10 s") : tr("Run");  // as long as the string is
-    m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? lasts : tr("Run 20 s"));
-    m_tabs->setTabText(1, isFollowedByEvents(scenario()) ? tr("Stiff and extreme cases")
-                                                         : tr("Stiff and extreme cases of uniform rods"));
+    const std::optional<int> seconds = studyPlan(scenario()).accuracySeconds;
+    const QString lasts = seconds ? tr("Run %1 s").arg(*seconds) : tr("Run");
+    m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? lasts : tr("Run %1 s").arg(20));
     m_run->setToolTip(proof() == Proof::accuracy
                           ? tr("Solve this scenario with every method and measure errors and times")
                           : tr("Solve and check some thousand stiff and extreme cases"));
@@ -172,11 +170,9 @@ void AccuracyPage::present() {
 }
 
 void AccuracyPage::showNothing() {
-    const QString first = isFollowedByEvents(scenario()) ? tr("Solving exactly, and in long double …")
-                                                         : tr("Solving with cells half as large …");
     m_frame->showNothing(
         proof() == Proof::stability ? tr("Run solves and checks some thousand stiff and extreme cases.")
-        : isRunning()               ? first
+        : isRunning()               ? tr("Solving with the most exact method …")
                                     : tr("Run compares all methods on this scenario: error against time."));
     static_cast<ProofTable*>(table().model())->clear();
     redraw();
@@ -186,7 +182,7 @@ QString AccuracyPage::sentence() const {
     if (proof() == Proof::stability)
         return tr(
             "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
-    if (blow() && blow()->isSolved() && !isFollowedByEvents(blow()->scenario))
+    if (blow() && blow()->isSolved() && methodKey(blow()->scenario, Method::exact) != name(Method::exact))
         return tr("The efficiency of %1 is right to within %2, the error bound of the method.")
             .arg(numberText(blow()->summary.energy.rockWork, 6, QLocale()),
                  magnitudeText(blow()->summary.efficiencyError, QLocale()));

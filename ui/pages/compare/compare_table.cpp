@@ -40,9 +40,9 @@ void addBlow(CompareTable& table, const Columns& columns) {
     const Pulse& first = columns.front().scenario->pulse;
     const bool isOther = std::ranges::any_of(columns, [&](const CompareColumn& each) {
         const Pulse& pulse = each.scenario->pulse;
-        return !areOfOneKind(*each.scenario, *columns.front().scenario) ||
-               (!hasSections(*each.scenario) &&
-                (pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints)));
+        const bool isWave = isForced(*each.scenario);
+        return isWave != isForced(*columns.front().scenario) ||
+               (isWave && (pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints)));
     });
     if (!isOther) return;
     CompareRow row{.kind = CompareRow::Kind::parameter,

@@ -13,6 +13,7 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/feed_estimate.h"
+#include "core/model/form_conversion.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/yaml/examples.h"
 #include "tests/support/program.h"
@@ -66,6 +67,7 @@ class TestComparePage : public QObject {
     void aRodBesideAStringHasOneMaterialAndResultsFirst();
     void stringsHaveTheirResults_data();
     void stringsHaveTheirResults();
+    void shapesOfTheWavesOnStringsAreCompared();
     void multiplesOfOtherScalesAreNotCompared();
     void marginsOfTheThrustAreCompared();
     void stringsHaveNoMarginAtEveryGap();
@@ -137,6 +139,19 @@ void TestComparePage::stringsHaveTheirResults() {
         QVERIFY2(row->difference(0, 1).has_value(), name);
     }
     QVERIFY(compareText(table, ',').contains("peak force"));
+}
+
+void TestComparePage::shapesOfTheWavesOnStringsAreCompared() {
+    m_document->startFrom(findExample("t38_string")->text, "string");
+    Scenario scenario = forcedStringOf(m_document->scenario()).scenario;
+    QCOMPARE(m_document->useScenario(scenario, QStringLiteral("force")), QString());
+    pin("bit_rock.gamma", 0.2);
+    show();
+    QVERIFY(!rowOf(m_page->table(), "hammer blow"));
+    scenario.pulse.shape = PulseShape::halfSine;
+    QCOMPARE(m_document->useScenario(scenario, QStringLiteral("shape")), QString());
+    show();
+    QVERIFY(rowOf(m_page->table(), "hammer blow"));
 }
 
 void TestComparePage::multiplesOfOtherScalesAreNotCompared() {
