@@ -40,7 +40,13 @@ const ChainWords& chainWords(const Scenario& scenario) {
         .place = translatable("%1 from the shank"),
         .peakPlace = translatable("%1 from the shank, %2"),
         .beyondEnd = translatable("place x: must be at most %1, the length of the string")};
-    return hasSections(scenario) ? ofString : ofRod;
+    static constexpr ChainWords ofForcedString = [] {
+        ChainWords words = ofString;
+        words.references = translatable("W and E₀ are the work of the force on the string.");
+        return words;
+    }();
+    if (!hasSections(scenario)) return ofRod;
+    return isForced(scenario) ? ofForcedString : ofString;
 }
 
 }  // namespace drillwave

@@ -12893,6 +12893,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>Feed force over %1, for %2: each strip from the required feed to that of return in time; behind them what the feed does by the rebound of this blow.</source>
         <translation>Andruck über %1, für %2: jeder Streifen vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr; dahinter, was der Andruck bei dem Rückprall dieses Schlags tut.</translation>
     </message>
+    <message>
+        <source>W and E₀ are the work of the force on the string.</source>
+        <translation>W und E₀ sind die Arbeit der Kraft am Strang.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

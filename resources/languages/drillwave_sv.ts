@@ -12893,6 +12893,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>Feed force over %1, for %2: each strip from the required feed to that of return in time; behind them what the feed does by the rebound of this blow.</source>
         <translation>Matningskraft över %1, för %2: varje band från matningen som krävs till den för återkomst i tid; bakom dem vad matningen gör vid detta slags studs.</translation>
     </message>
+    <message>
+        <source>W and E₀ are the work of the force on the string.</source>
+        <translation>W och E₀ är kraftens arbete på strängen.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

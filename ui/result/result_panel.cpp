@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "core/blow/feed_estimate.h"
-#include "core/model/blow_traits.h"
 #include "core/model/chain_words.h"
 #include "core/report/sequence_words.h"
 #include "core/study/drilling/sequence.h"
@@ -156,7 +155,7 @@ void ResultPanel::showHeadline() {
             return outputText(*findOutput(output), *m_blow);
         };
         parts << penetrationText();
-        parts << (hasSections(m_blow->scenario) ? hammerEnergyText(*m_blow) : value("work_ratio"))
+        parts << (isForced(m_blow->scenario) ? value("work_ratio") : hammerEnergyText(*m_blow))
               << value("percussion_power") << tr("e = %1").arg(value("cor"));
         parts.removeAll(QString());
     }

@@ -9,6 +9,7 @@
 
 #include "core/blow/outputs.h"
 #include "core/model/alerts.h"
+#include "core/model/form_conversion.h"
 #include "core/report/sequence_words.h"
 #include "core/study/drilling/quick_march.h"
 #include "core/study/drilling/sequence.h"
@@ -123,6 +124,18 @@ class TestResultPanel : public QObject {
         panel.present(solved(parseScenario(example.text, example.name).scenario, UnitSystem::si));
         QCOMPARE(valueOf(panel, "Energy: hammer energy E₀"), QString());
         QVERIFY(!valueOf(panel, "Energy: hammer work W").isEmpty());
+    }
+
+    void theHeadlineOfAForceOnAStringHasItsWork() {
+        const Example& example = *findExample("t38_string");
+        const Scenario hammer = parseScenario(example.text, example.name).scenario;
+        ResultPanel panel;
+        panel.present(solved(forcedStringOf(hammer).scenario, UnitSystem::si));
+        const QString headline = panel.findChild<QLabel*>(QStringLiteral("headline"))
+                                     ->text()
+                                     .replace(QChar(QChar::Nbsp), QLatin1Char(' '));
+        const QString work = valueOf(panel, "Energy: hammer work W");
+        QVERIFY2(!work.isEmpty() && headline.contains(work), qPrintable(headline));
     }
 
     void sharesThatRoundingMakesNegativeAreNotDrawn() {
