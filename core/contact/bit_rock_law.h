@@ -48,10 +48,10 @@ struct ContactRates {
 /// Gives the law the loading lines of the scenario, beside its β and γ. Requires a valid scenario.
 void setLines(BitRockLaw& law, const Scenario& scenario);
 
-/// Gives the law the lines of F = βU (U/U1)^(p − 1), U1 = `reference` > 0 in I0/Z, 0.3 ≤ p ≤ 3: straight
-/// between the nodes U1 2^(i/4), i = −32 … 31, from zero to the first and on after the last, and nowhere
-/// steeper than β/γ (theory §1.1). So every solver follows the same law; the force is the power's to 0.38 %
-/// of |p (p − 1)| and at U1 exactly. For p = 1 the law is bilinear.
+/// Replaces the loading curve by straight lines near F = βU (U/U1)^(p − 1), with U1 = `reference` > 0 in I0/Z
+/// and 0.3 ≤ p ≤ 3 (theory §1.1). Nodes are at U1 2^(i/4), i = −32 … 31; the first line begins at zero, the
+/// last one goes on. No line is steeper than β/γ. The force is off by at most 0.38 % of |p (p − 1)|, and
+/// exact at U1. For p = 1 the law is bilinear.
 void setPowerLines(BitRockLaw& law, double exponent, double reference);
 
 }  // namespace drillwave

@@ -176,7 +176,7 @@ struct Study {
     Message (*whyNot)(const Scenario& scenario);
     /// The same on the page, with where the answer is.
     const char* elsewhere;
-    /// Whether the answer is on the page COR–stiffness, over the gap.
+    /// Whether the answer is on the page COR–stiffness with the gap as its parameter.
     bool isElsewhereOverGap = false;
     /// Takes out of a scenario what does not matter to the answer.
     void (*reduce)(Scenario& scenario);

@@ -26,7 +26,7 @@ class ReportWriter : public QObject {
 
     /// Sets the runs to compare with in later reports.
     void setRuns(RunListPtr runs);
-    /// Sets what returns the studies that reports contain from now on.
+    /// Sets the function that returns the studies of future reports.
     void setStudies(std::function<ReportStudies()> studies) { m_studies = std::move(studies); }
     /// The signals that are laid over its curves from now on; they must outlive the writer.
     void setMeasured(const MeasuredList& measured);

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Every step can be taken back. Points and pixels are those of the plot; a step redraws the plot.
+/// Every step can be taken back. Points and distances are in pixels of the plot; each step redraws it.
 class PlotView {
   public:
     explicit PlotView(QCustomPlot& plot) : m_plot(plot), m_history(plot) {}

@@ -46,10 +46,10 @@ class Distribution {
 
     /// Returns the value below which the share u lies, 0 < u < 1.
     double quantile(double u) const;
-    /// Returns the value at a place in the box of low and high, 0 ≤ b ≤ 1: even in the logarithm for `log`
-    /// and `lognormal`. Rows of draws are as in quantile().
+    /// Returns the value at the share b of the range, 0 (low) … 1 (high), along the logarithm for `log` and
+    /// `lognormal`. Rows of draws are as in quantile().
     double inBox(double b) const;
-    /// Returns the place of a value in the box.
+    /// Returns the share of the range at which a value is.
     double boxPlace(double value) const;
     /// Return the least and the largest possible value.
     double least() const;

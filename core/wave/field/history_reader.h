@@ -17,7 +17,7 @@ namespace drillwave {
 /// Returns the recorded time at which g and F are those of time s; s itself before the recording begins.
 double recordedTime(const Impact& impact, double s);
 
-/// Returns how long after s the recording can be followed without a jump to another part of it.
+/// Returns the time from s to the next place where a reader has to jump to another part of the recording.
 double uninterrupted(const Impact& impact, double s);
 
 /// Duration of the periods left out before a recorded time.

@@ -39,7 +39,8 @@ class RangeRow : public QWidget {
     void setRange(const StudyRange& range);
     /// The words of the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
     std::string text() const;
-    /// Shows such a text. False, and nothing changes, if the row has no controls for it.
+    /// Sets the controls by a text as of the command. Returns false and changes nothing if they cannot show
+    /// it.
     bool setText(const std::string& text);
     /// Returns why the text in a field is wrong, with the field's name; empty if all are right.
     QString problem() const;
