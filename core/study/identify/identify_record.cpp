@@ -120,15 +120,15 @@ void fillMatch(const LawTrials& trials, RecordAnswer& answer) {
     match.bending = record.bending;
     match.isClipped = std::ranges::find(record.remarks, "clipped") != record.remarks.end();
     match.step = record.gauges.front().recorderStep / record.peak;
+    const auto at = [&](const std::string& key) {
+        return chosen.fit.values[static_cast<Index>(model.shapeUnknown(key))];
+    };
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         const std::string number = std::to_string(g + 1);
-        const auto at = [&](const std::string& key) {
-            return chosen.fit.values[static_cast<Index>(model.shapeUnknown(key))];
-        };
         match.zero.push_back({at("offset." + number), at("slope." + number)});
-        match.droop = at("droop");
-        match.gainOfReturn = 1 + at("gain");
     }
+    match.droop = at("droop");
+    match.gainOfReturn = 1 + at("gain");
     if (model.hasDispersion()) {
         const auto share = static_cast<Index>(model.shapeUnknown("dispersion"));
         match.dispersion = chosen.fit.values[share];

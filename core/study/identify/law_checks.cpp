@@ -151,13 +151,14 @@ void addNearbySolutions(LawCandidate& bilinear) {
     bilinear.errors.budget.push_back(std::move(row));
 }
 
-/// Lets the gain fall further up to the peak than a usual amplifier.
-void allowOverload(RecordModel& model) {
+/// The same model with a gain that may fall further up to the peak than that of a usual amplifier.
+RecordModel overloaded(RecordModel model) {
     constexpr double further = 5;
     Unknown& curvature = model.unknowns()[model.shapeUnknown("curvature")];
     curvature.low *= further;
     curvature.high *= further;
     curvature.deviation *= further;
+    return model;
 }
 
 /// Adds to the budget how far the answer is from that with the same gain for both waves, and where the gain
@@ -165,26 +166,23 @@ void allowOverload(RecordModel& model) {
 void addNearbyGains(LawCandidate& bilinear, const std::stop_token& stop) {
     constexpr double atBound = 0.9, leastTold = 0.01;
     BudgetEffect row{"gain_change", "", 0, "1", false, Eigen::VectorXd::Zero(bilinear.fit.values.size())};
-    const auto addWay = [&](RecordModel& model, Eigen::VectorXd values) {
+    const auto addWay = [&](RecordModel model, Eigen::VectorXd values) {
         const double gain = std::abs(minimise(model, values, 40, stop) - bilinear.fit.cost);
         const double share = gain > likelyGain ? 1 : std::sqrt(gain / nearbyGain);
         row.effect = row.effect.cwiseMax(share * (values - bilinear.fit.values).cwiseAbs());
         return gain;
     };
-    RecordModel model = *bilinear.model;
-    const std::size_t ofReturn = model.shapeUnknown("gain"), curvature = model.shapeUnknown("curvature");
+    RecordModel equal = *bilinear.model;
+    const std::size_t ofReturn = equal.shapeUnknown("gain"), curvature = equal.shapeUnknown("curvature");
     const auto value = [&](std::size_t unknown) { return bilinear.fit.values[static_cast<Index>(unknown)]; };
-    Eigen::VectorXd equal = bilinear.fit.values;
-    equal[static_cast<Index>(ofReturn)] = 0;
-    model.unknowns()[ofReturn].isHeld = true;
-    if (addWay(model, equal) > std::max(nearbyGain, nearbyShare * bilinear.fit.cost) &&
+    equal.unknowns()[ofReturn].isHeld = true;
+    Eigen::VectorXd values = bilinear.fit.values;
+    values[static_cast<Index>(ofReturn)] = 0;
+    if (addWay(std::move(equal), values) > std::max(nearbyGain, nearbyShare * bilinear.fit.cost) &&
         std::abs(value(ofReturn)) > leastTold)
         bilinear.errors.remarks.emplace_back("gain_changes");
-    model.unknowns()[ofReturn].isHeld = false;
-    if (std::abs(value(curvature)) > atBound * model.unknowns()[curvature].high) {
-        allowOverload(model);
-        addWay(model, bilinear.fit.values);
-    }
+    if (std::abs(value(curvature)) > atBound * bilinear.model->unknowns()[curvature].high)
+        addWay(overloaded(*bilinear.model), bilinear.fit.values);
     bilinear.errors.budget.push_back(std::move(row));
 }
 
@@ -238,12 +236,11 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         tryLaw("crater", TrialLaw::crater);
         tryLaw("power", TrialLaw::power);
         if (record.places.front().end.bitMass == 0) tryLaw("dashpot", TrialLaw::dashpot);
-        auto overloaded = std::make_shared<RecordModel>(*trials.candidates[0].model);
-        allowOverload(*overloaded);
+        auto further = std::make_shared<RecordModel>(overloaded(*model));
         LawFit overload = trials.candidates[0].fit;
-        refit(*overloaded, overload, stop);
+        refit(*further, overload, stop);
         trials.candidates.push_back(
-            candidateOf("overload", overloaded, std::move(overload), question, sizes, stop));
+            candidateOf("overload", further, std::move(overload), question, sizes, stop));
         if (auto jump = jumpCandidate(trials.candidates[0], question, sizes, trials.jumpTime, stop))
             trials.candidates.push_back(std::move(*jump));
     }

@@ -23,10 +23,9 @@ constexpr double zeroTolerance = 0.02;     ///< of the peak, and in a millisecon
 constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant
 constexpr double bendingTolerance = 0.08;  ///< of half the difference of a pair stays in the mean
 constexpr double curveTolerance = 0.04;    ///< of the peak: gain at the peak less than at small values
-constexpr double returnTolerance =
-    0.02;                               ///< gain of the returning wave over that of the incident one, less 1
-constexpr double leastBending = 0.005;  ///< of the peak
-constexpr std::size_t frontReach = 4;   ///< samples over which the smoothing spreads a front
+constexpr double returnTolerance = 0.02;   ///< gain of the returning wave against that of the incident one
+constexpr double leastBending = 0.005;     ///< of the peak
+constexpr std::size_t frontReach = 4;      ///< samples over which the smoothing spreads a front
 
 double knownOr(const IdentifyQuestion& question, const char* key, double otherwise) {
     for (const KnownTolerance& known : question.known)

@@ -47,11 +47,11 @@ using UnknownKind = Unknown::Kind;
 /// A 95 % tolerance over its deviation.
 inline constexpr double half95 = 1.96;
 
-/// A signal that the record holds in an unknown amount: zero lines, droop, bending left in a pair, a jump of
-/// the zero, dispersion about a share of it.
+/// A signal that the record holds in an unknown amount: zero lines ("offset.1", "slope.1"), droop, curvature
+/// of the gain, gain of the returning wave, bending left in a pair ("bending.1"), a jump of the zero,
+/// dispersion about a share of it.
 struct LinearShape {
-    std::string
-        key;  ///< "offset.1", "slope.1", "droop", "curvature", "gain", "dispersion", "bending.1", "jump"
+    std::string key;  ///< "offset.1", "droop", "gain", …
     double mean = 0, deviation = 0, low = 0, high = 0;
     double tolerance = 0;           ///< 95 % of the prior
     std::vector<double> incident;   ///< on the grid of the model [N for 1]
