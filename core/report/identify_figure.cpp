@@ -12,7 +12,7 @@ namespace {
 
 constexpr double residualHeight = 0.55;  // over that of the record
 constexpr double rockHeight = 0.95;
-constexpr double alongHeight = 0.5;  // of a plot along several records
+constexpr double alongHeight = 0.5;  // plot along several records over the one above it
 
 bool isOfPair(const RecordAnswer& answer) {
     return answer.match.zero.size() > 1;

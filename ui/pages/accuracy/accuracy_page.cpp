@@ -26,7 +26,7 @@ namespace {
 
 StudyAnswerPtr proveStability(const StudyFeed<StudyAnswerPtr>& feed) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds between{500};  // of what is shown: all rows are copied
+    constexpr std::chrono::milliseconds between{500};  // two looks: each one copies all rows
     const std::vector<StabilityCase> cases = stabilityCases();
     auto last = Clock::now();
     return stabilityAnswer(
@@ -42,7 +42,7 @@ StudyAnswerPtr proveStability(const StudyFeed<StudyAnswerPtr>& feed) {
 
 // Away from the window's thread; shows what there is now and then.
 StudyAnswerPtr prove(const ProofQuestion& question, const StudyFeed<StudyAnswerPtr>& feed) {
-    constexpr std::size_t parts = 1000;  // of the work
+    constexpr std::size_t parts = 1000;  // steps of the progress bar
     feed.show(nullptr);
     if (question.proof == Proof::stability) return proveStability(feed);
     StudyAnswerPtr answer =

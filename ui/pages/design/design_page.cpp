@@ -209,7 +209,7 @@ void DesignPage::forget() {
     m_presets->clear();
     const QSignalBlocker quiet(m_keepEnergy);
     m_keepEnergy->setChecked(true);
-    m_customary = 0;
+    m_usualSamples = 0;
     m_setup = {};
     m_isSetUp = false;
     m_refined.reset();
@@ -217,10 +217,10 @@ void DesignPage::forget() {
 
 // Sets the default number of samples for the scenario, until the user chooses one.
 void DesignPage::followScenario() {
-    const int customary = studyPlan(scenario()).designSamples;
-    if (m_customary == customary) return;
-    m_customary = customary;
-    chooseSamples(customary);
+    const int usual = studyPlan(scenario()).designSamples;
+    if (m_usualSamples == usual) return;
+    m_usualSamples = usual;
+    chooseSamples(usual);
 }
 
 void DesignPage::chooseSamples(int samples) {

@@ -104,7 +104,7 @@ class DesignPage : public StudyPage {
     DesignPlot* m_plot = nullptr;
     QString m_problem;
     QString m_headline, m_sentence;  // of what is shown
-    int m_customary = 0;             // samples, of what was asked last
+    int m_usualSamples = 0;          // those of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
     DesignSetup m_setup;                                // set-up of the document when last shown
