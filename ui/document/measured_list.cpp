@@ -8,6 +8,8 @@
 #include <functional>
 #include <utility>
 
+#include "ui/document/scenario_edit.h"
+
 namespace drillwave {
 namespace {
 
@@ -20,7 +22,7 @@ class MeasuredEdit : public QUndoCommand {
 
     void undo() override { exchange(); }
     void redo() override { exchange(); }
-    int id() const override { return m_gesture == 0 ? -1 : ownId; }
+    int id() const override { return m_gesture == 0 ? -1 : int(UndoKind::measured); }
     // The state before this command stays.
     bool mergeWith(const QUndoCommand* other) override {
         if (static_cast<const MeasuredEdit*>(other)->m_gesture != m_gesture) return false;
@@ -29,8 +31,6 @@ class MeasuredEdit : public QUndoCommand {
     }
 
   private:
-    static constexpr int ownId = 2;  // those of scenarios have 1
-
     void exchange() {
         std::swap(m_current, m_other);
         m_changed();

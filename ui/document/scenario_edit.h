@@ -12,6 +12,10 @@
 
 namespace drillwave {
 
+/// Kind of an undo step: QUndoCommand::id(), which merges steps of one kind only. All kinds of the undo stack
+/// of a document are here, so that no two have one number.
+enum class UndoKind { scenario = 1, design, measured };
+
 /// Exchanges the scenario of a document for another one and back: it holds the one that is not shown, so that
 /// nothing is copied. Texts it sets as they were, whatever has become of them since. Edits of the same
 /// parameter within a gesture melt into one.
@@ -34,7 +38,7 @@ class ScenarioEdit : public QUndoCommand {
 
     void undo() override { exchange(m_textBefore, m_designBefore); }
     void redo() override { exchange(m_textAfter, m_designAfter); }
-    int id() const override { return m_key.isEmpty() ? -1 : 1; }
+    int id() const override { return m_key.isEmpty() ? -1 : int(UndoKind::scenario); }
     bool mergeWith(const QUndoCommand* other) override;
 
   private:
@@ -63,7 +67,7 @@ class DesignEdit : public QUndoCommand {
 
     void undo() override { exchange(); }
     void redo() override { exchange(); }
-    int id() const override { return m_item.empty() ? -1 : 2; }  // 1: ScenarioEdit
+    int id() const override { return m_item.empty() ? -1 : int(UndoKind::design); }
     bool mergeWith(const QUndoCommand* other) override;
 
   private:
