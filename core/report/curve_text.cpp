@@ -110,6 +110,8 @@ std::string familyText(const SweepAxis& family, double value, const ReadingStyle
 
 std::string valueText(const SweepAxis& axis, double value, int ofDigits, const ReadingStyle& style) {
     if (axis.words) return std::string(axis.words->words()[static_cast<std::size_t>(value)]);
+    if (!style.keepsUnitsOfFile() && axis.parameter)
+        return style.quantity(value, axis.parameter->quantity, ofDigits);
     const std::string number = style.number(axis.unit ? axis.unit->fromSi(value) : value, ofDigits);
     return !axis.unit || axis.unit->name.empty() ? number : number + " " + std::string(axis.unit->name);
 }

@@ -51,11 +51,16 @@ struct FigureAxis {
 /// same, closed and filled.
 enum class SeriesKind { line, path, area };
 
-/// The pen and colour of a series; `reference` is a strong line in the colour of the words.
-enum class SeriesRole { result, second, third, fourth, reference };
+/// Colour and dashes of a series, which numbers beyond these continue.
+enum class SeriesRole { result, second, third, fourth };
 
-/// Marks at the points of a line: none, with the line through them, without it, or stars without it.
-enum class SeriesPoints { none, joined, apart, stars };
+/// The pen of a series: that of its role, as it is or wide; that of its role thin and dotted; in the colour
+/// of the words, long dashes or a strong line.
+enum class SeriesStroke { usual, wide, dotted, dashed, strong };
+
+/// Marks at the points of a line: none, with the line through them, without it; stars or small rings without
+/// it.
+enum class SeriesPoints { none, joined, apart, stars, rings };
 
 /// A number in a caption.
 struct FigureNumber {
@@ -71,9 +76,16 @@ struct FigureText {
     std::vector<FigureNumber> numbers = {};
 };
 
+/// A click near a line takes the place on the line, and sets `parameter`, if there is one, to `value` [SI].
+struct SeriesTarget {
+    KeptParameter parameter = {};
+    double value = 0;
+};
+
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::result;
+    SeriesStroke stroke = SeriesStroke::usual;
     Message legend = {};  ///< empty: it is not in the legend
     std::vector<double> x = {};
     std::vector<double> y = {};
@@ -83,9 +95,10 @@ struct FigureSeries {
     std::vector<double> upper = {};                   ///< of a line, the other edge of a strip, drawn thin
     bool isFilled = false;                            ///< whether the strip is shaded
     SeriesPoints points = SeriesPoints::none;
-    std::vector<FigureText> texts = {};      ///< beside the first points, empty ones beside those without
-    bool isTextBelow = false;                ///< texts are left below their points, not right above
-    std::vector<std::size_t> rows = {};      ///< row of the study's table of each point
+    std::vector<FigureText> texts = {};  ///< beside the first points, empty ones beside those without
+    bool isTextBelow = false;            ///< texts are left below their points, not right above
+    std::vector<std::size_t> rows = {};  ///< row of the study's table of each point
+    std::optional<SeriesTarget> target = {};
     std::optional<AxisTarget> dragged = {};  ///< changes by as much as the user drags the line up or down
 };
 
@@ -104,6 +117,7 @@ struct FigureLevel {
     double y = 0;
     bool isMain = false;  ///< stands out among the others
     std::size_t row = 0;
+    bool isInView = true;  ///< whether axes reach it at any rate; else only if curves keep half of the height
 };
 
 /// All values of y above `from`, shaded and named.
@@ -112,11 +126,13 @@ struct FigureZone {
     double from = 0;
 };
 
-/// All values of x between two, shaded and named.
+/// All values of x between two, shaded and named at the top; with `at`, at the foot, centred there, if there
+/// is room beside the names of other bands.
 struct FigureBand {
     Message name;
     double from = 0;
     double to = 0;
+    std::optional<double> at = {};
 };
 
 /// Layers of y along x, from below; the lower, the darker.
@@ -152,7 +168,8 @@ struct StudyPanel {
     double topPerX = 0;  ///< the top axis shows that many times x (values of `top` over values of `x`); 0: it
                          ///< has values of its own, of series that are `isOnTop`
     std::vector<FigureSeries> series = {};
-    std::vector<FigureMark> marks = {};  ///< of the first series
+    std::vector<FigureMark> marks = {};  ///< of the series `marked`
+    std::size_t marked = 0;
     std::optional<FigureZone> zone = {};
     std::vector<FigureBand> bands = {};
     FigureLayers layers = {};

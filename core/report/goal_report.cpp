@@ -5,6 +5,8 @@
 #include <span>
 
 #include "core/report/curve_text.h"
+#include "core/report/output_words.h"
+#include "core/report/parameter_words.h"
 #include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/text/handy_text.h"
@@ -15,7 +17,6 @@ namespace {
 
 using GoalKind = GoalPlace::Kind;
 
-constexpr int goalDigits = 8;
 /// Maximum number of printed solutions; JSON and CSV have all of them.
 constexpr std::size_t mostPlaces = 40;
 
@@ -36,12 +37,6 @@ const char* what(const GoalPlace& place) {
     return "";
 }
 
-/// Returns a value of the output in its unit.
-std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style) {
-    const OutputColumn& column = question.columns.front();
-    return style.quantity(value, column.hasUnit() ? column.output->quantity() : Quantity::ratio, goalDigits);
-}
-
 /// Without a value of its own: where the output is not solved for, or has none.
 bool isOnlyEnclosed(const GoalPlace& place) {
     return place.kind == GoalKind::between || place.kind == GoalKind::jump;
@@ -51,7 +46,8 @@ Message remarkMessage(const GoalPlace& place, const ReadingStyle& style) {
     if (!isOnlyEnclosed(place)) return {};
     return {place.kind == GoalKind::between ? translatable("between points, from %1 to %2")
                                             : translatable("from %1 to %2"),
-            {style.number(place.value.value, goalDigits), style.number(place.valueAfter, goalDigits)}};
+            {style.number(place.value.value, goalDigits(style)),
+             style.number(place.valueAfter, goalDigits(style))}};
 }
 
 std::string placesText(const CurveQuestion& question, const GoalAnswer& answer, const ReadingStyle& style) {
@@ -61,9 +57,9 @@ std::string placesText(const CurveQuestion& question, const GoalAnswer& answer, 
     const std::span places(answer.places);
     for (const GoalPlace& place : places.first(std::min(places.size(), mostPlaces))) {
         const bool hasValue = !isOnlyEnclosed(place);
-        grid.add({style.said(what(place)), style.number(along.unit->fromSi(place.x.value), goalDigits),
+        grid.add({style.said(what(place)), style.number(along.unit->fromSi(place.x.value), goalDigits(style)),
                   style.bound(along.unit->fromSi(place.x.error)),
-                  hasValue ? style.number(place.value.value, goalDigits) : std::string(),
+                  hasValue ? style.number(place.value.value, goalDigits(style)) : std::string(),
                   hasValue ? style.bound(place.value.error) : std::string(),
                   style.said(remarkMessage(place, style))});
     }
@@ -81,7 +77,8 @@ const char* whereUnknown(const CurveLine& line) {
 Message rangeMessage(const CurveQuestion& question, const ReadingStyle& style) {
     const CurveRange range = question.range();
     return {translatable("%1 from %2 to %3"),
-            {std::string(question.along.key()), valueText(question.along, range.start, valueDigits, style),
+            {fieldMessage(*question.along.parameter, style),
+             valueText(question.along, range.start, valueDigits, style),
              valueText(question.along, range.stop, valueDigits, style)}};
 }
 
@@ -90,27 +87,36 @@ Message noneMessage(const CurveQuestion& question, const GoalAnswer& answer, con
     const Message range = rangeMessage(question, style);
     const std::string goal = goalTitle(question, style);
     if (answer.places.empty()) return {translatable("no %1 gives %2"), {range, goal}};
-    return {translatable("no %1 gives %2, which it jumps over at %3"),
-            {range, goal, valueText(question.along, answer.places.front().x.value, goalDigits, style)}};
+    return {
+        translatable("no %1 gives %2, which it jumps over at %3"),
+        {range, goal, valueText(question.along, answer.places.front().x.value, goalDigits(style), style)}};
 }
 
-/// "no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at 0.29982658".
+}  // namespace
+
+int goalDigits(const ReadingStyle& style) {
+    return style.isPrinted() ? 5 : 8;
+}
+
+std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style) {
+    return style.quantity(value, question.columns.front().quantity(), goalDigits(style));
+}
+
+std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style) {
+    const Output& output = *question.columns.front().output;
+    const std::string name = style.isPrinted() ? style.said(outputMessage(output)) : std::string(output.name);
+    return name + " = " + goalValue(question, *question.goal, style);
+}
+
 Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style) {
     const GoalAnswer& answer = *line.goal;
     const Message none = noneMessage(question, answer, style);
     if (!answer.nearest) return {translatable("%1: there is no answer anywhere"), {none}};
     const std::string value = goalValue(question, answer.nearest->value.value, style);
-    const std::string at = valueText(question.along, answer.nearest->x.value, goalDigits, style);
+    const std::string at = valueText(question.along, answer.nearest->x.value, goalDigits(style), style);
     if (answer.isComplete) return {translatable("%1: the nearest is %2, at %3"), {none, value, at}};
     return {translatable("%1: the nearest is %2, at %3; there may be one %4"),
             {none, value, at, whereUnknown(line)}};
-}
-
-}  // namespace
-
-std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style) {
-    return std::string(question.columns.front().output->name) + " = " +
-           goalValue(question, *question.goal, style);
 }
 
 std::string goalText(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style) {

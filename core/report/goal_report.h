@@ -15,8 +15,19 @@ namespace drillwave {
 /// How the CSV begins.
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
-/// "cor = 0.7", "peak_force = 240 kN". Requires a goal, as all that follows does.
+/// Returns the number of significant digits of goals and places.
+int goalDigits(const ReadingStyle& style);
+
+/// Returns a value of the question's output in its unit: "0.7", "240 kN".
+std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style);
+
+/// Returns "cor = 0.7", "peak_force = 240 kN", in print "peak force = 240 kN". Requires a goal, as all that
+/// follows does.
 std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style = plainStyle());
+
+/// Returns that a line does not reach the goal, with the nearest value: "no beta from 0.1 to 10 gives cor =
+/// 2: the nearest is 1.4140683, at 0.29982658".
+Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style);
 
 /// A table of the places of a line, whether there may be others, and where there is none the nearest value.
 std::string goalText(const CurveQuestion& question, const CurveLine& line,

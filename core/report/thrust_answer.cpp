@@ -213,7 +213,7 @@ StudyFigure thrustFigure(const ThrustReport& report) {
              .upper = ofEach([&](const ThrustPoint& point) { return point.need(which).thrustUndamped; }),
              .isFilled = which == ThrustCase::scenario});
     }
-    FigureSeries feed{.role = SeriesRole::reference, .legend = translatable("installed feed force")};
+    FigureSeries feed{.stroke = SeriesStroke::strong, .legend = translatable("installed feed force")};
     if (!points.empty() && points.front().feed.force) {
         feed.x = x;
         feed.y = ofEach([](const ThrustPoint& point) { return *point.feed.effective(); });

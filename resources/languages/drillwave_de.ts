@@ -2841,10 +2841,6 @@ Trotzdem löschen?</translation>
         <translation>%1 Zeilen ohne Zahl werden übergangen, die erste ist Zeile %2.</translation>
     </message>
     <message>
-        <source>closed form</source>
-        <translation>geschlossene Form</translation>
-    </message>
-    <message>
         <source>hammer blow</source>
         <translation>Hammerschlag</translation>
     </message>
@@ -2883,66 +2879,6 @@ Trotzdem löschen?</translation>
     <message>
         <source>this scenario</source>
         <translation>dieses Szenario</translation>
-    </message>
-    <message>
-        <source>%1, this scenario</source>
-        <translation>%1, dieses Szenario</translation>
-    </message>
-    <message>
-        <source>rod without waves</source>
-        <translation>Stange ohne Wellen</translation>
-    </message>
-    <message>
-        <source>%1, no waves</source>
-        <translation>%1, keine Wellen</translation>
-    </message>
-    <message>
-        <source>%1, closed form</source>
-        <translation>%1, geschlossene Form</translation>
-    </message>
-    <message>
-        <source>There is no answer anywhere in this range.</source>
-        <translation>In diesem Bereich gibt es nirgends eine Antwort.</translation>
-    </message>
-    <message>
-        <source>%1 (end of the range)</source>
-        <translation>%1 (Ende des Bereichs)</translation>
-    </message>
-    <message>
-        <source>largest %1 at %2</source>
-        <translation>größter Wert %1 bei %2</translation>
-    </message>
-    <message>
-        <source>least %1 at %2</source>
-        <translation>kleinster Wert %1 bei %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 liegt zwischen %2 und %3</translation>
-    </message>
-    <message>
-        <source>1 is crossed %1 times</source>
-        <translation>1 wird %1-mal gekreuzt</translation>
-    </message>
-    <message>
-        <source>1 at %1</source>
-        <translation>1 bei %1</translation>
-    </message>
-    <message>
-        <source> · %1 points</source>
-        <translation> · %1 Punkte</translation>
-    </message>
-    <message>
-        <source> · only points known in a part of the range</source>
-        <translation> · in einem Teil des Bereichs nur von einzelnen Punkten bekannt</translation>
-    </message>
-    <message>
-        <source> · no answer in a part of the range: %1</source>
-        <translation> · keine Antwort in einem Teil des Bereichs: %1</translation>
     </message>
     <message>
         <source>draws</source>
@@ -3283,34 +3219,6 @@ The file is kept as %2 and not offered again.</source>
 Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translation>
     </message>
     <message>
-        <source>%1 everywhere</source>
-        <translation>%1 überall</translation>
-    </message>
-    <message>
-        <source>%1 ± %2</source>
-        <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>nothing gives %1</source>
-        <translation>nichts ergibt %1</translation>
-    </message>
-    <message>
-        <source>no known value gives %1: the nearest is %2 at %3</source>
-        <translation>nichts Bekanntes ergibt %1: am nächsten kommt %2 bei %3</translation>
-    </message>
-    <message>
-        <source>%1 at %2 places</source>
-        <translation>%1 an %2 Stellen</translation>
-    </message>
-    <message>
-        <source>%1 at %2, nowhere else in this range</source>
-        <translation>%1 bei %2, sonst nirgends in diesem Bereich</translation>
-    </message>
-    <message>
-        <source>%1 at %2, perhaps elsewhere too</source>
-        <translation>%1 bei %2, vielleicht auch anderswo</translation>
-    </message>
-    <message>
         <source>this report</source>
         <translation>dieser Bericht</translation>
     </message>
@@ -3393,22 +3301,6 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     <message>
         <source>Energy of the hammer before the blow; all shares refer to it. Its work on the string is smaller.</source>
         <translation>Energie des Hammers vor dem Schlag; alle Anteile beziehen sich auf sie, seine Arbeit am Strang ist kleiner</translation>
-    </message>
-    <message>
-        <source>no %1 from %2 to %3 gives %4: the nearest is %5 at %6</source>
-        <translation>kein Wert von %1 zwischen %2 und %3 ergibt %4: am nächsten kommt %5 bei %6</translation>
-    </message>
-    <message>
-        <source>%1 does at %2</source>
-        <translation>%1 erreicht es bei %2</translation>
-    </message>
-    <message>
-        <source>%1 is above it everywhere</source>
-        <translation>%1 liegt überall darüber</translation>
-    </message>
-    <message>
-        <source>%1 is below it everywhere</source>
-        <translation>%1 liegt überall darunter</translation>
     </message>
     <message>
         <source>Effective feed force minus the feed force required by this blow, also as a share of it</source>
@@ -12897,6 +12789,102 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>W and E₀ are the work of the force on the string.</source>
         <translation>W und E₀ sind die Arbeit der Kraft am Strang.</translation>
     </message>
+    <message>
+        <source>this scenario</source>
+        <translation>dieses Szenario</translation>
+    </message>
+    <message>
+        <source>%1, this scenario</source>
+        <translation>%1, dieses Szenario</translation>
+    </message>
+    <message>
+        <source>rod without waves</source>
+        <translation>Stange ohne Wellen</translation>
+    </message>
+    <message>
+        <source>%1, no waves</source>
+        <translation>%1, keine Wellen</translation>
+    </message>
+    <message>
+        <source>%1, closed form</source>
+        <translation>%1, geschlossene Form</translation>
+    </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>%1 überall</translation>
+    </message>
+    <message>
+        <source>%1 at %2 places</source>
+        <translation>%1 an %2 Stellen</translation>
+    </message>
+    <message>
+        <source>%1 at %2, nowhere else in this range</source>
+        <translation>%1 bei %2, sonst nirgends in diesem Bereich</translation>
+    </message>
+    <message>
+        <source>%1 at %2, perhaps elsewhere too</source>
+        <translation>%1 bei %2, vielleicht auch anderswo</translation>
+    </message>
+    <message>
+        <source>%1 reaches it at %2</source>
+        <translation>%1 erreicht es bei %2</translation>
+    </message>
+    <message>
+        <source>%1 is above it everywhere</source>
+        <translation>%1 liegt überall darüber</translation>
+    </message>
+    <message>
+        <source>%1 is below it everywhere</source>
+        <translation>%1 liegt überall darunter</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 (end of the range)</source>
+        <translation>%1 (Ende des Bereichs)</translation>
+    </message>
+    <message>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 liegt zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>the largest %1 is %2</source>
+        <translation>größter Wert %1: %2</translation>
+    </message>
+    <message>
+        <source>the smallest %1 is %2</source>
+        <translation>kleinster Wert %1: %2</translation>
+    </message>
+    <message>
+        <source>e = 1 at %1 places</source>
+        <translation>e = 1 an %1 Stellen</translation>
+    </message>
+    <message>
+        <source>e = 1 at %1</source>
+        <translation>e = 1 bei %1</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>There is no answer anywhere in this range.</source>
+        <translation>In diesem Bereich gibt es nirgends eine Antwort.</translation>
+    </message>
+    <message>
+        <source>the curve has %1 points</source>
+        <translation>die Kurve hat %1 Punkte</translation>
+    </message>
+    <message>
+        <source>only points are known in a part of the range</source>
+        <translation>in einem Teil des Bereichs sind nur einzelne Punkte bekannt</translation>
+    </message>
+    <message>
+        <source>there is no answer in a part of the range: %1</source>
+        <translation>in einem Teil des Bereichs gibt es keine Antwort: %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -12951,10 +12939,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Which result is shown</source>
         <translation>Welches Ergebnis gezeigt wird</translation>
-    </message>
-    <message>
-        <source>COR e</source>
-        <translation>Stoßzahl e</translation>
     </message>
 </context>
 <context>

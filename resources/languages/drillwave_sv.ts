@@ -2841,10 +2841,6 @@ Ta bort ändå?</translation>
         <translation>%1 rader utan tal hoppas över, den första är rad %2.</translation>
     </message>
     <message>
-        <source>closed form</source>
-        <translation>sluten form</translation>
-    </message>
-    <message>
         <source>hammer blow</source>
         <translation>hammarslag</translation>
     </message>
@@ -2883,66 +2879,6 @@ Ta bort ändå?</translation>
     <message>
         <source>this scenario</source>
         <translation>detta scenario</translation>
-    </message>
-    <message>
-        <source>%1, this scenario</source>
-        <translation>%1, detta scenario</translation>
-    </message>
-    <message>
-        <source>rod without waves</source>
-        <translation>stång utan vågor</translation>
-    </message>
-    <message>
-        <source>%1, no waves</source>
-        <translation>%1, inga vågor</translation>
-    </message>
-    <message>
-        <source>%1, closed form</source>
-        <translation>%1, sluten form</translation>
-    </message>
-    <message>
-        <source>There is no answer anywhere in this range.</source>
-        <translation>Det finns inget svar någonstans i detta område.</translation>
-    </message>
-    <message>
-        <source>%1 (end of the range)</source>
-        <translation>%1 (områdets slut)</translation>
-    </message>
-    <message>
-        <source>largest %1 at %2</source>
-        <translation>största värde %1 vid %2</translation>
-    </message>
-    <message>
-        <source>least %1 at %2</source>
-        <translation>minsta värde %1 vid %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 vid %2</translation>
-    </message>
-    <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 ligger mellan %2 och %3</translation>
-    </message>
-    <message>
-        <source>1 is crossed %1 times</source>
-        <translation>1 korsas %1 gånger</translation>
-    </message>
-    <message>
-        <source>1 at %1</source>
-        <translation>1 vid %1</translation>
-    </message>
-    <message>
-        <source> · %1 points</source>
-        <translation> · %1 punkter</translation>
-    </message>
-    <message>
-        <source> · only points known in a part of the range</source>
-        <translation> · i en del av området känt bara i enstaka punkter</translation>
-    </message>
-    <message>
-        <source> · no answer in a part of the range: %1</source>
-        <translation> · inget svar i en del av området: %1</translation>
     </message>
     <message>
         <source>draws</source>
@@ -3283,34 +3219,6 @@ The file is kept as %2 and not offered again.</source>
 Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
-        <source>%1 everywhere</source>
-        <translation>%1 överallt</translation>
-    </message>
-    <message>
-        <source>%1 ± %2</source>
-        <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>nothing gives %1</source>
-        <translation>inget ger %1</translation>
-    </message>
-    <message>
-        <source>no known value gives %1: the nearest is %2 at %3</source>
-        <translation>inget känt ger %1: närmast kommer %2 vid %3</translation>
-    </message>
-    <message>
-        <source>%1 at %2 places</source>
-        <translation>%1 på %2 ställen</translation>
-    </message>
-    <message>
-        <source>%1 at %2, nowhere else in this range</source>
-        <translation>%1 vid %2, ingen annanstans i det här området</translation>
-    </message>
-    <message>
-        <source>%1 at %2, perhaps elsewhere too</source>
-        <translation>%1 vid %2, kanske även annanstans</translation>
-    </message>
-    <message>
         <source>this report</source>
         <translation>denna rapport</translation>
     </message>
@@ -3393,22 +3301,6 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     <message>
         <source>Energy of the hammer before the blow; all shares refer to it. Its work on the string is smaller.</source>
         <translation>Hammarens energi före slaget; alla andelar är av den, dess arbete på strängen är mindre</translation>
-    </message>
-    <message>
-        <source>no %1 from %2 to %3 gives %4: the nearest is %5 at %6</source>
-        <translation>inget värde på %1 från %2 till %3 ger %4: närmast kommer %5 vid %6</translation>
-    </message>
-    <message>
-        <source>%1 does at %2</source>
-        <translation>%1 når det vid %2</translation>
-    </message>
-    <message>
-        <source>%1 is above it everywhere</source>
-        <translation>%1 ligger överallt över</translation>
-    </message>
-    <message>
-        <source>%1 is below it everywhere</source>
-        <translation>%1 ligger överallt under</translation>
     </message>
     <message>
         <source>Effective feed force minus the feed force required by this blow, also as a share of it</source>
@@ -12897,6 +12789,102 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>W and E₀ are the work of the force on the string.</source>
         <translation>W och E₀ är kraftens arbete på strängen.</translation>
     </message>
+    <message>
+        <source>this scenario</source>
+        <translation>detta scenario</translation>
+    </message>
+    <message>
+        <source>%1, this scenario</source>
+        <translation>%1, detta scenario</translation>
+    </message>
+    <message>
+        <source>rod without waves</source>
+        <translation>stång utan vågor</translation>
+    </message>
+    <message>
+        <source>%1, no waves</source>
+        <translation>%1, inga vågor</translation>
+    </message>
+    <message>
+        <source>%1, closed form</source>
+        <translation>%1, sluten form</translation>
+    </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>%1 överallt</translation>
+    </message>
+    <message>
+        <source>%1 at %2 places</source>
+        <translation>%1 på %2 ställen</translation>
+    </message>
+    <message>
+        <source>%1 at %2, nowhere else in this range</source>
+        <translation>%1 vid %2, ingen annanstans i det här området</translation>
+    </message>
+    <message>
+        <source>%1 at %2, perhaps elsewhere too</source>
+        <translation>%1 vid %2, kanske även annanstans</translation>
+    </message>
+    <message>
+        <source>%1 reaches it at %2</source>
+        <translation>%1 når det vid %2</translation>
+    </message>
+    <message>
+        <source>%1 is above it everywhere</source>
+        <translation>%1 ligger överallt över</translation>
+    </message>
+    <message>
+        <source>%1 is below it everywhere</source>
+        <translation>%1 ligger överallt under</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1 (end of the range)</source>
+        <translation>%1 (områdets slut)</translation>
+    </message>
+    <message>
+        <source>%1 is between %2 and %3</source>
+        <translation>%1 ligger mellan %2 och %3</translation>
+    </message>
+    <message>
+        <source>the largest %1 is %2</source>
+        <translation>största värde %1: %2</translation>
+    </message>
+    <message>
+        <source>the smallest %1 is %2</source>
+        <translation>minsta värde %1: %2</translation>
+    </message>
+    <message>
+        <source>e = 1 at %1 places</source>
+        <translation>e = 1 på %1 ställen</translation>
+    </message>
+    <message>
+        <source>e = 1 at %1</source>
+        <translation>e = 1 vid %1</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>mål</translation>
+    </message>
+    <message>
+        <source>There is no answer anywhere in this range.</source>
+        <translation>Det finns inget svar någonstans i detta område.</translation>
+    </message>
+    <message>
+        <source>the curve has %1 points</source>
+        <translation>kurvan har %1 punkter</translation>
+    </message>
+    <message>
+        <source>only points are known in a part of the range</source>
+        <translation>i en del av området är bara enstaka punkter kända</translation>
+    </message>
+    <message>
+        <source>there is no answer in a part of the range: %1</source>
+        <translation>i en del av området finns inget svar: %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -12951,10 +12939,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Which result is shown</source>
         <translation>Vilket resultat som visas</translation>
-    </message>
-    <message>
-        <source>COR e</source>
-        <translation>studstal e</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "tests/support/page_words.h"
 #include "tests/support/window.h"
 #include "ui/pages/curve/curve_page.h"
+#include "ui/plot/figure_frame.h"
 
 namespace drillwave::test {
 
@@ -23,6 +24,20 @@ inline SolvedBlowPtr solved(const Document& document, UnitSystem units) {
 
 inline SolvedBlowPtr solved(const Document& document) {
     return solved(document, naturalUnits(document.scenario()));
+}
+
+/// The panel of the figure on show; an empty one where the page has words instead.
+inline StudyPanel panelOf(const CurvePage& page) {
+    return page.figure() ? page.figure()->panels.front() : StudyPanel();
+}
+
+/// The graphs of the curves that a click takes, in the order of the figure.
+inline QVector<QCPGraph*> graphsOf(const CurvePage& page) {
+    QVector<QCPGraph*> graphs;
+    const StudyPanel panel = panelOf(page);
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        if (panel.series[i].target) graphs.append(page.figureFrame().graph(0, i));
+    return graphs;
 }
 
 class CurvePageFixture {

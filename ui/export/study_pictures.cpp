@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_pictures.h"
 
+#include "core/report/curve_figure.h"
 #include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
-#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/map/map_plot.h"
+#include "ui/text/language.h"
 
 namespace drillwave {
 namespace {
@@ -20,19 +21,12 @@ Pictures drawn(const PaperPlot& paper, const std::string& title, const PictureOr
 // Draws the first of several outputs: the page shows one at a time.
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader) {
     const CurveQuestion& asked = report.study.question;
-    CurvePageStudy study;
-    study.question.curve = asked;
-    study.curve = report.study;
     std::optional<double> here;
     if (asked.family && asked.family->parameter && asked.family->parameter->applies(asked.base))
         here = asked.family->parameter->value(asked.base);
-    const bool isSi = asked.columns.front().units == OutputUnits::si;
-    const ShownUnits units =
-        shownUnits(isSi ? UnitSystem::si : UnitSystem::dimensionless, scalesOf(asked.base));
-    const Unit& unit = customaryUnit(*asked.along.parameter, UnitSystem::si);
-    return drawn(paperPlot<CurvePlot>(curvePicture(study, units, unit, here, builtInPresets(), reader.locale),
-                                      {180, 120}, reader.locale),
-                 asked.base.title, order);
+    const LocalStyle style(reader.locale, reader.system, reader.chosen);
+    const StudyFigure figure = curveFigure({{asked}, report.study, {}, {}}, here, builtInPresets(), style);
+    return drawn(figurePaperPlot(figure, asked.base, reader), asked.base.title, order);
 }
 
 Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader) {

@@ -34,6 +34,7 @@ class CurveMarks : public QObject {
     /// Replaces the marks, in the units of the axes.
     void present(const QVector<CurveMark>& marks, const ShownUnit& x, const ShownUnit& y);
     void clear();
+    const QCPGraph* graph() const { return m_graph; }
     void setStyle(const PlotStyle& style);
 
   private:

@@ -5,6 +5,8 @@
 #include <qcustomplot.h>
 
 #include <QString>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "ui/plot/plot_style.h"
@@ -15,9 +17,11 @@ namespace drillwave {
 struct ShownBand {
     QString name;
     QCPRange range;
+    std::optional<double> at = {};  ///< x of a name at the foot; nothing: the name is at the top
 };
 
-/// Shaded from bottom to top, each with its name at the top. The plot owns the items.
+/// Shaded from bottom to top. Names at the top are in the middle of their bands; those at the foot are in two
+/// rows, clear of each other, and one that fits in neither is left out. The plot owns the items.
 class FigureBands {
   public:
     explicit FigureBands(QCPAxisRect* rect) : m_rect(rect) {}
@@ -32,9 +36,13 @@ class FigureBands {
         QCPItemRect* area;
         QCPItemText* name;
     };
+    void placeAtFoot(const ShownBand& band, QCPItemText& name, std::span<double> taken) const;
+    QCPRange rangeOf(std::size_t index) const;
+
     QCPAxisRect* m_rect;
     std::vector<ShownBand> m_bands;
     std::vector<Item> m_items;
+    PlotStyle m_style;
 };
 
 }  // namespace drillwave

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/model/parameter.h"
 #include "ui/plot/curve_graph.h"
@@ -17,7 +18,7 @@ namespace drillwave {
 namespace {
 
 const QString betweenParts = QStringLiteral(" · ");  // parts of a caption
-constexpr int mostLegendColumns = 3;
+constexpr int mostLegendColumns = 5;
 constexpr double narrow = 0.5;  // a panel of that width has room for few numbers
 constexpr int leastPanel = 50;  // width and height [px]
 const QMargins panelMargins(4, 4, 14, 4);
@@ -68,8 +69,17 @@ QCPScatterStyle scatterOf(SeriesPoints points, std::size_t index, const QColor& 
     if (points == SeriesPoints::stars)
         return QCPScatterStyle(QCPScatterStyle::ssStar, QPen(colour, 2), Qt::NoBrush, 15);
     const double size = points == SeriesPoints::joined ? 6 : 5;
+    if (points == SeriesPoints::rings)
+        return QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 1), style.background, size);
     return QCPScatterStyle(shapes[index % std::size(shapes)], QPen(colour, 1.3), QBrush(style.background),
                            size);
+}
+
+QPen dashedPen(const QColor& colour, double width, const QList<qreal>& dashes) {
+    QPen pen(colour, width);
+    pen.setDashPattern(dashes);
+    pen.setCapStyle(Qt::FlatCap);
+    return pen;
 }
 
 QSharedPointer<QCPAxisTicker> ticker(bool isLogarithmic, int count) {
@@ -297,6 +307,11 @@ bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
 void FigureFrame::showSeries(std::size_t index) {
     Panel& panel = m_panels[index];
     const std::vector<FigureSeries>& series = panelOf(index).series;
+    const bool isMarked = panelOf(index).marked < std::min(series.size(), panel.series.size());
+    if (panel.marks && !(isMarked && panel.marks->graph() == panel.series[panelOf(index).marked].line)) {
+        panel.marks->clear();
+        delete std::exchange(panel.marks, nullptr);
+    }
     while (panel.series.size() > series.size()) {
         const Drawn& last = panel.series.back();
         QCPAbstractPlottable* gone = last.line ? static_cast<QCPAbstractPlottable*>(last.line) : last.path;
@@ -322,7 +337,11 @@ void FigureFrame::showSeries(std::size_t index) {
         const Drawn& drawn = panel.series[i];
         QCPAbstractPlottable* plottable =
             drawn.line ? static_cast<QCPAbstractPlottable*>(drawn.line) : drawn.path;
-        plottable->setName(translated(each.legend));
+        // A hidden line stays hidden as long as it is the same.
+        if (const QString name = translated(each.legend); plottable->name() != name) {
+            plottable->setName(name);
+            plottable->setVisible(true);
+        }
         if (each.legend.isEmpty())
             plottable->removeFromLegend(m_legend);
         else
@@ -345,8 +364,9 @@ void FigureFrame::showSeries(std::size_t index) {
             drawn.path->data()->set(points, true);
         }
     }
-    if (!panel.marks && !panel.series.empty() && panel.series.front().line)
-        panel.marks = new CurveMarks(panel.series.front().line);
+    const std::size_t marked = panelOf(index).marked;
+    if (!panel.marks && marked < panel.series.size() && panel.series[marked].line)
+        panel.marks = new CurveMarks(panel.series[marked].line);
 }
 
 void FigureFrame::showStrip(std::size_t index, std::size_t series) {
@@ -417,7 +437,9 @@ void FigureFrame::showAxes(std::size_t index) {
     }
     if (!panel.top) return;
     QCPAxis& top = *rect.axis(QCPAxis::atTop);
-    show(*panel.top, top);
+    FigureAxis above = *panel.top;
+    above.isLogarithmic |= panel.topPerX != 0 && panel.x.isLogarithmic;
+    show(above, top);
     // The same numbers twice say nothing.
     const bool isSame = panel.topPerX != 0 && m_shown.units.of(panel.x.quantity).dimensionless;
     top.setTickLabels(!isSame);
@@ -428,7 +450,8 @@ void FigureFrame::showBands(std::size_t index) {
     std::vector<ShownBand> bands;
     const double factor = xFactorOf(index);
     for (const FigureBand& band : panelOf(index).bands)
-        bands.push_back({translated(band.name), QCPRange(band.from * factor, band.to * factor)});
+        bands.push_back({translated(band.name), QCPRange(band.from * factor, band.to * factor),
+                         band.at ? std::optional(*band.at * factor) : std::nullopt});
     m_panels[index].bands.present(std::move(bands));
     m_panels[index].layers->present(panelOf(index).layers, factor, yFactorOf(index));
     if (!m_panels[index].handle) return;
@@ -593,8 +616,9 @@ void FigureFrame::restyle() {
             drawn.path->setBrush(isArea ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
         }
         for (std::size_t level = 0; level < m_shown.figure.levels.size(); ++level)
-            panel.levels[level]->setPen(QPen(
-                m_style.zeroLine, 1, m_shown.figure.levels[level].isMain ? Qt::DashDotLine : Qt::DashLine));
+            panel.levels[level]->setPen(m_shown.figure.levels[level].isMain
+                                            ? QPen(m_style.text, 1, Qt::DashDotLine)
+                                            : QPen(m_style.zeroLine, 1, Qt::DashLine));
         if (!panelOf(i).top || panelOf(i).topPerX == 0)
             panel.rect->axis(QCPAxis::atTop)->grid()->setVisible(false);
         panel.zone->setPen(Qt::NoPen);
@@ -618,10 +642,16 @@ void FigureFrame::restyle() {
 void FigureFrame::styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const {
     const auto role = static_cast<int>(series.role);
     const Drawn& drawn = panel.series[index];
+    QPen pen = drawn.line->pen();
+    const QColor colour = series.stroke >= SeriesStroke::dashed ? m_style.text : pen.color();
+    if (series.stroke == SeriesStroke::wide) pen.setWidthF(1.6 * pen.widthF());
+    if (series.stroke == SeriesStroke::dotted) pen = dashedPen(colour, 0.6 * pen.widthF(), {2, 3});
+    if (series.stroke == SeriesStroke::dashed) pen = dashedPen(colour, pen.widthF(), {7, 5});
+    if (series.stroke == SeriesStroke::strong) pen = QPen(colour, 2.4);
+    drawn.line->setPen(pen);
     const bool isLine = series.points == SeriesPoints::none || series.points == SeriesPoints::joined;
     drawn.line->setLineStyle(isLine ? QCPGraph::lsLine : QCPGraph::lsNone);
     drawn.line->setScatterStyle(scatterOf(series.points, index, drawn.line->pen().color(), m_style));
-    if (series.role == SeriesRole::reference) drawn.line->setPen(QPen(m_style.text, 2.4));
     drawn.line->setBrush(series.isFilled ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
     drawn.line->setChannelFillGraph(series.isFilled ? drawn.upper : nullptr);
     if (!drawn.upper) return;
@@ -679,6 +709,38 @@ std::optional<std::size_t> FigureFrame::rowAt(QPointF place) const {
     return found;
 }
 
+FigureFrame::Target FigureFrame::targetAt(QPointF place) const {
+    constexpr double nearby = 9;  // [px]
+    Target target{.x = place.x()};
+    if (isEmpty()) return target;
+    double least = nearby;
+    const auto isNearer = [&](QPointF other) {
+        const QPointF way = pixelOf(other) - pixelOf(place);
+        const double distance = std::hypot(way.x(), way.y());
+        if (!(distance < least)) return false;
+        least = distance;
+        return true;
+    };
+    for (const FigureMark& mark : panelOf(0).marks) {
+        const QPointF at(mark.x * m_xUnit.factor, mark.y * m_yUnit.factor);
+        if (isNearer(at)) target = {at.x(), panelOf(0).series[panelOf(0).marked].target, true};
+    }
+    if (target.isMark) return target;
+    for (std::size_t i = 0; i < panelOf(0).series.size(); ++i) {
+        const FigureSeries& series = panelOf(0).series[i];
+        if (!series.target || !graph(0, i)->realVisibility()) continue;
+        const auto data = graph(0, i)->data();
+        const auto after = data->findBegin(place.x(), false);
+        if (after == data->constEnd()) continue;
+        const auto before = after == data->constBegin() ? after : std::prev(after);
+        const double width = after->key - before->key;
+        const double share = width > 0 ? (place.x() - before->key) / width : 0;
+        if (isNearer({place.x(), before->value + share * (after->value - before->value)}))
+            target.series = series.target;
+    }
+    return target;
+}
+
 KeyPlaces FigureFrame::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
@@ -686,7 +748,7 @@ KeyPlaces FigureFrame::keyPlaces() const {
     places.start = [this] { return here().place(); };
     places.marks = [this] {
         QVector<QPointF> marks;
-        if (!isEmpty() && !panelOf(0).series.empty() && graph()->visible())
+        if (!isEmpty() && !panelOf(0).series.empty() && graph(0, panelOf(0).marked)->visible())
             for (const FigureMark& mark : panelOf(0).marks)
                 marks.append({mark.x * m_xUnit.factor, mark.y * m_yUnit.factor});
         return marks;

@@ -48,6 +48,14 @@ class FigureFrame : public StudyFrame {
     QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
     /// The target of clicks in a rect; nullptr where a click sets nothing.
     const AxisTarget* targetIn(const QCPAxisRect* rect) const;
+    /// The mark, or the line with a target, that is nearest to a click in the first panel, within a few
+    /// pixels.
+    struct Target {
+        double x = 0;  ///< in the unit of the axis
+        std::optional<SeriesTarget> series = {};
+        bool isMark = false;
+    };
+    Target targetAt(QPointF place) const;
     /// Over the shown values of the first panel.
     const ShownUnit& xUnit() const { return m_xUnit; }
     const ShownUnit& yUnit() const { return m_yUnit; }

@@ -35,8 +35,9 @@ void expand(std::optional<QCPRange>& all, const QCPRange& more, bool isThere) {
 }  // namespace
 
 bool FigureFrame::hasPoints(const StudyPanel& panel) {
-    return std::ranges::any_of(panel.series,
-                               [](const auto& each) { return each.points != SeriesPoints::none; });
+    return std::ranges::any_of(panel.series, [](const auto& each) {
+        return each.points != SeriesPoints::none && each.points != SeriesPoints::rings;
+    });
 }
 
 void FigureFrame::setRanges() {
@@ -86,12 +87,16 @@ std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
             expand(values, upper, isThere);
         }
     for (const FigureLevel& level : m_shown.figure.levels)
-        if (level.row == panelOf(first).row)
+        if (level.row == panelOf(first).row && level.isInView)
             expand(values, QCPRange(level.y * yFactorOf(first), level.y * yFactorOf(first)), true);
-    if (first > 0) return values;
-    for (QCPGraph* run : runCurves()) {
+    for (QCPGraph* run : first > 0 ? QVector<QCPGraph*>() : runCurves()) {
         const QCPRange range = run->getValueRange(isThere);
         expand(values, range, isThere);
+    }
+    for (const FigureLevel& level : m_shown.figure.levels) {
+        if (level.row != panelOf(first).row || level.isInView || !values) continue;
+        const double y = level.y * yFactorOf(first);
+        if (values->expanded(QCPRange(y, y)).size() <= 2 * values->size()) values->expand(y);
     }
     return values;
 }
@@ -113,7 +118,9 @@ void FigureFrame::setValueRange(std::size_t first, std::optional<QCPRange> value
         const double from = zone->from * factor;
         if (shown.upper > from - share * size && shown.lower < from + share * size) shown.expand(from);
     }
-    left->setRange(shown.lower - 0.1 * size, shown.upper + 0.1 * size);
+    const bool hasNamesBelow =
+        std::ranges::any_of(panelOf(first).bands, [](const FigureBand& band) { return band.at.has_value(); });
+    left->setRange(shown.lower - (hasNamesBelow ? 0.18 : 0.1) * size, shown.upper + 0.1 * size);
 }
 
 }  // namespace drillwave

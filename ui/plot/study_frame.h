@@ -30,7 +30,10 @@ class StudyFrame : public QObject {
     void setHere(std::optional<double> x, std::optional<double> y) { m_here->setPlace(x, y); }
     /// Where pinned runs are and, of a plot that has them, their curves; in units of the axes.
     void setRuns(const QVector<RunMark>& marks, const QVector<RunCurve>& curves = {});
-    const QVector<RunMark>& runMarks() const { return m_runMarks->marks(); }
+    const QVector<RunMark>& runMarks() const {
+        static const QVector<RunMark> none;  // before the plot has runs
+        return m_runMarks ? m_runMarks->marks() : none;
+    }
     const QVector<QCPGraph*>& runCurves() const {
         static const QVector<QCPGraph*> none;  // before the plot has runs
         return m_runCurves ? m_runCurves->graphs() : none;

@@ -14,7 +14,6 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/curve/curve_page.h"
-#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/rock/rock_page.h"
@@ -26,6 +25,7 @@
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/curve_reading.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/run_marks.h"
@@ -545,8 +545,8 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
     CurvePage page(*m_document);
     show(page);
     present(page);
-    const auto& graphs = page.curvePlot()->runCurves();
-    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 2, patience);
+    const auto& graphs = page.figureFrame().runCurves();
     for (const int number : {0, 1}) {
         const QCPGraph* graph = graphs[number];
         QVERIFY(graph->dataCount() > 200);
@@ -564,7 +564,7 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
         QVERIFY(graph->valueAxis()->range().contains(values.lower));
         QVERIFY(graph->valueAxis()->range().contains(values.upper));
         // The mark of the run lies on its curve.
-        QVERIFY(isNear(page.curvePlot()->runMarks()[number].at.y(), run(number).blow->summary.cor));
+        QVERIFY(isNear(page.figureFrame().runMarks()[number].at.y(), run(number).blow->summary.cor));
     }
     // One line each: no more work than a family of as many.
     std::uint64_t solves = 0;
@@ -577,8 +577,8 @@ void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
     CurvePage page(*m_document);
     show(page);
     present(page);
-    const auto& graphs = page.curvePlot()->runCurves();
-    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 2, patience);
+    const auto& graphs = page.figureFrame().runCurves();
     const QPointer<QCPGraph> drawn = graphs[0];
     graphs[1]->setVisible(false);
     const auto answer = page.runLines().answers()->front();
@@ -612,7 +612,7 @@ void TestRunOverlays::outOfSightNoStiffnessIsStudied() {
     QCOMPARE(page.runLines().started(), 1);
     // Seen again it goes on.
     page.show();
-    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().size(), 1, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 1, patience);
 }
 
 // The slope of a scenario in groups is no stiffness.
@@ -623,7 +623,7 @@ void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
     CurvePage page(*m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 2, patience);
     QTRY_COMPARE_WITH_TIMEOUT(page.runLines().activity().state(), StudyState::finished, patience);
     QCOMPARE(page.runLines().answers()->size(), 2u);
 }
@@ -646,7 +646,7 @@ void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
     stiffness.resize(900, 600);
     stiffness.show();
     present(stiffness);
-    auto* curves = stiffness.findChild<CurvePlot*>();
+    const auto* curves = &stiffness.figureFrame();
     QTRY_COMPARE_WITH_TIMEOUT(curves->runMarks().size(), 2, patience);
     QVERIFY(isNear(curves->runMarks()[1].at.x(), 300));
     QCOMPARE(curves->runMarks()[1].at.y(), run(1).blow->summary.cor);

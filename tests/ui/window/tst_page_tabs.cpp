@@ -17,10 +17,10 @@
 #include "ui/job/study_status.h"
 #include "ui/pages/compare/compare_page.h"
 #include "ui/pages/curve/curve_page.h"
-#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/figure_page.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_notices.h"
@@ -357,8 +357,7 @@ void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
     QCOMPARE(range.stop, 9e-3);  // 4 v0 t0 = 8.5 mm
     QCOMPARE(stiffness.study().started(), 1);
     QTRY_COMPARE_WITH_TIMEOUT(stiffness.activity()->state(), StudyState::finished, 60'000);
-    const QVector<QCPGraph*>& graphs = stiffness.curvePlot()->graphs();
-    QTRY_VERIFY(!graphs.isEmpty() && graphs.first()->dataCount() > 100);
+    QTRY_VERIFY(stiffness.figure() && stiffness.figureFrame().graph()->dataCount() > 100);
 }
 
 // By the menu, by the scenario that takes its place, and by the keys, which pass it over.

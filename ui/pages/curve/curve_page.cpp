@@ -8,18 +8,20 @@
 
 #include "core/model/section_parameter.h"
 #include "core/numeric/available_threads.h"
+#include "core/report/curve_figure.h"
 #include "core/report/curve_report.h"
 #include "core/study/rows/study_plan.h"
 #include "ui/form/choice_box.h"
 #include "ui/job/output_text.h"
-#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/curve/goal_field.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/unfocused_wheel.h"
@@ -35,25 +37,32 @@ std::vector<StudyFamily> preferredFamilies() {
 /// Numbers of points that a curve of a drill string may have.
 constexpr int pointsOfCurve[] = {51, 101, 201, 401, 1001};
 
-CurvePageStudy solve(const CurvePageQuestion& question, const StudyFeed<CurvePageStudy>& feed) {
+ComparedCurve solve(const ComparedCurveQuestion& question, const StudyFeed<ComparedCurve>& feed) {
     constexpr double parts = 1000;
-    return studyCurvePage(
+    return studyComparedCurve(
         question, availableThreads(), feed.stop,
         [&](double done) {
             feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
         },
-        [&](const CurvePageStudy& soFar) { feed.show(soFar); });
+        [&](const ComparedCurve& soFar) { feed.show(soFar); });
+}
+
+std::optional<CurveStudy> solveRun(const CurveQuestion& question, const std::stop_token& stop) {
+    constexpr int jobs = 1;  // the others are left to the study of the scenario
+    CurveStudy study = studyComparedCurve({question}, jobs, stop).curve;
+    if (study.stopped) return std::nullopt;
+    return study;
 }
 
 }  // namespace
 
 CurvePage::CurvePage(Document& document, QWidget* parent)
-    : StudyPage(document, parent), m_study(solve), m_runLines(runLine) {
+    : StudyPage(document, parent), m_study(solve), m_runLines(solveRun) {
     PlotWidget* plot = arrange(makeControls());
-    m_plot = new CurvePlot(plot);
+    m_frame = new FigureFrame(plot);
     watch(m_study.job());
     watchBeside(m_runLines.activity());
-    useFrame(*m_plot, tr("A result over a parameter"));
+    useFrame(*m_frame, tr("A result over a parameter"));
     connect(plot, &PlotWidget::placeTaken, this, &CurvePage::click);
     connect(&document.units(), &UnitChoice::changed, this, &CurvePage::requestUpdate);
     connect(&document, &Document::scenarioChanged, this, &CurvePage::followForm);
@@ -215,7 +224,7 @@ StudyFamily CurvePage::askedFamily() const {
 CurvePage::Wish CurvePage::wish() const {
     const StudyRange& range = m_axis->range();
     if (!range.parameter) return {};
-    CurvePageQuestion asked;
+    ComparedCurveQuestion asked;
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
     curve.base.title.clear();
@@ -257,6 +266,7 @@ void CurvePage::ask() {
 // Shows the problem instead of the curves, none of which can be clicked or written then.
 void CurvePage::refuse(const QString& problem) {
     m_shown = {};
+    m_figure.reset();
     showNothing(problem);
 }
 
@@ -289,21 +299,27 @@ void CurvePage::present() {
 }
 
 void CurvePage::draw() {
-    const CurvePicture picture =
-        curvePicture(*m_shown.study, m_shown.units, *m_shown.xUnit, m_shown.here, m_shown.presets, QLocale());
-    m_plot->present(picture);
+    const LocalStyle style = LocalStyle::of(document().units());
+    m_figure = curveFigure(*m_shown.study, m_shown.here, m_shown.presets, style);
+    const std::vector<Message> sentences = curveSentences(*m_shown.study, m_shown.here, style);
+    m_figure->summary = sentences.front();
+    const bool isFirst = m_frame->isEmpty();
+    m_frame->present({*m_figure, {m_shown.units, [xUnit = m_shown.xUnit](const Parameter&) -> const Unit& {
+                                      return *xUnit;
+                                  }}});
+    if (isFirst) plot()->keyPoint().offer(m_frame->keyPlaces());
     m_shownRuns.reset();  // over another range or in other units
-    for (const QCPGraph* graph : m_plot->graphs())
-        plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit));
-    plot()->reader().setUsual(picture.marked < 0 ? nullptr : m_plot->graphs()[picture.marked]);
-    say(picture.summary);
+    m_frame->giveMeanings(*plot());
+    const bool isMarked = m_figure->panels.front().series.size() > m_figure->panels.front().marked;
+    plot()->reader().setUsual(isMarked ? m_frame->graph(0, m_figure->panels.front().marked) : nullptr);
+    say(translatedEach(sentences));
     redraw();
 }
 
 /// Uses the blow on show, which follows the hand.
 void CurvePage::showHere() {
     const Point here = pointOf(*blow());
-    m_plot->setHere(here.x, here.y);
+    m_frame->setHere(here.x, here.y);
 }
 
 // Along the range that is drawn, so that nothing is solved for a range that is passed by.
@@ -311,7 +327,7 @@ void CurvePage::askRuns() {
     std::vector<CurveQuestion> questions;
     for (const Run& run : runs()) {
         if (!run.isShown || !run.isSolved()) continue;
-        if (auto own = runLineQuestion(m_shown.study->question.curve, run.contents.scenario))
+        if (auto own = questionOfRun(m_shown.study->question.curve, run.contents.scenario))
             questions.push_back(std::move(*own));
     }
     m_runLines.ask(questions);
@@ -321,40 +337,41 @@ void CurvePage::showRuns() {
     if (m_shownRuns == runList() && m_shownLines == m_runLines.answers()) return;
     m_shownRuns = runList();
     m_shownLines = m_runLines.answers();
-    const CurvePicture& picture = m_plot->picture();
+    const CurveQuestion& asked = m_shown.study->question.curve;
     QVector<RunCurve> curves;
     QVector<RunMark> marks;
     for (const Run& run : runs()) {
         if (!run.isShown || !run.isSolved()) continue;
         const Point place = pointOf(*run.blow);
         if (place.x && place.y) marks.append({run.number, run.letter(), {*place.x, *place.y}});
-        const auto question = runLineQuestion(m_shown.study->question.curve, run.contents.scenario);
+        const auto question = questionOfRun(asked, run.contents.scenario);
         const CurveStudy* found = question ? m_runLines.find(*question) : nullptr;
         if (!found) continue;
-        GraphData points = linePoints(found->lines.front(), picture.x.factor, picture.valueFactor);
-        if (points) curves.append({run.number, run.title(), std::move(points)});
+        const FigureSeries series = curveSeries(found->lines.front(), asked);
+        QVector<QCPGraphData> points;
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+            points.append({series.x[i] * m_frame->xUnit().factor, series.y[i] * m_frame->yUnit().factor});
+        if (!points.isEmpty()) curves.append({run.number, run.title(), graphData(points)});
     }
-    m_plot->setRuns(marks, curves);
-    for (const QCPGraph* graph : m_plot->runCurves())
-        plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit));
+    m_frame->setRuns(marks, curves);
+    m_frame->giveMeanings(*plot());
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
 // Returns the place of a blow on the plot.
 CurvePage::Point CurvePage::pointOf(const SolvedBlow& blow) const {
-    const CurvePicture& picture = m_plot->picture();
-    if (!picture.output || !m_shown.study) return {};
+    if (!m_shown.study) return {};
     const CurveQuestion& asked = m_shown.study->question.curve;
+    const OutputColumn& column = asked.columns.front();
     const Parameter& along = *asked.along.parameter;
     if (!along.applies(blow.scenario)) return {};
-    const std::optional<double> x = along.value(blow.scenario);
-    std::optional<double> y;
-    if (blow.fault.isEmpty()) y = picture.output->value({blow.summary, blow.scenario});
-    const bool isSi = asked.columns.front().units == OutputUnits::si;
-    if (isSi && blow.scenario.form == ScenarioForm::dimensionless) return {};
-    if (y && isSi) y = *y * picture.output->scale(scalesOf(blow.scenario));
-    return {x ? std::optional(*x * picture.x.factor) : std::nullopt,
-            y ? std::optional(*y * picture.valueFactor) : std::nullopt};
+    if (column.units == OutputUnits::si && blow.scenario.form == ScenarioForm::dimensionless) return {};
+    Point point;
+    if (const std::optional<double> x = along.value(blow.scenario)) point.x = *x * m_frame->xUnit().factor;
+    if (!blow.fault.isEmpty()) return point;
+    if (const auto y = column.value({blow.summary, blow.scenario}, scalesOf(blow.scenario)))
+        point.y = curveOrdinate(asked, *y) * m_frame->yUnit().factor;
+    return point;
 }
 
 void CurvePage::showEvent(QShowEvent* event) {
@@ -367,12 +384,12 @@ QString CurvePage::obstacle() const {
 }
 
 QByteArray CurvePage::csv() const {
-    const CurvePageStudy* study = m_study.value();
+    const ComparedCurve* study = m_study.value();
     return study ? QByteArray::fromStdString(curveCsv(study->curve)) : QByteArray();
 }
 
 QStringList CurvePage::commandWords() const {
-    const std::optional<CurvePageQuestion> asked = wish().question;
+    const std::optional<ComparedCurveQuestion> asked = wish().question;
     if (!asked) return {};
     const QString along = fromView(axisText()), family = fromView(askedFamily().text());
     const CurveQuestion& curve = asked->curve;
@@ -407,16 +424,12 @@ QString CurvePage::command() const {
 
 void CurvePage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
     if ((modifiers & ~Qt::ShiftModifier) || !m_shown.study) return;
-    const CurvePlot::Target target = m_plot->targetAt(coordinates);
-    const CurvePicture& picture = m_plot->picture();
-    const CurveQuestion& asked = m_shown.study->question.curve;
+    const FigureFrame::Target target = m_frame->targetAt(coordinates);
     std::vector<ParameterValue> values;
-    if (target.line >= 0 && asked.family && !picture.lines[target.line].isHere)
-        values.push_back(
-            {asked.family->parameter,
-             *m_shown.study->curve.lines[std::size_t(picture.lines[target.line].number)].family});
-    values.push_back(
-        {asked.along.parameter, m_shown.xUnit->toSi(target.isMark ? target.x : readable(target.x))});
+    if (target.series && target.series->parameter)
+        values.push_back({target.series->parameter, target.series->value});
+    values.push_back({m_shown.study->question.curve.along.parameter,
+                      m_shown.xUnit->toSi(target.isMark ? target.x : readable(target.x))});
     take(values, modifiers);
 }
 

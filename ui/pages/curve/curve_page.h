@@ -5,10 +5,11 @@
 
 #include <map>
 
+#include "core/report/figure.h"
+#include "core/study/curve/compared_curve.h"
 #include "ui/document/preset_library.h"
 #include "ui/job/study_job.h"
-#include "ui/pages/curve/curve_study.h"
-#include "ui/pages/curve/run_lines.h"
+#include "ui/pages/study/run_studies.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/pages/study/study_range.h"
 #include "ui/text/shown_units.h"
@@ -22,7 +23,7 @@ namespace drillwave {
 class AxisFields;
 class FamilyFields;
 class OutputBox;
-class CurvePlot;
+class FigureFrame;
 class GoalField;
 
 /// A click loads the point under it, on a curve with the value of its family.
@@ -33,18 +34,20 @@ class CurvePage : public StudyPage {
     explicit CurvePage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override;
-    CurvePlot* curvePlot() const { return m_plot; }
+    FigureFrame& figureFrame() const { return *m_frame; }
+    /// Nothing before the first answer.
+    const std::optional<StudyFigure>& figure() const { return m_figure; }
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     GoalField* goal() const { return m_goal; }
-    const StudyRunner<CurvePageQuestion, CurvePageStudy>& study() const { return m_study; }
+    const StudyRunner<ComparedCurveQuestion, ComparedCurve>& study() const { return m_study; }
     /// Varies the gap, from none to a few times what the bit moves in a blow.
     void varyGap();
     /// Varies that parameter around its value, for a goal to be typed. Requires that it can be varied.
     void seek(const KeptParameter& parameter);
     QString command() const override;
-    const RunLines& runLines() const { return m_runLines; }
+    const RunStudies<CurveQuestion, CurveStudy>& runLines() const { return m_runLines; }
 
   protected:
     void ask() override;
@@ -57,12 +60,12 @@ class CurvePage : public StudyPage {
   private:
     /// State of the controls: a question, or why there is none. Neither before the first scenario.
     struct Wish {
-        std::optional<CurvePageQuestion> question;
+        std::optional<ComparedCurveQuestion> question;
         QString problem;
     };
     /// Contents of the picture.
     struct Shown {
-        std::shared_ptr<const CurvePageStudy> study;
+        std::shared_ptr<const ComparedCurve> study;
         ShownUnits units;
         const Unit* xUnit = nullptr;
         std::optional<double> here;  // of the family, in the present scenario
@@ -110,14 +113,15 @@ class CurvePage : public StudyPage {
     QComboBox* m_points;  // of a curve that is sampled
     QWidget* m_pointsPart = nullptr;
     bool m_isSampled = false;
-    CurvePlot* m_plot = nullptr;
+    FigureFrame* m_frame = nullptr;
+    std::optional<StudyFigure> m_figure;
     PresetLibrary m_presets;
     QString m_problem;  // why the controls give no curve
     Shown m_shown;
-    std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as drawn
+    std::shared_ptr<const RunStudies<CurveQuestion, CurveStudy>::Answers> m_shownLines;  // of runs, as drawn
     RunListPtr m_shownRuns;
-    StudyRunner<CurvePageQuestion, CurvePageStudy> m_study;  // goes first: its threads work
-    RunLines m_runLines;                                     // goes even before
+    StudyRunner<ComparedCurveQuestion, ComparedCurve> m_study;  // goes first: its threads work
+    RunStudies<CurveQuestion, CurveStudy> m_runLines;           // goes even before
 };
 
 }  // namespace drillwave

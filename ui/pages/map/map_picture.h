@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/model/preset_places.h"
 #include "core/report/map_report.h"
-#include "ui/pages/study/preset_places.h"
 #include "ui/plot/colour_scale.h"
 #include "ui/text/shown_units.h"
 

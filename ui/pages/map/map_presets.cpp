@@ -2,6 +2,7 @@
 #include "ui/pages/map/map_presets.h"
 
 #include "ui/pages/map/map_raster.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 
@@ -27,7 +28,7 @@ void MapPresets::add(const PresetPoint& preset, Qt::Alignment side, const MapPic
     mark->setStyle(QCPItemTracer::tsSquare);
     mark->setSize(7);
     auto* text = new QCPItemText(m_map->parentPlot());
-    text->setText(preset.name);
+    text->setText(translated(preset.name));
     text->setPositionAlignment(side);
     text->setPadding(QMargins(6, 4, 6, 4));
     for (QCPItemPosition* position : {mark->position, text->position}) {

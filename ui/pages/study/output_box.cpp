@@ -3,6 +3,8 @@
 
 #include <QSignalBlocker>
 
+#include "core/report/output_words.h"
+
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -50,9 +52,7 @@ void OutputBox::setOutput(const Output& output) {
 }
 
 QString outputName(const Output& output) {
-    if (output.name == "cor") return OutputBox::tr("COR e");
-    if (!output.label().empty()) return coreText(output.label());
-    return coreName(output.name);
+    return translated(outputMessage(output));
 }
 
 }  // namespace drillwave

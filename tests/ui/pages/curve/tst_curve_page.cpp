@@ -11,17 +11,18 @@
 #include <QTest>
 
 #include "core/model/section_parameter.h"
+#include "core/report/curve_figure.h"
 #include "core/report/curve_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/curve_page_fixture.h"
 #include "tests/support/page_words.h"
 #include "ui/pages/curve/curve_page.h"
-#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
 using namespace drillwave;
@@ -29,9 +30,9 @@ using namespace drillwave::test;
 
 namespace {
 
-QStringList namesOf(const QVector<PresetBand>& bands) {
+QStringList bandNames(const CurvePage& page) {
     QStringList names;
-    for (const PresetBand& band : bands) names << band.name;
+    for (const FigureBand& band : panelOf(page).bands) names << translated(band.name);
     return names;
 }
 
@@ -84,7 +85,7 @@ class TestCurvePage : public QObject, private CurvePageFixture {
     QByteArray outputOf(const QString& command, QByteArray* errors = nullptr);
     void showPage();
     const QCPGraph* graphOf(double family) const;
-    const CurvePageStudy& study() const { return *m_page->study().value(); }
+    const ComparedCurve& study() const { return *m_page->study().value(); }
 };
 
 void TestCurvePage::showPage() {
@@ -103,7 +104,7 @@ void TestCurvePage::theNumbersAreThoseOfTheStudy() {
         QVERIFY(study().curve.lines[line].outputs[0].features == direct.lines[line].outputs[0].features);
     }
     // dimensionless e is shown as it is
-    const QVector<QCPGraph*>& graphs = m_page->curvePlot()->graphs();
+    const QVector<QCPGraph*> graphs = graphsOf(*m_page);
     QVERIFY(graphs.size() >= int(direct.lines.size()));
     for (int i = 0; i < int(direct.lines.size()); ++i)
         for (int n = 0; n < graphs[i]->dataCount(); ++n)
@@ -159,12 +160,10 @@ void TestCurvePage::whereTheScenarioIsFollowsTheBlow() {
     showPage();
     m_document->assign(*findParameter("bit_rock.stiffness"), 2e8, m_document->newGesture());
     m_page->setResult(solved(*m_document));
-    const auto* here = m_page->curvePlot()->findChild<HereMark*>();
-    if (!here) here = m_page->plot()->findChild<HereMark*>();
+    const auto* here = m_page->plot()->findChild<HereMark*>();
     QVERIFY(here && here->x() && here->y());
     QVERIFY(std::abs(*here->x() - 200) < 1e-9);  // MN/m
-    const CurvePicture& picture = m_page->curvePlot()->picture();
-    const CurveLine& own = study().curve.lines[std::size_t(picture.markedLine()->number)];
+    const CurveLine& own = *markedLine(study().curve, m_document->scenario().bitRock.gamma);
     QVERIFY(std::abs(*here->y() - *own.value(2e8, 0)) < 1e-9);
 }
 
@@ -172,11 +171,7 @@ void TestCurvePage::aClickOnACurveIsOneUndoStep() {
     showPage();
     const QUndoStack& undo = m_document->undoStack();
     const int before = undo.count();
-    const CurvePlot* plot = m_page->curvePlot();
-    const QCPGraph* elastic = nullptr;
-    for (int i = 0; i < plot->graphs().size(); ++i)
-        if (plot->picture().lines[i].name.contains("1") && study().curve.lines[std::size_t(i)].family == 1.0)
-            elastic = plot->graphs()[i];
+    const QCPGraph* elastic = graphOf(1);
     QVERIFY(elastic);
     // by value: the click draws other curves
     const QCPGraphData point = *elastic->data()->at(elastic->dataCount() / 2);
@@ -199,10 +194,10 @@ void TestCurvePage::aClickOnACurveIsOneUndoStep() {
 void TestCurvePage::aClickNearAMarkTakesItsPlace() {
     openElastic();
     showPage();
-    const CurvePlot* plot = m_page->curvePlot();
     const CurveFeature* largest = study().curve.lines.back().outputs[0].extreme(CurveFeature::Kind::maximum);
     QVERIFY(largest);
-    const CurvePlot::Target target = plot->targetAt({largest->x.value * 1.002, largest->value.value});
+    const FigureFrame::Target target =
+        m_page->figureFrame().targetAt({largest->x.value * 1.002, largest->value.value});
     QCOMPARE(target.x, largest->x.value);
     emit m_page->plot()->placeTaken(nullptr, {largest->x.value * 1.002, largest->value.value},
                                     Qt::NoModifier);
@@ -215,7 +210,8 @@ void TestCurvePage::theScenarioHasItsOwnCurve() {
     showPage();
     QCOMPARE(study().curve.lines.size(), 5u);
     QCOMPARE(*study().curve.lines.back().family, 0.2);
-    QVERIFY(m_page->curvePlot()->picture().markedLine()->isHere);
+    const StudyPanel panel = panelOf(*m_page);
+    QCOMPARE(panel.series[panel.marked].stroke, SeriesStroke::wide);
     m_page->findChild<QCheckBox*>("own")->setChecked(false);
     finish();
     QCOMPARE(study().curve.lines.size(), 4u);
@@ -241,19 +237,19 @@ void TestCurvePage::referencesOfScenariosWithUnitsStandAtTheirStiffness() {
     showPage();
     m_page->findChild<QComboBox*>("reference")->setCurrentIndex(2);
     finish();
-    const auto& lines = m_page->curvePlot()->picture().lines;
-    const auto elastic = std::ranges::find_if(lines, [](const DrawnCurve& line) {
-        return line.kind == DrawnCurve::Kind::reference && line.number == 3;
+    const StudyPanel panel = panelOf(*m_page);
+    const auto elastic = std::ranges::find_if(panel.series, [](const FigureSeries& series) {
+        return series.stroke == SeriesStroke::dotted && static_cast<int>(series.role) == 3;
     });
-    QVERIFY(elastic != lines.end());
+    QVERIFY(elastic != panel.series.end());
     // the same rod without waves by its own scenario
     Scenario scenario = m_document->scenario();
     scenario.pulse.shape = PulseShape::rigidBody;
     scenario.bitRock.gamma = 1;
-    const auto point = elastic->points->at(elastic->points->size() / 2);
-    scenario.bitRock.stiffness = point->key * 1e6;
+    const std::size_t middle = elastic->x.size() / 2;
+    scenario.bitRock.stiffness = elastic->x[middle];
     const Blow blow = solveBlow(scenario, {}, Detail::cor);
-    QVERIFY(std::abs(blow.summary.cor - point->value) < 1e-9);
+    QVERIFY(std::abs(blow.summary.cor - elastic->y[middle]) < 1e-9);
 }
 
 void TestCurvePage::theClosedFormEndsWithItsDomain() {
@@ -261,9 +257,8 @@ void TestCurvePage::theClosedFormEndsWithItsDomain() {
     showPage();
     m_page->findChild<QCheckBox*>("closedForm")->setChecked(true);
     finish();
-    const auto isClosed = [](const DrawnCurve& line) { return line.kind == DrawnCurve::Kind::closedForm; };
-    const auto& lines = m_page->curvePlot()->picture().lines;
-    QCOMPARE(std::ranges::count_if(lines, isClosed), 1);  // only γ = 1
+    QCOMPARE(std::ranges::count(panelOf(*m_page).series, SeriesStroke::dashed, &FigureSeries::stroke),
+             1);  // only γ = 1
     const CurveLine& closed = study().closedForm->lines.back();
     const CurveLine& exact = study().curve.lines.back();
     QVERIFY(!closed.value(0.06, 0) && closed.value(1, 0));
@@ -273,17 +268,17 @@ void TestCurvePage::theClosedFormEndsWithItsDomain() {
 
 void TestCurvePage::presetsAreNamedWhereTheyLie() {
     showPage();
-    const CurvePicture& picture = m_page->curvePlot()->picture();
-    QVERIFY(picture.bands.size() >= 4);
-    QCOMPARE(picture.aboveName, QString("β"));
-    for (const PresetBand& band : picture.bands) {
-        QVERIFY(band.from <= band.at && band.at <= band.to && band.to < 1.2 * band.from);
+    const StudyPanel panel = panelOf(*m_page);
+    QVERIFY(panel.bands.size() >= 4);
+    QCOMPARE(translated(panel.top->title), QString("β"));
+    for (const FigureBand& band : panel.bands) {
+        QVERIFY(band.from <= *band.at && *band.at <= band.to && band.to < 1.2 * band.from);
         QVERIFY(!band.name.isEmpty());
     }
     openElastic();
     finish();
     m_page->setResult(solved(*m_document));
-    QVERIFY(m_page->curvePlot()->picture().bands.isEmpty());
+    QVERIFY(panelOf(*m_page).bands.empty());
 }
 
 void TestCurvePage::namesOfPresetsKeepOffEachOther_data() {
@@ -297,7 +292,7 @@ void TestCurvePage::namesOfPresetsKeepOffEachOther() {
     m_page->resize(width, 600);
     showPage();
     QCustomPlot* plot = m_page->plot();
-    const QStringList names = namesOf(m_page->curvePlot()->picture().bands);
+    const QStringList names = bandNames(*m_page);
     QVERIFY(names.size() >= 4);
     plot->replot();
     QVector<QRectF> taken;
@@ -331,19 +326,17 @@ void TestCurvePage::whatCannotBeStudiedIsSaid() {
     StudyFamily family{findParameter("beta"), {1, 2}};
     m_page->family()->setFamily(family);
     QTRY_VERIFY(pageWords(*m_page).contains("set the same thing"));
-    QCOMPARE(m_page->curvePlot()->graphs().size(), 0);
+    QCOMPARE(graphsOf(*m_page).size(), 0);
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     m_page->family()->setFamily({});
     finish();
-    QCOMPARE(m_page->curvePlot()->graphs().size(), 1);
+    QCOMPARE(graphsOf(*m_page).size(), 1);
 }
 
 const QCPGraph* TestCurvePage::graphOf(double family) const {
-    const CurvePlot& plot = *m_page->curvePlot();
-    for (int i = 0; i < plot.graphs().size(); ++i) {
-        const DrawnCurve& line = plot.picture().lines[i];
-        if (study().curve.lines[std::size_t(line.number)].family == family) return plot.graphs()[i];
-    }
+    const QVector<QCPGraph*> graphs = graphsOf(*m_page);
+    for (int i = 0; i < graphs.size(); ++i)
+        if (study().curve.lines[std::size_t(i)].family == family) return graphs[i];
     return nullptr;
 }
 
@@ -361,25 +354,25 @@ void TestCurvePage::aRangeThatCannotBeFollowedShowsNoCurve() {
     QFETCH(QString, problem);
     showPage();
     const StudyRange good = m_page->axis()->range();
-    const qsizetype curves = m_page->curvePlot()->graphs().size();
+    const qsizetype curves = graphsOf(*m_page).size();
     QVERIFY(curves > 1 && !m_page->command().isEmpty());
     m_page->axis()->setRange({good.parameter, start, stop, true});
     QVERIFY2(words().contains(problem), qPrintable(words()));
     const auto* message = m_page->plot()->findChild<PlotMessage*>();
     QVERIFY(message->item().visible() &&
             message->item().text().simplified().contains(problem.section(' ', 0, 1)));
-    QVERIFY(m_page->curvePlot()->graphs().isEmpty());
+    QVERIFY(graphsOf(*m_page).isEmpty());
     QVERIFY(m_page->command().isEmpty());
     for (const PageExport& each : m_page->exports()) QVERIFY(each.obstacle().contains(problem));
     // neither a blow nor a click brings the last curve back
     m_page->setResult(solved(*m_document));
     const int steps = m_document->undoStack().count();
     emit m_page->plot()->placeTaken(nullptr, {150, 1}, Qt::NoModifier);
-    QVERIFY(m_page->curvePlot()->graphs().isEmpty());
+    QVERIFY(graphsOf(*m_page).isEmpty());
     QCOMPARE(m_document->undoStack().count(), steps);
     QCOMPARE(m_page->study().started(), 1);
     m_page->axis()->setRange(good);
-    QCOMPARE(m_page->curvePlot()->graphs().size(), curves);
+    QCOMPARE(graphsOf(*m_page).size(), curves);
     QVERIFY(!message->item().visible() && !words().contains(problem));
     QCOMPARE(m_page->exports().first().obstacle(), QString());
     QCOMPARE(m_page->study().started(), 1);
@@ -389,7 +382,7 @@ void TestCurvePage::familiesOutOfRangeAreSaid() {
     showPage();
     m_page->family()->setFamily({findParameter("bit_rock.gamma"), {0.5, 2}});
     QVERIFY2(words().contains("must be in (0, 1]"), qPrintable(words()));
-    QVERIFY(m_page->curvePlot()->graphs().isEmpty());
+    QVERIFY(graphsOf(*m_page).isEmpty());
     QVERIFY(m_page->command().isEmpty());
     QCOMPARE(m_page->study().started(), 1);
 }
@@ -425,19 +418,18 @@ void TestCurvePage::otherUnitsAreShownWithoutAnotherStudy() {
     showPage();
     m_page->output()->setOutput(*findOutput("peak_force"));
     finish();
-    const CurvePicture& picture = m_page->curvePlot()->picture();
-    QCOMPARE(picture.value.unit, QString("kN"));
+    const auto unit = [this] { return m_page->figureFrame().yUnit().unit; };
+    QCOMPARE(unit(), QString("kN"));
     const double before = graphOf(0.1)->data()->at(10)->value;
     const auto restore = qScopeGuard([this] { m_document->units().choose(UnitSystem::si); });
     m_document->units().choose(UnitSystem::us);
     m_page->setResult(solved(*m_document, UnitSystem::us));
     QCOMPARE(m_page->study().started(), 2);
-    QVERIFY2(picture.value.unit.startsWith("klbf") || picture.value.unit.startsWith("kip") ||
-                 picture.value.unit.startsWith("lbf"),
-             qPrintable(picture.value.unit));
+    QVERIFY2(unit().startsWith("klbf") || unit().startsWith("kip") || unit().startsWith("lbf"),
+             qPrintable(unit()));
     const double inPounds = before * 1e3 / 4.4482216152605;
     const double shown = graphOf(0.1)->data()->at(10)->value;
-    const double factor = picture.value.unit.startsWith("lbf") ? 1 : 1e-3;
+    const double factor = unit().startsWith("lbf") ? 1 : 1e-3;
     QVERIFY(std::abs(shown / (inPounds * factor) - 1) < 1e-12);
 }
 
@@ -450,11 +442,10 @@ void TestCurvePage::aStudyBeforeItsBlowIsShownInItsOwnScales() {
                        m_document->newGesture());
     finish();
     QVERIFY(scalesOf(m_document->scenario()).force < 0.7 * scalesOf(before).force);
-    const CurvePicture& picture = m_page->curvePlot()->picture();
     const auto isInKilonewtons = [&] {
         const CurveLine& line = study().curve.lines[2];
         const QCPGraph* graph = graphOf(*line.family);
-        return picture.value.unit == "kN" &&
+        return m_page->figureFrame().yUnit().unit == "kN" &&
                std::abs(graph->data()->at(10)->value / (line.values[0][10] * 1e-3) - 1) < 1e-12;
     };
     QCOMPARE(study().question.curve.base.pulse.duration, 1.5 * before.pulse.duration);
@@ -477,12 +468,10 @@ void TestCurvePage::presetsAreReadAsThePageIsShown() {
     m_document->assign(*findParameter("rod.length"), 4, m_document->newGesture());
     finish();
     m_page->setResult(solved(*m_document));
-    const CurvePicture& picture = m_page->curvePlot()->picture();
-    QVERIFY(!namesOf(picture.bands).join(' ').contains("my own rock"));
+    QVERIFY(!bandNames(*m_page).join(' ').contains("my own rock"));
     m_page->hide();
     m_page->show();
-    QVERIFY2(namesOf(picture.bands).join(' ').contains("my own rock"),
-             qPrintable(namesOf(picture.bands).join(", ")));
+    QVERIFY2(bandNames(*m_page).join(' ').contains("my own rock"), qPrintable(bandNames(*m_page).join(", ")));
     QCOMPARE(m_page->study().started(), 2);
 }
 
@@ -526,7 +515,7 @@ void TestCurvePage::aStringIsAskedForItsEfficiencyOverTheRock() {
     for (const char* ofRods : {"reference", "closedForm"})
         QVERIFY2(m_page->findChild<QWidget*>(QLatin1String(ofRods))->isHidden(), ofRods);
     QVERIFY2(words().contains(QStringLiteral("101 points")), qPrintable(words()));
-    QVERIFY(!namesOf(m_page->curvePlot()->picture().bands).isEmpty());  // rocks
+    QVERIFY(!bandNames(*m_page).isEmpty());  // rocks
     const auto* here = m_page->plot()->findChild<HereMark*>();
     QVERIFY(here && here->y() && std::abs(*here->y() - 0.316509329228) < 1e-7);
 }
@@ -616,7 +605,7 @@ void TestCurvePage::aPinnedRodIsLaidOverAString() {
     runs->push_back(rod);
     m_page->setRuns(runs);
     showPage();
-    QTRY_COMPARE(m_page->curvePlot()->runCurves().size(), 1);
+    QTRY_COMPARE(m_page->figureFrame().runCurves().size(), 1);
 }
 
 void TestCurvePage::theFormOfTheScenarioIsFollowedBack() {

@@ -8,12 +8,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/report/curve_figure.h"
 #include "core/yaml/examples.h"
 #include "tests/support/curve_page_fixture.h"
 #include "tests/support/lossless_string.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/curve/curve_page.h"
-#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/curve/goal_field.h"
 #include "ui/pages/string/string_model.h"
 #include "ui/pages/string/string_page.h"
@@ -27,10 +27,10 @@ using namespace drillwave::test;
 
 namespace {
 
-QVector<CurveMark> goalMarks(const CurvePage& page) {
-    QVector<CurveMark> found;
-    for (const CurveMark& mark : page.curvePlot()->picture().marks)
-        if (mark.kind == CurveMark::Kind::goal) found.append(mark);
+std::vector<FigureMark> goalMarks(const CurvePage& page) {
+    std::vector<FigureMark> found;
+    for (const FigureMark& mark : panelOf(page).marks)
+        if (mark.kind == MarkKind::goal) found.push_back(mark);
     return found;
 }
 
@@ -75,30 +75,31 @@ void TestGoalPage::type(const QString& goal) {
 }
 
 const GoalAnswer& TestGoalPage::answer() const {
-    const int line = m_page->curvePlot()->picture().markedLine()->number;
-    return *m_page->study().value()->curve.lines[std::size_t(line)].goal;
+    const Scenario& scenario = m_document->scenario();
+    const double gamma = hasUnits(scenario) ? scenario.bitRock.gamma : scenario.groups.gamma;
+    return *markedLine(m_page->study().value()->curve, gamma)->goal;
 }
 
 // The elastic curve of theory §7 has its largest e, 1.41407, at β = 0.29983.
 void TestGoalPage::everyPlaceOfTheGoalIsMarked() {
     openElastic();
     showPage();
-    QVERIFY(goalMarks(*m_page).isEmpty() && !m_page->curvePlot()->picture().goal);
+    QVERIFY(goalMarks(*m_page).empty());
     type(QStringLiteral("1.3"));
     QCOMPARE(asked().goal, std::optional(1.3));
-    const QVector<CurveMark> marks = goalMarks(*m_page);
-    QCOMPARE(std::size_t(marks.size()), answer().places.size());
+    const std::vector<FigureMark> marks = goalMarks(*m_page);
+    QCOMPARE(marks.size(), answer().places.size());
     QVERIFY(marks.size() >= 2);
-    for (int i = 0; i < marks.size(); ++i) {
-        QCOMPARE(marks[i].at.x(), answer().places[std::size_t(i)].x.value);
-        QCOMPARE(marks[i].at.y(), 1.3);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        QCOMPARE(marks[i].x, answer().places[i].x.value);
+        QCOMPARE(marks[i].y, 1.3);
     }
-    QCOMPARE(m_page->curvePlot()->picture().goal, std::optional(1.3));
+    QCOMPARE(m_page->figure()->levels.back().y, 1.3);
     QVERIFY2(words().contains(QStringLiteral("COR e = 1.3 at ")) &&
                  words().contains(QStringLiteral("nowhere else")),
              qPrintable(words()));
     type(QString());
-    QVERIFY(!asked().goal && goalMarks(*m_page).isEmpty());
+    QVERIFY(!asked().goal && goalMarks(*m_page).empty());
 }
 
 void TestGoalPage::aClickTakesTheValueInOneStep() {
@@ -121,7 +122,7 @@ void TestGoalPage::whatNothingGivesIsToldWithTheNearest() {
     openElastic();
     showPage();
     type(QStringLiteral("2"));
-    QVERIFY(goalMarks(*m_page).isEmpty());
+    QVERIFY(goalMarks(*m_page).empty());
     QVERIFY2(words().contains(QStringLiteral(" gives COR e = 2: the nearest is 1.4141")),
              qPrintable(words()));
 }
@@ -156,7 +157,7 @@ void TestGoalPage::theGoalFollowsTheUnits() {
     finish();
     type(QStringLiteral("240 kN"));
     QCOMPARE(asked().goal, std::optional(240e3));
-    QVERIFY(std::abs(*m_page->curvePlot()->picture().goal - 240) < 1e-9);
+    QVERIFY(std::abs(m_page->figure()->levels.back().y * m_page->figureFrame().yUnit().factor - 240) < 1e-9);
     type(QStringLiteral("250"));  // in the unit on show
     QCOMPARE(asked().goal, std::optional(250e3));
     m_document->units().choose(UnitSystem::us);
@@ -227,7 +228,7 @@ void TestGoalPage::placesBetweenPointsOfAStringAreSolvedFor() {
     // The manual's value of the scenario, which is a point of the range: half a thousandth below it.
     type(QStringLiteral("0.501"));
     QVERIFY(answer().isReached() && !answer().isComplete);
-    QVERIFY(!goalMarks(*m_page).isEmpty());
+    QVERIFY(!goalMarks(*m_page).empty());
     QVERIFY2(words().contains(QStringLiteral("perhaps elsewhere")), qPrintable(words()));
     for (const GoalPlace& place : answer().places) {
         QCOMPARE(place.kind, GoalPlace::Kind::crossing);

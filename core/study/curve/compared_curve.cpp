@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/curve/curve_study.h"
+#include "core/study/curve/compared_curve.h"
 
 #include <utility>
 
 #include "core/model/assignments.h"
 #include "core/model/scales.h"
+#include "core/study/rows/study_plan.h"
 
 namespace drillwave {
 namespace {
@@ -22,7 +23,7 @@ SweepAxis inGroups(SweepAxis axis, std::string_view group, double unit) {
 }
 
 /// Takes only the groups, on which alone e depends.
-CurveQuestion referenceOf(const CurvePageQuestion& question) {
+CurveQuestion referenceOf(const ComparedCurveQuestion& question) {
     CurveQuestion reference = question.curve;
     const Groups groups = groupsOf(question.curve.base);
     reference.base = {};
@@ -50,9 +51,9 @@ CurveQuestion closedFormOf(const CurveQuestion& question) {
     return closed;
 }
 
-CurvePageStudy sampleCurvePage(const CurvePageQuestion& question, int jobs, std::stop_token stop,
-                               const CurveProgress& progress, const CurvePagePreview& preview) {
-    const auto studyOf = [&](CurveStudy curve) { return CurvePageStudy{question, std::move(curve), {}, {}}; };
+ComparedCurve sampleComparedCurve(const ComparedCurveQuestion& question, int jobs, std::stop_token stop,
+                                  const CurveProgress& progress, const ComparedCurvePreview& preview) {
+    const auto studyOf = [&](CurveStudy curve) { return ComparedCurve{question, std::move(curve), {}, {}}; };
     SampledProgress told;
     if (progress) told.tell = [&](std::size_t done, std::size_t of) { progress(double(done) / double(of)); };
     if (preview) told.show = [&](CurveStudy soFar) { preview(studyOf(std::move(soFar))); };
@@ -65,7 +66,7 @@ bool isGamma(const SweepAxis& axis) {
 
 }  // namespace
 
-bool CurvePageQuestion::hasReference() const {
+bool ComparedCurveQuestion::hasReference() const {
     const std::string_view along = curve.along.key();
     return (along == "beta" || along == "bit_rock.stiffness") && (!curve.family || isGamma(*curve.family)) &&
            curve.columns.front().output->name == "cor";
@@ -76,22 +77,38 @@ void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
     if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
 }
 
-std::vector<Message> problemsOf(const CurvePageQuestion& question) {
+std::vector<Message> problemsOf(const ComparedCurveQuestion& question) {
     return question.isSampled() ? sampledProblemsOf(question.curve) : problemsOf(question.curve);
 }
 
-CurvePageStudy studyCurvePage(const CurvePageQuestion& question, int jobs, std::stop_token stop,
-                              const CurveProgress& progress, const CurvePagePreview& preview) {
-    if (question.isSampled()) return sampleCurvePage(question, jobs, std::move(stop), progress, preview);
+std::optional<CurveQuestion> questionOfRun(const CurveQuestion& asked, const Scenario& run) {
+    const bool isSi = asked.columns.front().units == OutputUnits::si;
+    if (isSi && run.form == ScenarioForm::dimensionless) return std::nullopt;
+    if (!asked.along.parameter->applies(run)) return std::nullopt;
+    CurveQuestion question = asked;
+    question.base = run;
+    question.base.title.clear();
+    question.family.reset();
+    question.levels.clear();  // nothing is marked on it
+    question.goal.reset();
+    takeOut(question.base, *question.along.parameter, question.along.start);
+    const std::optional<std::uint64_t> points = studyPlan(run).curvePoints;
+    if (points && !studyPlan(asked.base).curvePoints) question.along.count = *points;
+    return problemsOf(ComparedCurveQuestion{question}).empty() ? std::optional(question) : std::nullopt;
+}
+
+ComparedCurve studyComparedCurve(const ComparedCurveQuestion& question, int jobs, std::stop_token stop,
+                                 const CurveProgress& progress, const ComparedCurvePreview& preview) {
+    if (question.isSampled()) return sampleComparedCurve(question, jobs, std::move(stop), progress, preview);
     const auto part = [&](double before, double share) {
         return [&progress, before, share](double done) {
             if (progress) progress(before + share * done);
         };
     };
-    CurvePageStudy study{.question = question,
-                         .curve = studyCurve(question.curve, jobs, stop, part(0, shareOfCurve)),
-                         .reference = {},
-                         .closedForm = {}};
+    ComparedCurve study{.question = question,
+                        .curve = studyCurve(question.curve, jobs, stop, part(0, shareOfCurve)),
+                        .reference = {},
+                        .closedForm = {}};
     constexpr double shareOfRest = (1 - shareOfCurve) / 2;
     if (question.reference != ReferenceScale::none && question.hasReference())
         if (const CurveQuestion asked = referenceOf(question); problemsOf(asked).empty())

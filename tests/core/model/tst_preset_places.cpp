@@ -2,8 +2,8 @@
 // Presets along an axis and in a map.
 #include <QTest>
 
+#include "core/model/preset_places.h"
 #include "core/model/scales.h"
-#include "ui/pages/study/preset_places.h"
 
 using namespace drillwave;
 
@@ -40,14 +40,15 @@ class TestPresetPlaces : public QObject {
 void TestPresetPlaces::theyAscendAndShareAPlace() {
     const auto places = presetPlaces(rocks, *findParameter("bit_rock.stiffness"), Scenario());
     QCOMPARE(places.size(), std::size_t{2});
-    QCOMPARE(places[0], (PresetPlace{QStringLiteral("soft, weak"), 5e7}));
-    QCOMPARE(places[1], (PresetPlace{QStringLiteral("hard"), 5e8}));
+    QCOMPARE(places[0].name.text(), "soft, weak");
+    QCOMPARE(places[0].si, 5e7);
+    QCOMPARE(places[1], (PresetPlace{Message::ofTable("hard"), 5e8}));
 
     std::vector<Preset> many(4, rocks.front());
     for (std::size_t i = 0; i < many.size(); ++i) many[i].name = std::string(1, static_cast<char>('a' + i));
     const auto one = presetPlaces(many, *findParameter("bit_rock.stiffness"), Scenario());
     QCOMPARE(one.size(), std::size_t{1});
-    QCOMPARE(one[0].name, QStringLiteral("a, b, …"));
+    QCOMPARE(one[0].name.text(), "a, b, …");
 }
 
 void TestPresetPlaces::aGroupHasThePlaceOfWhatItMoves() {
@@ -67,7 +68,7 @@ void TestPresetPlaces::inAMapTheyArePointsOfBoth() {
     const auto points = presetPoints(rocks, *findParameter("bit_rock.gamma"),
                                      *findParameter("bit_rock.stiffness"), Scenario());
     QCOMPARE(points.size(), std::size_t{3});
-    QCOMPARE(points[2], (PresetPoint{QStringLiteral("weak"), 0.3, 5e7}));
+    QCOMPARE(points[2], (PresetPoint{Message::ofTable("weak"), 0.3, 5e7}));
 }
 
 void TestPresetPlaces::withoutUnitsThereAreNone() {
@@ -87,5 +88,5 @@ void TestPresetPlaces::onAnotherLoadingCurveTheyAreOtherRocks() {
     QCOMPARE(presetPlaces(layered, *findParameter("bit_rock.stiffness"), scenario).size(), std::size_t{1});
 }
 
-QTEST_MAIN(TestPresetPlaces)
+QTEST_GUILESS_MAIN(TestPresetPlaces)
 #include "tst_preset_places.moc"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/study/preset_places.h"
+#include "core/model/preset_places.h"
 
 #include <algorithm>
 #include <optional>
 
 #include "core/model/assignments.h"
 #include "core/model/validation.h"
-#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -16,7 +15,7 @@ constexpr int mostNames = 2;
 
 bool sets(const Preset& preset, const Parameter& parameter) {
     return std::ranges::any_of(preset.values, [&](const PresetValue& value) {
-        return areRivals(value.parameter->key, parameter.key);
+        return drillwave::areRivals(value.parameter->key, parameter.key);
     });
 }
 
@@ -41,22 +40,22 @@ std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Par
         if (!sets(preset, parameter)) continue;
         const std::optional<Scenario> with = taken(preset, scenario);
         if (!with || !parameter.applies(*with)) continue;
-        if (const auto si = parameter.value(*with)) places.push_back({coreText(preset.name), *si});
+        if (const auto si = parameter.value(*with)) places.push_back({Message::ofTable(preset.name), *si});
     }
     std::ranges::stable_sort(places, {}, &PresetPlace::si);
-    std::vector<PresetPlace> joined;
+    std::vector<PresetPlace> together;
     int names = 0;  // of the last one
     for (PresetPlace& place : places) {
-        const bool isNew = joined.empty() || joined.back().si != place.si;
+        const bool isNew = together.empty() || together.back().si != place.si;
         names = isNew ? 1 : names + 1;
         if (isNew)
-            joined.push_back(std::move(place));
+            together.push_back(std::move(place));
         else if (names <= mostNames)
-            joined.back().name += QStringLiteral(", ") + place.name;
+            together.back().name = joined(together.back().name, "%1, %2", place.name);
         else if (names == mostNames + 1)
-            joined.back().name += QStringLiteral(", …");
+            together.back().name = {"%1, …", {together.back().name}};
     }
-    return joined;
+    return together;
 }
 
 std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Parameter& x, const Parameter& y,
@@ -67,7 +66,7 @@ std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Par
         const std::optional<Scenario> with = taken(preset, scenario);
         if (!with || !x.applies(*with) || !y.applies(*with)) continue;
         const auto atX = x.value(*with), atY = y.value(*with);
-        if (atX && atY) points.push_back({coreText(preset.name), *atX, *atY});
+        if (atX && atY) points.push_back({Message::ofTable(preset.name), *atX, *atY});
     }
     return points;
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where presets lie along what a study varies.
+// Values of presets along a parameter that a study varies.
 #pragma once
 
-#include <QString>
 #include <span>
 #include <vector>
 
 #include "core/model/preset.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// A preset's value of a parameter in a scenario.
 struct PresetPlace {
-    QString name;   ///< of the preset
+    Message name;   ///< of the preset
     double si = 0;  ///< the value of the parameter with the preset taken
     bool operator==(const PresetPlace&) const = default;
 };
@@ -25,7 +25,7 @@ std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Par
 
 /// A preset as a point of a map.
 struct PresetPoint {
-    QString name;
+    Message name;
     double x = 0;  ///< SI
     double y = 0;  ///< SI
     bool operator==(const PresetPoint&) const = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Study of the page Curve: an output along a parameter, and the curves to compare it with.
+// An output along a parameter, with the curves to compare it with.
 #pragma once
 
 #include <functional>
@@ -19,11 +19,11 @@ enum class ReferenceScale {
     byPulse,    ///< in k0 = Z/t0, as everything else
 };
 
-struct CurvePageQuestion {
+struct ComparedCurveQuestion {
     CurveQuestion curve;
     ReferenceScale reference = ReferenceScale::none;
     bool closedForm = false;  ///< where it holds
-    bool operator==(const CurvePageQuestion&) const = default;
+    bool operator==(const ComparedCurveQuestion&) const = default;
 
     /// Whether it cannot be followed: its curve is solved at CurveQuestion::along.count points.
     bool isSampled() const { return studyPlan(curve.base).curvePoints.has_value(); }
@@ -31,8 +31,8 @@ struct CurvePageQuestion {
     bool hasReference() const;
 };
 
-struct CurvePageStudy {
-    CurvePageQuestion question;
+struct ComparedCurve {
+    ComparedCurveQuestion question;
     CurveStudy curve;
     /// e along β for the same family; β is k over the k0 of the ReferenceScale.
     std::optional<CurveStudy> reference;
@@ -43,14 +43,19 @@ struct CurvePageStudy {
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
 /// Returns the reasons why a question cannot be studied; empty when it can.
-std::vector<Message> problemsOf(const CurvePageQuestion& question);
+std::vector<Message> problemsOf(const ComparedCurveQuestion& question);
 
 /// Receives a growing curve as it is so far.
-using CurvePagePreview = std::function<void(const CurvePageStudy& soFar)>;
+using ComparedCurvePreview = std::function<void(const ComparedCurve& soFar)>;
+
+/// Returns the same question about the scenario of a pinned run: one line, for the run's own value of the
+/// family, without levels and goal. Nothing if the run lacks the parameter or the output.
+std::optional<CurveQuestion> questionOfRun(const CurveQuestion& question, const Scenario& run);
 
 /// The curve is that of studyCurve(), or of sampleCurve() where it is sampled, bit for bit. Requires
 /// problemsOf() to be empty.
-CurvePageStudy studyCurvePage(const CurvePageQuestion& question, int jobs, std::stop_token stop = {},
-                              const CurveProgress& progress = {}, const CurvePagePreview& preview = {});
+ComparedCurve studyComparedCurve(const ComparedCurveQuestion& question, int jobs, std::stop_token stop = {},
+                                 const CurveProgress& progress = {},
+                                 const ComparedCurvePreview& preview = {});
 
 }  // namespace drillwave
