@@ -28,10 +28,10 @@ struct KeptRun {
     ScenarioDocument contents;  ///< scenario of the run; its `text` is the file byte for byte
     bool isShown = true;        ///< whether its curves are drawn in the plots
     bool isReference = false;   ///< whether it is the run with which others are compared
-    /// its coefficient of restitution; if solving again gives another one, the table of its hammer force has
-    /// changed
+    /// Coefficient of restitution of the run. If solving again gives another one, the table of its hammer
+    /// force has changed.
     std::optional<double> cor;
-    /// version of the program that solved it; empty if the index does not give it
+    /// Version of the program that solved it; empty if the index does not give it.
     std::string version = {};
 };
 
@@ -39,7 +39,7 @@ struct KeptRun {
 struct KeptRuns {
     std::vector<KeptRun> runs;
     std::vector<std::string> problems;  ///< messages on runs that could not be read, one line each
-    /// numbers of runs whose files exist but are not among `runs`, so that they must not be overwritten
+    /// Numbers of runs whose files exist but are not among `runs`. These files must not be overwritten.
     std::vector<int> foreign;
 };
 
@@ -56,8 +56,8 @@ KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath);
 
 // Folder of kept runs, and which of its files this program has written.
 
-/// Folder of kept runs. Files that were read or written here are known as long as their bytes do not change;
-/// any other file with a name of a run is foreign. Copies may be used on another thread.
+/// Folder of kept runs. It knows the files that it has read or written, as long as their bytes do not change.
+/// Any other file with the name of a run is foreign. Copies may be used on another thread.
 class RunsFolder {
   public:
     RunsFolder() = default;
@@ -65,22 +65,24 @@ class RunsFolder {
 
     /// Returns the path of the folder; empty without a scenario file.
     const std::string& path() const { return m_path; }
-    /// Marks the files with these names as known, with their present contents on the disk.
+    /// Marks the files with these names as known, with their present contents on the disk, so that they may
+    /// be replaced.
     void adopt(const std::vector<NamedFile>& named);
     bool hasFiles() const { return !m_files.empty(); }
-    /// Returns whether these are the known files, with the same names and bytes. Does not read the disk.
+    /// Returns whether these are exactly the files read or written here, with the same names and bytes. Does
+    /// not read the disk.
     bool holds(const std::vector<NamedFile>& files) const;
-    /// Returns the path of the first foreign file that writing these files would replace or remove; empty if
-    /// there is none.
+    /// Returns the path of the first foreign file, neither read nor written here, that writing these files
+    /// would replace or remove. Empty if there is none.
     std::string foreignFile(const std::vector<NamedFile>& files) const;
-    /// Returns the numbers of runs whose files exist but are not known here.
+    /// Returns the numbers of runs whose files exist but were not read or written here.
     std::vector<int> foreignNumbers() const;
 
-    /// Writes the files, the index last, all or none, and removes known files that are not among them.
-    /// Foreign files are replaced only with ExistingFiles::replaced. Returns an empty message when done, else
-    /// the reason. Waits for the disk.
+    /// Writes the files, the index last, all or none, and removes files of earlier runs that are not among
+    /// them. Files that others have put there are replaced only with ExistingFiles::replaced. Returns an
+    /// empty message when done, else the reason. Waits for the disk.
     Message write(const std::vector<NamedFile>& files, ExistingFiles existing);
-    /// Removes the known files, and the folder if nothing else is in it.
+    /// Removes the files read or written here that have not changed, and the folder if nothing else is in it.
     void remove();
 
   private:
@@ -89,7 +91,7 @@ class RunsFolder {
     std::vector<NamedFile> unwritten(const std::vector<NamedFile>& files) const;
 
     std::string m_path;
-    std::vector<NamedFile> m_files;  // known files, with their contents
+    std::vector<NamedFile> m_files;  // files read or written here, with their contents
 };
 
 }  // namespace drillwave

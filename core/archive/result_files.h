@@ -28,7 +28,7 @@ inline constexpr std::string_view reportMark = "Drillwave report";
 /// Order for pictures of one subject.
 struct PictureOrder {
     std::string stem;                  ///< beginning of their file names: "t38" for t38.png
-    std::vector<std::string> formats;  ///< formats, from pictureFormats
+    std::vector<std::string> formats;  ///< picture formats, such as "png", from pictureFormats
     std::stop_token stop;              ///< request to stop, checked between two pictures
     std::string mark = "Drillwave";    ///< creator that is written into the properties of the pictures
 };

@@ -31,10 +31,10 @@ struct ScenarioInput {
 /// Returns whether a path is that of a CSV file ("….csv", in any capitals).
 bool isCsvName(std::string_view path);
 
-/// Returns the scenario in a text of any kind. This may be a scenario file, the JSON output of a command, the
-/// record next to a CSV file of rows, a CSV file with the scenario in "#" lines, or an HTML report. A byte
-/// order mark at the beginning is skipped. `source` names the text in messages; if it ends in ".csv", ".json"
-/// or ".html", the text must be a result. Throws ScenarioError.
+/// Returns the scenario in a text of any kind: a scenario file, the JSON output of a command, the record next
+/// to a CSV file of rows, a CSV file with the scenario in "#" lines, or an HTML report. Skips a byte order
+/// mark. The name of the text in messages is `source`; if it ends in ".csv", ".json" or ".html", the text
+/// must be a result. Throws ScenarioError.
 ScenarioInput parseInput(std::string_view text, const std::string& source);
 
 /// Returns the scenario in a file of any kind, such as a scenario file, JSON, CSV or HTML. Reads at most

@@ -30,11 +30,11 @@ struct RecordedAxis {
 
 /// Contents of a record of rows, except the version of the program.
 struct RowRecord {
-    std::string command;                 ///< command that gives the same rows
+    std::string command;                 ///< command line that gives the same rows again
     std::optional<MethodChoice> method;  ///< method of solution; empty for studies with only one method
     std::uint64_t rows = 0;
     std::optional<std::uint64_t> unsolved = {};  ///< number of rows without a result; nullopt if not counted
-    /// size and checksum of the file of rows; nullopt until it is written
+    /// Size and checksum of the file of rows; nullopt until it is written.
     std::optional<FileSum> file = {};
     Shard shard;
     std::vector<RecordedAxis> axes;  ///< axes of a sweep; empty for a table
@@ -44,11 +44,12 @@ struct RowRecord {
     std::string scenario;              ///< complete scenario as YAML
 };
 
-/// Returns the text of a record: recordEntries(), and their checksum in the last line.
+/// Returns the text of the record next to a file of rows: recordEntries(), and their checksum in the last
+/// line.
 std::string recordText(const RowRecord& record);
 
-/// Returns the lines of a record without the checksum. They contain the scenario as text, where parseInput()
-/// finds it.
+/// Returns the lines of the record next to a file of rows, without the checksum. They contain the scenario as
+/// text, where parseInput() finds it.
 std::string recordEntries(const RowRecord& record);
 
 /// Returns the lines "bytes: 123" and "crc32: 0a1b2c3d" for a size and checksum, with `prefix` before both
@@ -58,11 +59,11 @@ std::string sumLines(std::string_view prefix, const FileSum& sum);
 /// Key of the last line of a record, which is the checksum of all lines before it.
 inline constexpr std::string_view recordChecksumKey = "record_crc32";
 
-/// Returns the entries of a record with their checksum as the last line.
+/// Returns the entries of a record of rows with their checksum as the last line.
 std::string sealed(std::string entries);
 
-/// Returns the entries of a record without the checksum; nullopt if it is missing or does not match the
-/// entries.
+/// Returns the entries of a record of rows without the checksum line; nullopt if it is missing or does not
+/// match the entries.
 std::optional<std::string_view> unsealed(std::string_view record);
 
 // Part of the rows of a run that was divided, as its record describes it.
@@ -70,7 +71,7 @@ std::optional<std::string_view> unsealed(std::string_view record);
 /// Contents of the record of one part of the rows.
 struct RowPart {
     std::string file;     ///< path of the file of rows
-    std::string command;  ///< command that gives the part, including its option --shard
+    std::string command;  ///< command line that gives this part of the rows, including its option --shard
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;  ///< number of rows without a result
     FileSum sum;                 ///< size and checksum of the file of rows

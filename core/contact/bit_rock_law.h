@@ -11,7 +11,8 @@ namespace drillwave {
 
 /// Corner of the loading curve of the bit–rock law: above this force the curve has another slope.
 struct LawCorner {
-    double force = 0;  ///< force F_j at the corner [F0]; > 0, and not less than that of the previous corner
+    /// force F_j at the corner, in units of F0; > 0, and not less than that of the previous corner
+    double force = 0;
     double slope = 1;  ///< slope above the corner as a multiple s_j of β; 0 < s_j ≤ 1/γ
     bool operator==(const LawCorner&) const = default;
 };
@@ -20,8 +21,8 @@ struct LawCorner {
 /// s_j β. Below the largest force so far the force falls and rises with the slope β/γ. Without corners the
 /// law is bilinear.
 struct BitRockLaw {
-    double beta = 0.5;  ///< stiffness of loading β = k t0/Z [Z/t0]; > 0
-    /// elasticity γ = loading/unloading stiffness, 0 < γ ≤ 1; a rock with 1 is elastic
+    double beta = 0.5;  ///< stiffness of loading β = k t0/Z > 0, in units of k0 = Z/t0
+    /// Elasticity γ = loading/unloading stiffness, 0 < γ ≤ 1; a rock with 1 is elastic.
     double gamma = 1;
     double firstSlope = 1;  ///< slope s_0 of the first line as a multiple of β; 0 < s_0 ≤ 1/γ
     std::vector<LawCorner> corners = {};  ///< corners with increasing forces, at most mostLawCorners

@@ -18,8 +18,8 @@ inline constexpr double lawUnitOfPenetration = 0.5;
 
 /// Line of the bit–rock law on which the contact force changes.
 enum class ContactLine {
-    apart,    ///< no contact, and no force
-    primary,  ///< first loading, with the slope β, or s_j β above corner j
+    apart,    ///< bit and rock are apart, the force is zero
+    primary,  ///< first loading of the rock, with the slope β, or s_j β above corner j of the loading curve
     elastic,  ///< unloading and reloading below the largest force so far, with the slope β/γ
 };
 
@@ -71,13 +71,15 @@ class ContactLaw {
     /// β/γ.
     bool isElastic() const { return m_isElastic; }
 
-    Real largestForce() const { return m_largest; }  ///< largest force so far Fm [F0]
-    /// Records that the force has reached `force` [F0], at most up to the next corner. passCorner() continues
-    /// beyond it.
+    /// Returns the largest force so far Fm, in units of the mean hammer force F0.
+    Real largestForce() const { return m_largest; }
+    /// Records that the contact force has reached `force` [in units of F0], but at most up to the next corner
+    /// of the loading curve. Beyond it passCorner() must be called first.
     void remember(Real force) {
         if (force > m_largest) m_largest = std::min(force, m_cornerForce);
     }
-    /// Records that the force has reached `force` [F0], past any corners.
+    /// Records that the contact force has reached `force` [in units of F0], past any corners of the loading
+    /// curve.
     void rememberAcross(Real force) {
         while (force >= m_cornerForce) passCorner();
         remember(force);
@@ -93,23 +95,23 @@ class ContactLaw {
     /// Returns whether the force leaves this line as soon as the bit moves back. This holds for the primary
     /// line, unless γ = 1.
     bool isOneWay(ContactLine line) const { return line == ContactLine::primary && !isElastic(); }
-    /// Returns the slope [k0] of the primary or the elastic line.
+    /// Returns the slope of the primary or the elastic line, in units of k0 = Z/t0.
     Real slope(ContactLine line) const {
         return line == ContactLine::primary ? m_slopes.primary : m_slopes.elastic;
     }
-    /// Returns the index of the loading line on which the largest force is, from 0; at a corner it is the
-    /// line above.
+    /// Returns the index, from 0, of the line of the loading curve with the largest force so far; at a corner
+    /// the line above.
     std::size_t loadingLine() const { return m_line; }
-    /// Returns the slope [k0] of the loading line with this index, whether the force has reached it or not;
-    /// 0 if there is no such line.
+    /// Returns the slope of the loading line with this index, in units of k0 = Z/t0, whether the force has
+    /// reached it or not. Returns 0 if there is no such line.
     Real loadingSlope(std::size_t line) const {
         if (!m_lines) return line == 0 ? m_slopes.primary : Real(0);
         return line < m_lines->size() ? (*m_lines)[line].slope : Real(0);
     }
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
-    /// Returns the force [F0] at which the current loading line ends; infinity if it does not end.
+    /// Returns the force at which the current loading line ends, in units of F0; infinity if it does not end.
     Real cornerForce() const { return m_cornerForce; }
-    /// Continues the loading on the line above the next corner. Requires hasCorner().
+    /// Continues the loading on the line above the next corner of the loading curve. Requires hasCorner().
     void passCorner() {
         assert(hasCorner());
         m_from = (*m_lines)[++m_line];
@@ -121,18 +123,19 @@ class ContactLaw {
 
     // Force and penetration (T4, T5)
 
-    /// Returns the largest penetration so far Um [I0/Z].
+    /// Returns the largest penetration so far Um, in units of I0/Z (hammer impulse over rod impedance).
     Real largestPenetration() const {
         return m_from.penetration + (m_largest - m_from.force) / m_slopes.primary;
     }
-    /// Returns the residual penetration Ur = Um − γFm/β [I0/Z], at which the force is zero after unloading.
+    /// Returns the residual penetration Ur = Um − γFm/β, at which the force is zero after unloading, in units
+    /// of I0/Z.
     Real residualPenetration() const {
         if (m_isBilinear) [[likely]]
             return (1 - m_gamma) * largestPenetration();
         return largestPenetration() - m_gamma * m_largest / m_beta;
     }
-    /// Returns the penetration U [I0/Z] at a force F ≥ 0 [F0]: on the elastic line up to Fm, on the loading
-    /// curve above it. For F = 0 it is the residual penetration Ur.
+    /// Returns the penetration U, in units of I0/Z, at a force F ≥ 0, in units of F0. Below the largest force
+    /// so far it is on the elastic line, above on the loading curve. F = 0 gives the residual penetration.
     Real penetration(Real force) const {
         if (force >= m_cornerForce) [[unlikely]] {
             ContactLaw loaded = *this;
@@ -145,8 +148,8 @@ class ContactLaw {
         return m_from.penetration + (largest - m_from.force) / m_slopes.primary -
                m_gamma * (largest - force) / m_beta;
     }
-    /// Returns the force F ≥ 0 [F0] at a penetration U [I0/Z]: on the elastic line below Um, on the loading
-    /// curve above it.
+    /// Returns the force F ≥ 0, in units of F0, at a penetration U, in units of I0/Z. Below the largest
+    /// penetration so far it is on the elastic line, above on the loading curve.
     Real force(Real penetration) const {
         const Real above = largestPenetration() - penetration;
         if (above > 0) return std::max(Real(0), m_largest - m_slopes.elastic * above);
@@ -156,36 +159,38 @@ class ContactLaw {
             if (penetration >= (*m_lines)[j].penetration) on = (*m_lines)[j];
         return on.force + on.slope * (penetration - on.penetration);
     }
-    /// Returns the change of penetration [I0/Z] along the elastic line for a change of the force [F0], with
-    /// its sign.
+    /// Returns the change of penetration along the elastic line, in units of I0/Z, for a change of the force,
+    /// in units of F0. Both have the same sign.
     Real elasticWay(Real change) const { return change / m_slopes.elastic; }
 
     // Work on the rock
 
-    /// Returns the energy γF²/(2β) [I0²/(Z t0)] that unloading from a force F ≤ Fm releases.
+    /// Returns the energy γF²/(2β) that unloading from a force F ≤ Fm releases, in units of I0²/(Z t0).
     Real givenBack(Real force) const { return force * elasticWay(force) / 2; }
-    /// Returns the work A(Fm) of loading the rock up to the largest force [I0²/(Z t0)] (T40).
+    /// Returns the work A(Fm) of loading the rock up to the largest force so far, in units of I0²/(Z t0)
+    /// (T40).
     Real loadingWork() const {
         return m_from.work + (m_largest - m_from.force) * (m_largest + m_from.force) / (2 * m_slopes.primary);
     }
-    /// Returns the energy that the rock has absorbed [I0²/(Z t0)]: A(Fm) − γFm²/(2β); without corners
-    /// (1 − γ) Fm²/(2β).
+    /// Returns the energy that the rock has absorbed, in units of I0²/(Z t0): A(Fm) − γFm²/(2β). Without
+    /// corners this is (1 − γ) Fm²/(2β).
     Real kept() const {
         if (m_isBilinear) [[likely]]
             return m_largest * residualPenetration() / 2;
         return loadingWork() - m_gamma * m_largest * m_largest / (2 * m_beta);
     }
-    /// Returns ∫F dU [I0²/(Z t0)] from the first contact until the force is F ≤ Fm.
+    /// Returns the work ∫F dU on the rock from the first contact until the force is F ≤ Fm, in units of
+    /// I0²/(Z t0).
     Real worked(Real force) const { return kept() + givenBack(force); }
 
   private:
-    /// Loading line: force, penetration and work at its start, and its slope.
+    /// Line of the loading curve: force, penetration and work at its start, and its slope.
     struct Line {
         Real force = 0, penetration = 0, work = 0;
         Real slope = 0;
     };
 
-    /// List of the loading lines, the first of which begins at zero.
+    /// Lines of the loading curve, the first of which begins at zero.
     struct LineList {
         std::vector<Line> lines;
         void add(Real force, Real slope) {
@@ -233,12 +238,13 @@ class ContactLaw {
     ContactRates<Real> m_slopes;  ///< slopes of the loading line in use and of the elastic line
     Real m_beta;
     Real m_gamma;
-    Real m_largest = 0;  ///< largest force so far Fm [F0]
+    /// Returns the largest force so far Fm, in units of the mean hammer force F0.
+    Real m_largest = 0;
     Real m_cornerForce = std::numeric_limits<Real>::infinity();
-    std::size_t m_line = 0;    ///< index of the loading line of Fm
-    Line m_from;               ///< start of the loading line of Fm
+    std::size_t m_line = 0;    ///< index of the loading line on which the largest force so far is
+    Line m_from;               ///< start of that loading line
     bool m_isBilinear = true;  ///< whether all loading lines used had the slope β
-    /// whether all loading lines used had the slope β/γ of the elastic line
+    /// Whether all loading lines used had the slope β/γ of the elastic line.
     bool m_isElastic;
     std::shared_ptr<const std::vector<Line>> m_lines;  ///< loading lines; nullptr for a law without corners
 };

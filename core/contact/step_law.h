@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Contact of bit and rock in constant time steps. The state is the gap, the force, and the largest force so
-/// far.
+/// Contact of bit and rock in constant time steps Δ. The state is the gap, the force, and the largest force
+/// so far.
 ///
 /// In each step the force F is constant while the bit advances by dU = (2g − F)Δ, with the mean incident wave
 /// g. F is chosen so that F·dU is the work of the law over that increment (T32),
@@ -20,7 +20,7 @@ namespace drillwave {
 ///     F(U) of slope s_j β on the loading curve, β/γ below the largest force so far, 0 apart,
 ///
 /// even if the increment passes corners. On one line of slope a this gives F = f + (2g − f) q with
-/// q = (aΔ/2)/(1 + aΔ/2) (T33), where f is the force at the beginning of the step. There is no overshoot for
+/// q = (aΔ/2)/(1 + aΔ/2) (T33). Here f is the force at the beginning of the step; there is no overshoot for
 /// aΔ ≤ 2. If corners are passed, F is the root of a quadratic equation. It is unique, because the mean force
 /// of the law grows with the increment while 2g − dU/Δ falls.
 class StepLaw {
@@ -35,12 +35,13 @@ class StepLaw {
         corner = 16,         ///< the force passed one or more corners of the loading curve
     };
 
-    /// Makes the contact of intact rock. The time step is > 0 [t0], the gap ≥ 0 [I0/Z]. Without an incident
-    /// wave a force up to `negligible` ≥ 0 [F0] is set to zero.
+    /// Starts the contact of a bit with intact rock. The time step is > 0 (in t0), the initial gap ≥ 0 (in
+    /// units of I0/Z). Without an incident wave a force up to `negligible` ≥ 0 (in units of F0) is set to
+    /// zero.
     StepLaw(const ContactLaw<>& law, double step, double gap, double negligible);
 
-    /// Advances by one time step with the mean incident wave g [F0]. Returns the mean contact force
-    /// F ≥ 0 [F0] in the step.
+    /// Advances by one time step with the mean incident wave g, in units of F0. Returns the contact force
+    /// F ≥ 0 in the step, in units of F0.
     double advance(double g) {
         m_changes = none;
         if (!m_touches) {
@@ -54,7 +55,8 @@ class StepLaw {
         return drive > 0 ? advanceLoading(g, drive) : advanceUnloading(g, drive);
     }
 
-    unsigned changes() const { return m_changes; }  ///< events in the last step: bits of Change
+    /// Returns the events in the last time step, as bits of the enumeration Change.
+    unsigned changes() const { return m_changes; }
     /// Returns the fraction of the last step (0 to 1) at which the gap closed; valid only if changes() has
     /// `contact`.
     double contactFraction() const { return m_contactFraction; }
@@ -70,10 +72,13 @@ class StepLaw {
 
     /// Returns whether bit and rock are apart. Contact with exactly zero force is not apart.
     bool isApart() const { return !m_touches; }
-    double gap() const { return m_gap; }                  ///< remaining gap [I0/Z]
-    double force() const { return m_force; }              ///< contact force at the end of the last step [F0]
-    double peak() const { return m_law.largestForce(); }  ///< largest force so far Fm [F0]
-    /// Sets the remaining gap [I0/Z] after free flight.
+    /// Returns the remaining gap between bit and rock, in units of I0/Z (hammer impulse over rod impedance).
+    double gap() const { return m_gap; }
+    /// Returns the contact force at the end of the last time step, in units of the mean hammer force F0.
+    double force() const { return m_force; }
+    /// Returns the largest contact force so far, in units of the mean hammer force F0.
+    double peak() const { return m_law.largestForce(); }
+    /// Sets the gap between bit and rock after free flight, in units of I0/Z.
     void setGap(double gap) { m_gap = gap; }
 
   private:
@@ -106,8 +111,8 @@ class StepLaw {
 
     ContactLaw<> m_law;
     double m_step;
-    double m_loading;    ///< q on the primary line
-    double m_unloading;  ///< q on the elastic line, below the largest force
+    double m_loading;    ///< q = (aΔ/2)/(1 + aΔ/2) with the slope a of the primary line
+    double m_unloading;  ///< q = (aΔ/2)/(1 + aΔ/2) with the slope a of the elastic line
     double m_negligible;
     bool m_touches = false;
     double m_gap;

@@ -18,7 +18,7 @@ struct WriteFailure {
     explicit operator bool() const { return !reason.empty(); }
 };
 
-/// Returns the failure that an errno stands for.
+/// Returns the reason, in words, for an error code (errno) of the operating system.
 WriteFailure writeFailure(int error);
 
 /// Writes all bytes to an open file. Returns an empty failure when done.

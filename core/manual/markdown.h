@@ -26,20 +26,21 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 struct ManualBlock {
     enum class Kind { heading, paragraph, item, code, table };
     Kind kind = Kind::paragraph;
-    /// level of a heading, from 1; for other blocks the number of blanks of its indentation
+    /// Level of a heading, from 1; for other blocks the number of blanks of its indentation.
     int level = 0;
     std::string mark;  ///< mark of a list item, "-" or "3."
-    /// text with its Markdown in one line; for code the lines unchanged; empty for a table
+    /// Text with its Markdown in one line; for code the lines unchanged; empty for a table.
     std::string text;
-    /// rows of a table, the header first, all with the same number of cells
+    /// Rows of a table, the header first, all with the same number of cells.
     std::vector<std::vector<std::string>> rows = {};
 };
 
 /// Returns the blocks of a Markdown text, in order.
 std::vector<ManualBlock> readMarkdown(std::string_view text);
 
-/// Returns the blocks of a section, from its heading to the next heading of the same or a higher level; none
-/// if the heading is not found. `heading` is the number of the heading, "§3.1", or its complete text.
+/// Returns the blocks of a section, from its heading to the next heading of the same or a higher level. The
+/// section is given by the number of its heading, "§3.1", or by the complete text of the heading. Returns
+/// none if the heading is not found.
 std::vector<ManualBlock> sectionOf(std::span<const ManualBlock> blocks, std::string_view heading);
 
 /// Returns the number of a heading, "§3.1" for "§3.1 Everything else"; empty if it has none.

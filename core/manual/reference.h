@@ -23,11 +23,11 @@ struct ParameterFacts {
     std::string key;       ///< key, "bit_rock.gamma"; for a number of sections "string.NAME.length"
     std::string title;     ///< name with its symbol, "elasticity γ"
     std::string meaning;   ///< explanation, a sentence without its full stop
-    std::string unit;      ///< default unit; may be empty
+    std::string unit;      ///< default unit, "mm"; may be empty
     std::string range;     ///< allowed range, "greater than 0", "in (0, 1]"
     std::string usual;     ///< typical range, "1 – 10000 MN/m"; other values raise a warning
     std::string presence;  ///< whether it may be left out, a sentence without its full stop
-    /// scenarios that have it, a sentence without its full stop; empty for all scenarios
+    /// Scenarios that have it, a sentence without its full stop; empty for all scenarios.
     std::string condition;
 };
 

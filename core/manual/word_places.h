@@ -14,12 +14,12 @@ namespace drillwave {
 
 /// Section of the manual that contains a word.
 struct WordPlace {
-    /// place of the word in the section, the best first
+    /// Place of the word in the section, the best first.
     enum class Rank { wholeTitle, title, term, row, text };
     Rank rank = Rank::text;
     std::string chapter;  ///< name of the chapter, "theory"
     std::string number;   ///< number of the section, "10"; empty for the beginning of a chapter
-    /// text shown for the hit: the title, the entry of the glossary, or the words around the word
+    /// Text shown for the hit: the title, the entry of the glossary, or the words around the word.
     std::string shown;
     std::size_t count = 0;  ///< number of times that the section contains the word
 };

@@ -23,7 +23,7 @@ namespace drillwave {
 bool areRivals(std::string_view a, std::string_view b);
 
 /// Returns why two keys cannot both be set, as text to follow them: "set the same thing", or
-/// "set one section: …" for two keys of the same section. Empty if they can. `ofA` and `ofB` differ only in
+/// "set one section: …". Returns an empty message if they can. The scenarios `ofA` and `ofB` differ only in
 /// the number of repeats; a position refers to the scenario of its key.
 Message rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
 
@@ -46,9 +46,9 @@ class Assignments {
     Assignments() = default;
     explicit Assignments(const std::vector<std::string_view>& keys);
 
-    /// Adds a key under the next number. The key may be unknown.
+    /// Adds a key of a parameter under the next number, 0 for the first. Unknown keys are allowed.
     void add(std::string_view key);
-    /// Leaves out the next number, so that it sets nothing.
+    /// Skips the next number, so that it stands for no key.
     void skip();
 
     /// Returns the numbers of the keys in the order in which they must be set. First the shape of the force,
@@ -59,20 +59,22 @@ class Assignments {
 
     /// Function that returns whether the key of a number is set; if empty, all keys are set.
     using IsSet = std::function<bool(std::size_t)>;
-    /// Returns the first two set keys that contradict each other in every scenario, or nullopt.
+    /// Returns the first two keys that contradict each other in every scenario, such as area and diameter, or
+    /// nullopt. Only keys for which `isSet` is true count.
     std::optional<RivalPair> rivals(const IsSet& isSet = {}) const;
-    /// Returns the first two set keys, one by name and one by position or both by position, that set the same
-    /// section of this scenario; nullopt if there are none. All values must already be assigned.
+    /// Returns the first two keys that set the same section of this scenario, where at least one is by
+    /// position; nullopt if there are none. Only keys for which `isSet` is true count. All values must
+    /// already be assigned.
     std::optional<RivalPair> meeting(const Scenario& scenario, const IsSet& isSet = {}) const;
 
-    /// Returns whether the hammer force may depend on this key: on a key of pulse or rod, or of hammer,
-    /// material or string for a drill string.
+    /// Returns whether the hammer force may depend on this key, because it begins with "pulse.", "rod.",
+    /// "hammer.", "material." or "string.".
     bool movesPulse(std::size_t number) const;
     /// Returns whether the hammer force may depend on any of the keys.
     bool movePulse() const;
 
   private:
-    std::vector<std::optional<AssignedKey>> m_keys;  // nullopt for a number that sets nothing
+    std::vector<std::optional<AssignedKey>> m_keys;  // nullopt for a number that stands for no key
     std::vector<std::size_t> m_order;
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
     Pairs m_rivals;

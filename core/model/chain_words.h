@@ -10,15 +10,15 @@ namespace drillwave {
 struct ChainWords {
     const char* kind;         ///< what the scenario is, "uniform rod"
     const char* assumptions;  ///< what the model neglects, in one sentence
-    /// references of the shares of energy and momentum in tables, "W is the work of the hammer."
+    /// References of the shares of energy and momentum in tables, "W is the work of the hammer.".
     const char* references;
     const char* errors;  ///< meaning of the stated errors, in one sentence
     /// "pulse %1" for the shape of the force, after the groups; empty if groups do not describe the blow
     const char* pulse = "";
-    /// sentence with the coefficient of restitution e as %1; empty if e is not a main result
+    /// Sentence with the coefficient of restitution e as %1; empty if e is not a main result.
     const char* rebound = "";
     const char* stresses;  ///< title of the largest stresses
-    /// default position of histories of force and velocity, "at the middle of the rod"
+    /// Default position of histories of force and velocity, "at the middle of the rod".
     const char* historyPlace;
     const char* blowCaption;    ///< caption of the histories over time, with their position as %1
     const char* stressCaption;  ///< caption of the largest stresses along the rod or string

@@ -12,7 +12,7 @@ namespace drillwave {
 /// Options of the command `drillwave design` as texts. The study checks them when it starts.
 struct DesignSetup {
     std::vector<std::string> uncertain;  ///< inputs with their range of uncertainty, "bit_rock.gap=0mm:1mm"
-    /// design variables with their values, "hammer=medium drifter,COP 1838", "rod.length=3m:4m:5"
+    /// Design variables with their values, "hammer=medium drifter,COP 1838", "rod.length=3m:4m:5".
     std::vector<std::string> choose;
     std::vector<std::string> aims;    ///< objectives, "max:efficiency@q05"
     std::vector<std::string> atMost;  ///< upper limits on results, "thrust@q95=8kN"

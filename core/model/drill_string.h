@@ -21,34 +21,34 @@ struct Material {
 /// the one towards the rock.
 struct Section {
     std::string name;  ///< name of the section, "rod"; may be empty, and several sections may have the same
-    /// name of the preset that the section is from, "T38, 190 mm"; may be empty, has no effect on results
+    /// Name of the preset that the section is from, "T38, 190 mm"; may be empty, has no effect on results.
     std::string preset;
     double length = 0;    ///< length L [m]
     double diameter = 0;  ///< outer diameter [m], for a cone at its rear end; unused if `area` is given
     double bore = 0;      ///< diameter of the flushing hole [m]; unused if `area` is given
-    /// cross-section A [m²], for a cone at its rear end; if given, replaces diameter and bore
+    /// Cross-section A [m²], for a cone at its rear end; if given, replaces diameter and bore.
     std::optional<double> area;
-    /// outer diameter of a cone at its far end [m]; unused if `area` is given
+    /// Outer diameter of a cone at its far end [m]; unused if `area` is given.
     std::optional<double> endDiameter;
-    /// cross-section of a cone at its far end [m²]; used only if `area` is given
+    /// Cross-section of a cone at its far end [m²]; used only if `area` is given.
     std::optional<double> endArea;
     std::optional<double> youngsModulus;  ///< Young's modulus E [Pa] (default: that of the common material)
     std::optional<double> density;        ///< density ρ [kg/m³] (default: that of the common material)
-    /// mass M [kg] lumped at the far end; after the last section the mass M_b of the bit
+    /// Mass M [kg] lumped at the far end; after the last section the mass M_b of the bit.
     double massAfter = 0;
-    /// share η of the energy of a wave that is lost in the joint at the far end, 0 ≤ η < 1
+    /// Share η of the energy of a wave that is lost in the joint at the far end, 0 ≤ η < 1.
     double loss = 0;
     double attenuation = 0;  ///< decay α of the amplitude of a wave per length [1/m]
-    /// yield strength [Pa]; a higher stress raises a warning but changes no result
+    /// Yield strength [Pa]; a higher stress raises a warning but changes no result.
     std::optional<double> yieldStrength;
-    /// fatigue strength [Pa] for many blows; a higher tensile stress raises a warning
+    /// Fatigue strength [Pa] for many blows; a higher tensile stress raises a warning.
     std::optional<double> fatigueStrength;
     bool operator==(const Section&) const = default;
 };
 
 /// Part of a drill string: one section, or a repeat of several sections.
 struct StringPart {
-    /// number of times that the sections follow one another; 1 unless `group`
+    /// Number of times that the sections follow one another; 1 unless `group`.
     int repeat = 1;
     bool group = false;             ///< whether the file lists the part as a repeat, even of a single section
     std::vector<Section> sections;  ///< sections of the part, exactly one unless `group`
@@ -58,10 +58,10 @@ struct StringPart {
 /// Hammer: the sections that strike the drill string, all with the same velocity.
 struct Hammer {
     double velocity = 10;  ///< impact velocity v0 [m/s]
-    /// sections from the rear to the face; empty if a prescribed force acts instead
+    /// Sections from the rear to the face; empty if a prescribed force acts instead.
     std::vector<Section> sections;
     std::optional<double> faceStiffness;  ///< stiffness k_c between hammer and string [N/m] (default: rigid)
-    /// whether the hammer may strike again in the same blow; if false, it is removed once separated
+    /// Whether the hammer may strike again in the same blow; if false, it is removed once separated.
     bool restrike = true;
     bool operator==(const Hammer&) const = default;
 };
@@ -71,7 +71,7 @@ struct DrillString {
     Material material;
     Hammer hammer;
     std::vector<StringPart> parts;  ///< parts from the shank adapter to the bit
-    /// time [s] at which the simulation of the blow ends (default: when the blow is over)
+    /// Time [s] at which the simulation of the blow ends (default: when the blow is over).
     std::optional<double> endTime;
     bool operator==(const DrillString&) const = default;
 };

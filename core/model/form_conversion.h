@@ -13,7 +13,7 @@ namespace drillwave {
 /// Scenario after conversion to another form.
 struct Conversion {
     Scenario scenario;
-    /// sentences on what the converted scenario does not contain, or only approximates
+    /// Sentences on what the converted scenario does not contain, or only approximates.
     std::vector<Message> lost;
 };
 
@@ -51,7 +51,7 @@ Conversion uniformRodOf(const Scenario& scenario);
 
 /// Rod, mean force and duration of a rig. The dimensionless groups leave them open.
 struct RigChoice {
-    /// rod of which cross-section, material and strengths are used; its length follows from τ
+    /// Rod of which cross-section, material and strengths are used; its length follows from τ.
     Rod rod;
     double meanForce = 255e3;  ///< mean hammer force F0 [N]
     double duration = 200e-6;  ///< duration of the hammer force t0 [s]

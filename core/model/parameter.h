@@ -22,20 +22,20 @@ struct SectionAddress;
 // Parameters that are stored, as in axes of sweeps, columns of tables and edits. For immediate use a const
 // Parameter& is sufficient.
 
-/// Reference to a parameter that can be stored: a row of the table, the repeat of a drill string, a number of
-/// a section, or none. It keeps a parameter of a section alive. Copies are cheap; two with the same key are
-/// equal.
+/// Reference to a parameter that can be stored, or none. It may be a row of the table of parameters, the
+/// repeat of a drill string, or a number of a section. It keeps a parameter of a section alive. Copies are
+/// cheap; two with the same key are equal.
 class KeptParameter {
   public:
     KeptParameter() = default;
     KeptParameter(std::nullptr_t) {}
-    /// Refers to an existing parameter, and keeps it alive if it is one of a section.
+    /// Refers to an existing parameter, and keeps it alive if it belongs to a section.
     KeptParameter(const Parameter& parameter);
-    /// Takes a newly made parameter that is not in the table.
+    /// Takes a newly made parameter that is not in the table of parameters.
     explicit KeptParameter(std::shared_ptr<const Parameter> parameter);
 
     explicit operator bool() const { return m_parameter != nullptr; }
-    /// Returns the parameter. Requires that there is one. For a number of a section the reference is valid
+    /// Returns the parameter. Requires that there is one. For a parameter of a section the reference is valid
     /// only as long as this object or a copy.
     const Parameter& operator*() const;
     const Parameter* operator->() const { return &**this; }
@@ -55,7 +55,7 @@ struct Range {
     const char* whyNotMore = "";  ///< reason for the upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
-    /// Returns the range as text in SI, or in a unit: "(0, 1]". Requires an upper end.
+    /// Returns the range as text, in SI or in a unit: "(0, 1]". Requires an upper end.
     std::string ends() const;
     std::string ends(const Unit& unit) const;
     /// Returns why a value (SI, may be infinite or NaN) is outside the range: "must be in (0, 1]". Ends are
@@ -93,20 +93,20 @@ class ParameterFunction {
 /// Scenarios to which a parameter applies.
 enum class Scope {
     all,
-    withUnits,     ///< in physical quantities
-    withoutUnits,  ///< dimensionless
-    manyBlows,     ///< with units; used only by simulations of many blows, not by a single blow
-    string,        ///< drill string of sections
-    hammer,        ///< drill string struck by a hammer of sections, whose motion is simulated
-    section,       ///< drill string that has the section of this parameter (section_parameter.h)
-    uniformRod,    ///< uniform rod, with units or dimensionless
-    dimensional,   ///< uniform rod in physical quantities
-    withoutArea,   ///< uniform rod in physical quantities, given by its diameters and not by its area
-    /// with units, under a force whose duration and impulse are input, not from a piston or table
+    withUnits,     ///< scenarios in physical quantities
+    withoutUnits,  ///< dimensionless scenarios
+    manyBlows,     ///< scenarios with units; used only to simulate many blows, not for a single blow
+    string,        ///< drill strings of sections
+    hammer,        ///< drill strings struck by a hammer of sections, whose motion is simulated
+    section,       ///< drill strings that have the section of this parameter (section_parameter.h)
+    uniformRod,    ///< uniform rods, with units or dimensionless
+    dimensional,   ///< uniform rods in physical quantities
+    withoutArea,   ///< uniform rods in physical quantities
+    /// Scenarios with units whose hammer force is given by duration and impulse, not by a piston or table.
     givenPulse,
-    trapezoid,      ///< under a force of the shape `trapezoid`
-    pistonInSi,     ///< with units, under a force of the shape `piston`
-    pistonByRatio,  ///< dimensionless, under a force of the shape `piston`
+    trapezoid,      ///< scenarios with a hammer force of the shape `trapezoid`
+    pistonInSi,     ///< scenarios with units and a hammer force of the shape `piston`
+    pistonByRatio,  ///< dimensionless scenarios with a hammer force of the shape `piston`
 };
 
 /// Rule for a scenario file that does not give a parameter.
@@ -124,12 +124,14 @@ struct ParameterRules {
     /// Key of the parameter that setting this one undoes, and vice versa. Only one of the two parameters
     /// names the other.
     std::string_view rival = {};
-    /// label in the section of a form that it belongs to; empty if it is the same as `label`
+    /// Name within its own group of a form, "length" instead of "length of the rod"; empty if it is the same
+    /// as `label`.
     std::string_view shortLabel = {};
-    /// Makes the parameter "not given"; nullptr if it always has a value.
+    /// Function that makes the parameter "not given"; nullptr if it always has a value.
     ParameterFunction<void, Scenario> clear = nullptr;
-    bool wholeNumber = false;  ///< whether values must be whole numbers
-    /// form of the loading curve that has this parameter and requires it; nullopt if all have it
+    bool wholeNumber = false;  ///< whether only whole numbers are allowed
+    /// Form of the loading curve of the rock that requires this parameter; other forms do not have it. It is
+    /// nullopt if the parameter does not depend on the form.
     std::optional<RockLaw> law = {};
 };
 
@@ -145,26 +147,29 @@ struct Parameter {
     Range plausible;        ///< typical range; a value outside raises a warning; also the range of a slider
     SliderScale slider;
     Scope scope;
-    /// Returns the value in SI. Returns nullopt if an optional parameter is not given, or if its sections
-    /// have different values. Requires applies().
+    /// Function that returns the value in SI. It returns nullopt if an optional parameter is not given, or if
+    /// its sections have different values. Requires applies().
     ParameterFunction<std::optional<double>, const Scenario> value;
-    /// Sets the value in SI without checking its range. In a scenario with units, setting a group changes a
-    /// physical parameter: β the stiffness, τ the rod length, δ the gap. Requires applies().
+    /// Function that sets the value in SI without checking its range. In a scenario with units, setting a
+    /// group changes a physical parameter: β the stiffness, τ the rod length, δ the gap. Requires applies().
     ParameterFunction<void, Scenario, double> assign;
     ParameterRules rules = {};
-    /// section that the parameter belongs to; nullptr if it is not one of a section
+    /// Address of the section that the parameter belongs to; nullptr if it does not belong to a section.
     const SectionAddress* address = nullptr;
 
     /// Returns whether the parameter applies to this scenario, so that it can be read and set.
     bool applies(const Scenario& scenario) const;
     /// Returns the unit in which the program shows values of the parameter.
     const Unit& displayUnit() const;
-    bool isGroup() const;  ///< whether it is one of the four dimensionless groups β, γ, τ, δ
-    /// part of the key before the dot: "rod", "pulse", "bit_rock"; "groups" for a group; may be empty
+    /// Returns whether the parameter is one of the four dimensionless groups β, γ, τ, δ.
+    bool isGroup() const;
+    /// Returns the part of the key before the dot: "rod", "pulse", "bit_rock"; "groups" for a dimensionless
+    /// group. May be empty.
     std::string_view section() const;
-    /// section of a file that has the parameter: section(), but "dimensionless" for the groups
+    /// Returns the section of a scenario file that has the parameter: "rod", or "dimensionless" for a
+    /// dimensionless group.
     std::string_view fileSection() const;
-    /// key without its section, as in a file: "length" for "rod.length"
+    /// Returns the key without its section, as in a file: "length" for "rod.length".
     std::string_view localKey() const;
 };
 
@@ -174,13 +179,14 @@ inline constexpr std::string_view rockLawKey = "bit_rock.law";
 inline constexpr std::string_view rockIndexingKey = "drill.indexing";
 inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
-/// Returns the parameter with this key, or none. The key may be in the table, a corner of the loading curve
-/// (law_parameter.h), "string.repeat", or a number of a section (section_field.h), such as
-/// "string.adapter.length" or "hammer.1.diameter". The section need not exist. Thread-safe.
+/// Returns the parameter with this key, or none. The key may be in the table of parameters, belong to a
+/// corner of the loading curve (law_parameter.h), or be "string.repeat". It may also be a number of a section
+/// (section_field.h), such as "string.adapter.length" or "hammer.1.diameter"; the section need not exist.
+/// Thread-safe.
 KeptParameter findParameter(std::string_view key);
 
-/// Returns whether the parameter is input of this scenario. It is not if it follows from others, as the
-/// groups of a scenario with units, or the impulse if the mean force was given.
+/// Returns whether the user gives this parameter in the scenario. It is not given if it follows from others,
+/// as the groups of a scenario with units, or the impulse if the mean force was given.
 bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Returns why `value` (SI, may be infinite or NaN) is outside the allowed range: "must be in (0, 1]"; empty

@@ -18,10 +18,10 @@ namespace drillwave {
 
 struct WordParameter {
     std::string_view key;                          ///< key in files and on the command line, "pulse.shape"
-    std::span<const std::string_view> (*words)();  ///< returns all allowed words
-    std::string_view (*value)(const Scenario&);    ///< returns the word that a scenario has
-    /// Sets the word with this index in words(). Returns an empty message when done, else why the scenario
-    /// cannot have it: "only a drill string has it …".
+    std::span<const std::string_view> (*words)();  ///< function that returns all allowed words
+    std::string_view (*value)(const Scenario&);    ///< function that returns the word that a scenario has
+    /// Function that sets the word with this index in words(). It returns an empty message when done, else
+    /// why the scenario cannot have it: "only a drill string has it …".
     Message (*assign)(Scenario&, std::size_t word);
 
     /// Returns all allowed words separated by commas, for messages: "rectangular, triangular, …".
@@ -58,7 +58,7 @@ Message notAParameter(std::string_view key);
 
 /// Sets the parameter `key` from text, for --set, table cells and sweep values. Accepts numbers with their
 /// unit (keys of findParameter()), words (keys of findWordParameter()), and `true` or `false` for
-/// "hammer.restrike". `unit` is the default unit from a column header, or nullptr. Returns an empty message
+/// "hammer.restrike". The default unit from a column header is `unit`, or nullptr. Returns an empty message
 /// when done, else the reason: "bit_rock.gamma = 1.3 (must be in (0, 1])". The scenario must not be used
 /// after a failure.
 Message assignText(Scenario& scenario, std::string_view key, std::string_view text,

@@ -75,10 +75,10 @@ struct SectionPreset {
     SectionPresetKind kind = SectionPresetKind::coupling;
     std::string name;
     std::string source;  ///< source of the numbers, never empty; begins with "assumed" if there is no source
-    /// source of yield and fatigue strength; empty if `source` applies to them too
+    /// Source of yield and fatigue strength; empty if `source` applies to them too.
     std::string strengthSource;
     std::optional<double> velocity;  ///< impact velocity [m/s], for a piston that has one
-    /// at least one section, from the rear to the rock, each with the name of the preset
+    /// At least one section, from the rear to the rock, each with the name of the preset.
     std::vector<Section> sections;
     bool operator==(const SectionPreset&) const = default;
 };
@@ -127,8 +127,8 @@ class PresetChoice {
     const std::vector<PartPreset>& presets() const { return m_presets; }
     /// Returns the names of the presets, in their order.
     std::span<const std::string_view> words() const { return m_words; }
-    /// Returns the keys of the parameters that any of the presets sets, each once. For presets of sections
-    /// only the impact velocity counts.
+    /// Returns the keys of the parameters that any of the presets sets, each once. Presets of sections count
+    /// only with their impact velocity.
     std::vector<std::string_view> keys() const;
 
   private:
@@ -159,8 +159,9 @@ struct FoundName {
     Message problem;
 };
 
-/// Returns the preset with this name, ignoring capitals, or the only one that begins with it: `T51` finds
-/// "T51, round 52 mm". `list` is the command that lists all names, for the message if none is found.
+/// Returns the index of the preset with this name, ignoring capitals, or of the only one that begins with it.
+/// So `T51` finds "T51, round 52 mm". The command that lists all names is `list`, for the message if none is
+/// found.
 FoundName findPresetName(std::span<const std::string_view> names, std::string_view wanted,
                          const std::string& list);
 

@@ -17,17 +17,18 @@ namespace drillwave {
 struct PulseSegment {
     enum class Kind { linear, sine, exponential };
     Kind kind = Kind::linear;
-    double start = 0;          ///< start of the segment [t0]
-    double length = 0;         ///< length of the segment [t0], > 0
-    double value = 0;          ///< force at the start, or amplitude of a sine [F0], ≥ 0
-    double slope = 0;          ///< slope of a linear segment [F0/t0]
-    double impulseBefore = 0;  ///< impulse of the force before the segment [I0], 0 … 1
+    double start = 0;          ///< start of the segment, in units of t0
+    double length = 0;         ///< length of the segment, in units of t0, > 0
+    double value = 0;          ///< force at the start, or amplitude of a sine, in units of F0, ≥ 0
+    double slope = 0;          ///< slope of a linear segment, in units of F0/t0
+    double impulseBefore = 0;  ///< impulse of the force before the segment, as a share of I0, 0 … 1
 
-    /// force at the time x after the start of the segment [F0]
+    /// Returns the force at the time x (in t0) after the start of the segment, in units of F0.
     double forceAt(double x) const;
-    /// impulse from the start of the segment to x after it [I0], 0 … 1
+    /// Returns the impulse from the start of the segment to the time x (in t0) after it, as a share of I0, 0
+    /// … 1.
     double impulseOf(double x) const;
-    /// ∫Fa² over the time x that begins at start + from [F0² t0]
+    /// Returns ∫Fa² over a time x that begins at start + from, in units of F0² t0.
     double energyOf(double from, double x) const;
     bool operator==(const PulseSegment&) const = default;
 };
@@ -37,18 +38,22 @@ struct PulseSegment {
 struct PulseForce {
     PulseShape shape = PulseShape::rectangular;
     std::vector<PulseSegment> segments;
-    /// time after which the force is zero [t0]; what an endless force has later is below 1e-20 of its impulse
+    /// Time after which the force is zero, in units of t0. The part of an endless force after it, less than
+    /// 1e-20 of the impulse, is neglected.
     double end = 0;
-    double peak = 0;  ///< largest force [F0]
-    /// Upper bound of ∫|δFa| [I0], δFa being the rounding errors of the points of a table; 0 for other
-    /// shapes.
+    /// Largest force, in units of the mean force F0.
+    double peak = 0;
+    /// Upper bound of ∫|δFa|, as a share of I0, where δFa is the rounding error of the points of a table; 0
+    /// for other shapes.
     double rounding = 0;
     bool operator==(const PulseForce&) const = default;
 
     bool isRigidBody() const { return shape == PulseShape::rigidBody; }
-    /// force Fa(t)/F0 at a time in t0, right-continuous; 0 before 0 and after the end
+    /// Returns the force Fa(t)/F0 at a time t in units of t0. At a jump it is the value after the jump; 0
+    /// before time 0 and after the end.
     double operator()(double t) const;
-    double impulseUntil(double t) const;  ///< impulse from 0 to t (in t0) as a share of I0, 0 … 1
+    /// Returns the impulse of the force from time 0 to t (in units of t0), as a share of I0, 0 … 1.
+    double impulseUntil(double t) const;
 };
 
 /// Largest number of steps of a piston force and of points of a table. validate() refuses more.
@@ -74,20 +79,21 @@ PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
 // Visible part of a hammer force: an exponential force and the steps of a piston end with a long, almost
 // empty tail.
 
-/// Returns the times [t0], ascending from 0, at which the impulse of the hammer force is drawn. They are
-/// dense where it is curved. Only 0 in the reference case.
+/// Returns the times, in units of t0 and ascending from 0, at which the impulse of the hammer force is drawn.
+/// They are dense where it is curved. Returns only 0 without a hammer force.
 std::vector<double> impulseTimes(const PulseForce& pulse);
 
-/// Returns the first of impulseTimes() [t0] at which the rod has 97 % of the impulse. Later changes cannot be
-/// seen in a curve of impulse or momentum. 0 in the reference case.
+/// Returns the first of impulseTimes(), in units of t0, at which the rod has 97 % of the impulse. Later
+/// changes cannot be seen in a curve of impulse or momentum. Returns 0 without a hammer force.
 double visibleImpulseEnd(const PulseForce& pulse);
 
-/// Returns the time [t0] after which the waves of the force no longer change visibly: the end of the segment
-/// in which the impulse reaches 97 %. For an exponential force it is that moment itself. 0 in the reference
-/// case.
+/// Returns the time, in units of t0, after which the waves of the force no longer change visibly. It is the
+/// end of the segment in which the impulse reaches 97 %; for an exponential force it is that moment itself.
+/// Returns 0 without a hammer force.
 double visibleWavesEnd(const PulseForce& pulse);
 
-/// Returns the time [t0] from which the force is too small to be seen in its curve. 0 in the reference case.
+/// Returns the time, in units of t0, from which the force is too small to be seen in its curve. Returns 0
+/// without a hammer force.
 double visibleForceEnd(const PulseForce& pulse);
 
 }  // namespace drillwave

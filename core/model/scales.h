@@ -12,13 +12,13 @@ namespace drillwave {
 /// scale under a prescribed force, then that for a hammer whose motion is simulated. For a drill string, Z
 /// and A are those of its ruleSection(), m and L those of the whole string.
 struct Scales {
-    /// time t0 [s], duration of the force; for a hammer, twice its transit time
+    /// Time t0 [s], duration of the force; for a hammer, twice its transit time.
     double time = 1;
     double impulse = 1;   ///< impulse I0 [N s] of the force; for a hammer, its momentum
     double force = 1;     ///< force F0 = I0/t0 [N]; for a hammer, Z v0/2
     double stress = 1;    ///< stress F0/A [Pa]
     double velocity = 1;  ///< velocity v0 = I0/m [m/s]; for a hammer, its impact velocity
-    /// particle velocity F0/Z [m/s] of a wave of the force F0; τ v0 for a uniform rod
+    /// Particle velocity F0/Z [m/s] of a wave of the force F0; τ v0 for a uniform rod.
     double particleVelocity = 1;
     double penetration = 1;  ///< penetration d0 = 2 I0/Z [m], paper (3); for a hammer, v0 t0
     double stiffness = 1;    ///< stiffness k0 = Z/t0 [N/m]
@@ -78,19 +78,19 @@ Groups groupsOf(const Scenario& scenario);
 Scales scalesOf(const Scenario& scenario);
 
 /// Returns the period of the gap for a uniform rod: d0 [m], or 1 for a dimensionless scenario. A gap that is
-/// larger by this period gives the same blow, because reflected waves return unchanged (theory §4). nullopt
-/// for a drill string, which has no such period.
+/// larger by this period gives the same blow, because reflected waves return unchanged (theory §4). Returns
+/// nullopt for a drill string, which has no such period.
 std::optional<double> gapPeriod(const Scenario& scenario);
 
 // Round trips of waves in the rod between two blows.
 
-/// Returns the number n_b = 1/(2 T f) of round trips of a wave in the rod between two blows (T37). nullopt
-/// without units or without a blow frequency f.
+/// Returns the number n_b = 1/(2 T f) of round trips of a wave in the rod between two blows (T37). Returns
+/// nullopt without units or without a blow frequency f.
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario);
 
-/// Returns the whole number 1 … 5 that n_b, `roundTrips` between two blows, differs from by at most 0.1;
-/// nullopt if there is none. Residual waves of the last blow then coincide with the waves of the new one
-/// (theory §10).
+/// Returns the whole number 1 … 5 that `roundTrips`, the number n_b of round trips of a wave between two
+/// blows, differs from by at most 0.1. Residual waves of the last blow then coincide with the waves of the
+/// new one (theory §10). Returns nullopt if there is no such number.
 std::optional<int> stepOfWaves(double roundTrips);
 
 /// Number n_b of round trips between two blows from which residual waves of the last blow need no warning

@@ -67,10 +67,10 @@ enum class PulseShape {
     halfSine,     ///< one half period of a sine within t0
     trapezoid,    ///< linear rise, plateau and linear fall within t0
     exponential,  ///< rigid hammer: force ∝ exp(−t/t0), without an end
-    /// uniform elastic hammer: force in steps of the duration t0, which depend on two impedances
+    /// Uniform elastic hammer: force in steps of the duration t0, which depend on two impedances.
     piston,
     table,  ///< given points, with linear interpolation between them
-    /// reference case without a hammer force: the rod arrives with uniform velocity and no waves
+    /// Reference case without a hammer force: the rod arrives with uniform velocity and no waves.
     rigidBody,
 };
 
@@ -88,9 +88,9 @@ struct Rod {
     std::optional<double> area;    ///< cross-section A [m²]; if given, replaces diameter and bore
     double youngsModulus = 210e9;  ///< Young's modulus E [Pa]
     double density = 7850;         ///< density ρ [kg/m³]
-    /// yield strength [Pa]; a higher stress raises a warning but changes no result
+    /// Yield strength [Pa]; a higher stress raises a warning but changes no result.
     std::optional<double> yieldStrength;
-    /// fatigue strength [Pa] for many blows; a higher tensile stress raises a warning
+    /// Fatigue strength [Pa] for many blows; a higher tensile stress raises a warning.
     std::optional<double> fatigueStrength;
     bool operator==(const Rod&) const = default;
 };
@@ -103,7 +103,7 @@ struct Piston {
     double velocity = 10;                 ///< impact velocity [m/s]
     std::optional<double> youngsModulus;  ///< Young's modulus [Pa] (default: that of the rod)
     std::optional<double> density;        ///< density [kg/m³] (default: that of the rod)
-    /// q = hammer impedance/rod impedance, > 0; only for dimensionless scenarios
+    /// q = hammer impedance/rod impedance, > 0; only for dimensionless scenarios.
     double impedanceRatio = 1;
     bool operator==(const Piston&) const = default;
 };
@@ -119,7 +119,7 @@ struct Pulse {
     double rise = 0.2;              ///< rise time of `trapezoid` as a share of the duration
     double fall = 0.3;              ///< fall time of `trapezoid` as a share of the duration
     Piston piston;
-    /// path of the table as written in the scenario; empty if the scenario contains the points
+    /// Path of the table as written in the scenario; empty if the scenario contains the points.
     std::string tableFile;
     TablePoints tablePoints;  ///< points of `table`, with strictly increasing times and forces ≥ 0
     bool operator==(const Pulse&) const = default;
@@ -142,9 +142,9 @@ std::span<const std::string_view> rockLawNames();
 
 /// Corner of the loading curve, where its slope changes. NaN means not given yet.
 struct RockCorner {
-    /// force at the corner [N]; in a dimensionless scenario in units of F0
+    /// Force at the corner [N]; in a dimensionless scenario in units of F0.
     double force = std::numeric_limits<double>::quiet_NaN();
-    /// slope above the corner as a multiple of the stiffness k, > 0
+    /// Slope above the corner as a multiple of the stiffness k, > 0.
     double slope = std::numeric_limits<double>::quiet_NaN();
     bool operator==(const RockCorner& other) const {
         const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
@@ -155,14 +155,14 @@ struct RockCorner {
 /// Bit–rock law: a loading curve, and unloading and reloading with the slope k/γ below the largest force so
 /// far.
 struct BitRock {
-    /// stiffness k of loading [N/m]: slope of the first line; for `power` the secant at U1
+    /// Stiffness k of loading [N/m]: slope of the first line; for `power` the secant at U1.
     double stiffness = 105e6;
     double gamma = 0.1;  ///< elasticity γ = loading/unloading stiffness, 0 < γ ≤ 1
     double gap = 0;      ///< initial gap d between bit and rock [m], ≥ 0
     RockLaw law = RockLaw::bilinear;
     std::vector<RockCorner> corners;  ///< corners of the law `corners`, with increasing forces
-    double exponent = 1;              ///< exponent p of the law `power`
-    /// penetration U1 at which `power` has the stiffness k [m]; in a dimensionless scenario in units of d0
+    double exponent = 1;              ///< exponent p of the law `power`, F ∝ U^p; 0.3 … 3
+    /// Penetration U1 at which `power` has the stiffness k [m]; in a dimensionless scenario in units of d0.
     double referencePenetration = 1e-3;
     bool operator==(const BitRock&) const = default;
 };
@@ -183,9 +183,9 @@ std::span<const std::string_view> rockIndexingNames();
 struct Drill {
     std::optional<double> blowFrequency;  ///< blow frequency f [Hz]
     std::optional<double> thrust;         ///< installed feed force [N], key `drill.thrust`
-    /// mass of the machine [kg], which the feed pushes together with the rod
+    /// Mass of the machine [kg], which the feed pushes together with the rod.
     std::optional<double> machineMass;
-    /// angle of the hole below the horizontal [deg], −90 (upwards) … 90 (downwards)
+    /// Angle of the hole below the horizontal [deg], −90 (upwards) … 90 (downwards).
     std::optional<double> inclination;
     // used only for simulations of many blows
     std::optional<double> damperDamping;    ///< dashpot c_d between machine and rear end of the rod [N s/m]
@@ -193,9 +193,9 @@ struct Drill {
     RockIndexing indexing = RockIndexing::fresh;
     std::optional<double> waveLoss;  ///< share η that waves lose per round trip in the rod, 0 ≤ η < 1
     std::optional<double> blows;     ///< number N of simulated blows, a whole number
-    /// number of transient blows, the first ones, which statistics exclude; a whole number
+    /// Number of transient blows, the first ones, which statistics exclude; a whole number.
     std::optional<double> settle;
-    /// standard deviation of the interval between blows (normal distribution), as a multiple of 1/f
+    /// Standard deviation of the interval between blows (normal distribution), as a multiple of 1/f.
     std::optional<double> intervalScatter;
     std::optional<double> seed;  ///< seed of the random intervals, a whole number
     bool operator==(const Drill&) const = default;
@@ -214,7 +214,7 @@ struct Groups {
 enum class ScenarioForm {
     dimensional,    ///< uniform rod under a prescribed hammer force, in physical quantities
     dimensionless,  ///< uniform rod, given by its dimensionless groups
-    /// drill string of sections, struck by a hammer or a prescribed force, in physical quantities
+    /// Drill string of sections, struck by a hammer or a prescribed force, in physical quantities.
     string,
 };
 
@@ -225,7 +225,7 @@ struct Scenario {
     Groups groups;  ///< groups of a dimensionless scenario; for other forms use groupsOf()
     Rod rod;        ///< uniform rod; used only by the form `dimensional`
     Pulse pulse;    ///< hammer force; used if isForced()
-    /// gap and bit–rock law; a dimensionless scenario uses only the shape of its loading curve
+    /// Gap and bit–rock law; a dimensionless scenario uses only the shape of its loading curve.
     BitRock bitRock;
     Drill drill;              ///< operating data of the rock drill; not used by dimensionless scenarios
     DrillString drillString;  ///< hammer and string; used only by the form `string`

@@ -30,7 +30,8 @@ struct SectionField {
     Presence presence;
     std::optional<double> (*value)(const Section&);
     void (*assign)(Section&, double);
-    void (*clear)(Section&) = nullptr;  ///< makes the value "not given"; nullptr if there is always a value
+    /// function that makes the value "not given"; nullptr if there is always a value
+    void (*clear)(Section&) = nullptr;
     /// Sections that have this number: all, or only those given by outer diameter or by area.
     enum class With { both, diameter, area } with = With::both;
 
@@ -64,8 +65,8 @@ Message rangeProblem(const SectionField& field, double value);
 struct SectionAddress {
     enum class Chain { hammer, string };
     Chain chain = Chain::string;
-    std::string name;  ///< name of the sections; empty if a position is given
-    /// position in hammer or string, from 1, with repeats expanded; 0 if a name is given
+    std::string name;  ///< name of the sections, "adapter"; empty if a position is given
+    /// Number of the section in hammer or string, from 1 with repeats expanded; 0 if a name is given.
     std::uint64_t place = 0;
     const SectionField* field = nullptr;
 
@@ -122,8 +123,8 @@ void visitSections(const SectionAddress& address, String& drillString, const Vis
 /// `adapter`?".
 Message whyNoneThere(const SectionAddress& address, const DrillString& drillString);
 
-/// Returns the key of a section that is most similar to a mistyped one, as far as this is possible without a
-/// scenario; empty if none is similar.
+/// Returns the key of a section that is most similar to a mistyped one; empty if none is similar. As no
+/// scenario is given, names of sections are not known.
 std::string nearestSectionKey(std::string_view key);
 
 /// Returns why a section cannot have this name: "must be …"; empty if it can.

@@ -49,8 +49,8 @@ std::string sectionName(const Parameter& parameter, const Scenario& scenario);
 /// position. "string.repeat" is between hammer and string. Empty for a uniform rod.
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
 
-/// Returns the diameter, or area, of the most important section of a drill string: of the couplings, else of
-/// the first section in a repeat, else of the first section. Empty for a uniform rod.
+/// Returns the diameter, or area, of the most important section of a drill string. These are the couplings,
+/// else the first section in a repeat, else the first section. Empty for a uniform rod.
 KeptParameter typicalSize(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -23,8 +23,8 @@ std::span<const std::string_view> customarySectionNames();
 /// customarySectionNames().
 Message sectionNameMessage(const std::string& name);
 
-/// Returns words for every section of the string, with repeats expanded: "3rd rod", "adapter" if only one
-/// section has that name, "section 3" if it has no name.
+/// Returns words for every section of the string, with repeats expanded: "3rd rod". A name that occurs once
+/// has no number, "adapter"; a section without a name is "section 3".
 std::vector<Message> stringSectionWords(const DrillString& drillString);
 
 /// Returns the words for a section of the hammer: "hammer 1", or "hammer 1 (piston)" if it has a name.
@@ -35,12 +35,12 @@ Message hammerSectionWords(const DrillString& drillString, std::size_t place);
 /// "3rd rod".
 std::vector<Message> sectionWords(const DrillString& drillString);
 
-/// Returns words for every section as it stands in a file, in the order of sectionSpots(): "3rd rod", or
-/// "2nd to 4th rod" for a section in a repeat.
+/// Returns words for every section of a file, in the order of sectionSpots(): "3rd rod", or "2nd to 4th rod"
+/// for a section in a repeat.
 std::vector<Message> rowWords(const DrillString& drillString);
 
-/// Returns words for the section that an address refers to, as it stands in a file: "2nd to 4th rod",
-/// "hammer 1". For an address by name it is the name, "coupling"; without such a section "section 9".
+/// Returns words for the section that an address refers to, as in the file: "2nd to 4th rod", "hammer 1". For
+/// an address by name it is the name, "coupling"; without such a section "section 9".
 Message addressedWords(const SectionAddress& address, const DrillString& drillString);
 
 /// Returns a summary of the sections of a drill string: "6 rods, 3 couplings, 2 other sections".

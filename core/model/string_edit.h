@@ -78,8 +78,8 @@ void setRepeat(DrillString& drillString, std::size_t part, int times);
 // Rounded lengths of sections. A common step of the lengths keeps the number of time steps of the solver
 // small.
 
-/// Returns a length [m] rounded to a multiple of 10 mm from 50 mm on, of 5 mm from 20 mm on, and of 1 mm
-/// below.
+/// Returns a length [m] rounded to a multiple of 10 mm for 50 mm and more, of 5 mm for 20 mm and more, else
+/// of 1 mm.
 double roundedLength(double length);
 
 /// Returns hammer and string with rounded lengths of all sections. A section that changes loses the name of

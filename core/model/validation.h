@@ -20,7 +20,7 @@ struct InputProblem {
     Message text;     ///< message with key and value: "bit_rock.gamma = 1.3 (must be in (0, 1])"
     int line = 0;
     int column = 0;
-    /// file with the error, if that is not the scenario file but a table of the hammer force; else empty
+    /// File with the error, if that is not the scenario file but a table of the hammer force; else empty.
     std::string source = {};
     /// Message without the value, by which equal errors are counted: "bit_rock.gamma must be in (0, 1]". Only
     /// validate() sets it.
@@ -43,7 +43,8 @@ Message invalidity(const Scenario& scenario);
 /// First reason why points of time and force cannot be a hammer force, and the index of that point, from 0.
 struct PointProblem {
     std::size_t index = 0;
-    /// reason, "point 3 must be later than the one before it"; empty if the points are valid
+    /// Reason why the points are refused, "point 3 must be later than the one before it"; empty if they are
+    /// valid.
     Message reason;
 };
 /// Returns the first error of the points of a tabulated hammer force; `reason` is empty if there is none.
@@ -52,8 +53,8 @@ PointProblem pointProblem(const TablePoints& points);
 // Errors in the sections of a hammer and a drill string.
 
 /// Returns all errors of the sections of hammer and string, with keys by position ("string.3.bore"). Errors
-/// are no sections or too many, numbers outside their range, a bore as wide as the section, names that look
-/// like positions, and derived values that overflow.
+/// are no sections or too many, numbers outside their range, and a bore as wide as the section. Names that
+/// look like positions, and derived values that overflow, are errors too.
 std::vector<InputProblem> sectionProblems(const DrillString& drillString);
 
 /// Returns the message that a string or hammer with `count` sections has more than maximumSections.

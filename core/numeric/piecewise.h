@@ -17,15 +17,16 @@ namespace drillwave {
 class PiecewisePolynomial {
   public:
     struct Piece {
-        double start;         ///< s at which the piece begins
-        double length;        ///< length in s, ≥ 0; the next piece begins at start + length
+        double start;  ///< value of the variable s at which the piece begins
+        /// length of the piece in the variable s, ≥ 0; the next piece begins at start + length
+        double length;
         double scale;         ///< scale of the local coordinate u = (s − start)/scale, > 0
         std::uint32_t first;  ///< index of the first coefficient of the piece in the common list
         std::uint32_t count;  ///< number of coefficients; 0 for a piece that is exactly zero
     };
 
-    /// Adds a piece at the end; the first piece begins at the origin set by clear(). `coefficients` are c_k
-    /// of Σ c_k u^k, u = x/scale, with x the distance from the start of the piece.
+    /// Adds a piece at the end; the first piece begins at the origin set by clear(). The piece is Σ c_k u^k
+    /// with c_k from `coefficients`, u = x/scale, and x the distance from its start.
     void append(double length, double scale, std::span<const double> coefficients);
     void clear(double origin = 0);
 
@@ -50,7 +51,7 @@ class PiecewisePolynomial {
     std::vector<double> m_coefficients;
     std::vector<double> m_integrals;  // integral up to the start of each piece
     double m_origin = 0;
-    /// sum of all lengths, exact to the last digit so that look-ups by time are exact as well
+    /// Sum of all lengths, exact to the last digit so that look-ups by time are exact as well.
     CompensatedSum<double> m_end;
 };
 

@@ -56,7 +56,7 @@ struct FitSample {
     double x = 0;
     std::array<double, mostFitFunctions> values{};
     double error = 0;  ///< bound on the absolute error of the values
-    /// number that stays the same while the functions are smooth; it differs on the two sides of a kink
+    /// Number that stays the same while the functions are smooth; it differs on the two sides of a kink.
     std::uint64_t order = 0;
     int label = 0;        ///< any number by which the caller distinguishes pieces
     bool solved = false;  ///< whether the functions have values at this x
@@ -67,14 +67,14 @@ struct FitSample {
 struct FitPiece {
     double start = 0;
     double end = 0;
-    /// interpolation of each function; empty if the functions have no values here
+    /// Interpolation of each function; empty if the functions have no values in this piece.
     std::vector<Chebyshev> outputs;
     std::vector<double> error;  ///< estimated bound of |output − exact value|, one for each function
     int label = 0;              ///< label of the sample nearest to the middle of the piece
-    /// whether the error is within the tolerance; false for a sliver around a kink, or if the limit of work
-    /// was reached
+    /// Whether the error is within the tolerance. False for a very short piece around a kink, or if the limit
+    /// of work was reached.
     bool resolved = true;
-    bool solved = true;  ///< whether the functions have values here
+    bool solved = true;  ///< whether the functions have values in this piece
 };
 
 /// Accuracy of a piecewise fit, number of functions, and limits on the work.
@@ -91,11 +91,13 @@ struct FitSettings {
     // is available for later intervals.
     std::uint64_t solvesOfCell = 2'000;
     std::uint64_t kinksOfCell = 100;
-    /// samples without values per interval between two cuts, not carried over to later ones
+    /// Limit on the number of samples without values in an interval between two cuts. The limit is not
+    /// carried over to later intervals.
     std::uint64_t failuresOfCell = 20;
-    /// Limit on the total effort of all samples. Beyond it pieces are not refined, and count as not resolved.
+    /// Limit on the total effort of all evaluations. Beyond it pieces are not refined, and count as not
+    /// resolved.
     long mostEffort = std::numeric_limits<long>::max();
-    /// limit on the total effort of the samples without values
+    /// Limit on the total effort of evaluations that gave no values.
     long mostFailedEffort = std::numeric_limits<long>::max();
     /// Treatment of a point where values end: the pieces next to it are halved, or it is bracketed like a
     /// kink.
@@ -104,10 +106,10 @@ struct FitSettings {
 
 /// Piecewise fit of the functions from the first cut to the last.
 struct PiecewiseFit {
-    /// ascending and contiguous, with slivers of length kinkWidth around kinks
+    /// Pieces in ascending order without gaps, with very short ones of length kinkWidth around kinks.
     std::vector<FitPiece> pieces;
     std::vector<double> borders;  ///< x of the kinks, where the order of the samples changes
-    std::uint64_t solves = 0;     ///< number of samples taken
+    std::uint64_t solves = 0;     ///< number of evaluations of the functions
     double largestError = 0;      ///< largest error of a sample
     double unsolved = 0;          ///< total length, in units of x, over which there are no values
 };

@@ -31,10 +31,9 @@ struct MeasuredSignal {
 // Measured points are at least two, with increasing times [s], joined by straight lines. The computed force
 // is a function of time [s] from 0 to `end` > 0.
 
-/// Returns the shift [s] of the times of the measured points at which measured and computed force agree best:
-/// the integral of their product over time is largest. Each force counts as 0 outside its own times. The
-/// resolution is a 2000th of the longer one, refined by a parabola. nullopt if the integral is never
-/// positive.
+/// Returns the time shift of the measured points [s] at which measured and computed force agree best: the
+/// integral of their product is largest. Each force counts as 0 outside its own times. The resolution is a
+/// 2000th of the longer one, refined by a parabola. Returns nullopt if the integral is never positive.
 std::optional<double> bestShift(const TablePoints& measured,
                                 const std::function<double(double time)>& computed, double end);
 
@@ -42,15 +41,15 @@ std::optional<double> bestShift(const TablePoints& measured,
 struct Misfit {
     double rms = 0;           ///< root mean square of the difference [N]
     double computedPeak = 0;  ///< largest absolute value of the computed force, tension or compression [N]
-    /// largest absolute value of the measured force less that of the computed one [N]
+    /// Largest absolute value of the measured force less that of the computed one [N].
     double peakDifference = 0;
-    /// delay of the measured force [s]: the given shift less that of bestShift(); nullopt without a best
-    /// shift
+    /// Delay of the measured force [s]: the given shift less that of bestShift(); nullopt without a best
+    /// shift.
     std::optional<double> lag;
 };
 
-/// Returns the difference between a measured and a computed force at 2001 equally spaced times. `shift` [s]
-/// is added to the times of the measured points. nullopt if they have no time in common.
+/// Returns the difference between a measured and a computed force at 2001 equally spaced times. Adds
+/// `shift` [s] to the times of the measured points. Returns nullopt if they have no time in common.
 std::optional<Misfit> misfitOf(const TablePoints& measured, double shift,
                                const std::function<double(double time)>& computed, double end);
 

@@ -48,7 +48,8 @@ class CaseRecords {
     bool next(CsvRecord& record);
     /// Skips at most `most` records, and returns the number of records skipped.
     std::uint64_t skip(std::uint64_t most);
-    int line() const { return m_line; }  ///< line of the file on which the last record began, counted from 1
+    /// Returns the line of the file on which the last record began, counted from 1.
+    int line() const { return m_line; }
 
   private:
     void begin();
@@ -61,7 +62,7 @@ class CaseRecords {
     std::istream m_in;
     std::unique_ptr<CsvReader> m_reader;
     RowFormat m_format;
-    /// separator is a comma and decimal sign a point: only characters beyond ASCII are converted
+    /// Separator is a comma and decimal sign a point: only characters beyond ASCII are converted.
     bool m_isPlain = true;
     std::optional<CsvRecord> m_ahead;  ///< record after empty rows, already read
     int m_aheadLine = 0;

@@ -15,25 +15,26 @@ namespace drillwave {
 
 struct DetectedTable {
     RowFormat format;
-    /// first line with samples, counted from 1; after the last line if there are none
+    /// First line with samples, counted from 1; after the last line if there are none.
     std::size_t firstLine = 1;
     std::vector<TableColumn> columns;
     char groups = 0;  ///< sign between groups of three digits in the table, or 0 if none was seen
-    /// whether the decimal sign is ambiguous: each number may also be a whole one with groups, "1,234"
+    /// Whether the decimal sign is ambiguous: each number may also be a whole one with groups, "1,234".
     bool isDecimalOpen = false;
-    /// whether each channel is a row that begins with its name, so that the table must be transposed
+    /// Whether each channel is a row that begins with its name, so that the table must be transposed.
     bool hasRows = false;
     std::optional<double> rate;  ///< sampling rate with its unit, stated above or beside the samples [Hz]
     std::string rateText;        ///< text in the table that states the sampling rate, with or without a unit
-    /// sampling rate stated without a unit [Hz]; Hz is assumed, or s for a sampling interval
+    /// Sampling rate stated without a unit [Hz]; Hz is assumed, or s for a sampling interval.
     std::optional<double> bareRate;
     bool operator==(const DetectedTable&) const = default;
 
     bool hasSamples() const { return !columns.empty(); }
 };
 
-/// Returns the format of a table from its first lines: the separator and decimal sign with which most cells
-/// are numbers, the first line from which this holds, and the columns of the header before it.
+/// Returns the format of a table from its first lines. Separator and decimal sign are those with which most
+/// cells are numbers. The samples begin at the first line from which this holds; the line before is the
+/// header.
 DetectedTable detectTable(std::span<const std::string> lines);
 
 /// Returns the format of a table from its first lines, with separator and decimal sign given.
@@ -43,8 +44,8 @@ DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
 /// it are ignored, so that the header above them is found.
 DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine);
 
-/// Returns the index of a column, from 0, or nullopt. `wanted` is its number from 1, its name with or without
-/// the unit, or a unique beginning of its name; capitals are ignored.
+/// Returns the index of a column, from 0, or nullopt. The column `wanted` is given by its number from 1, its
+/// name with or without the unit, or a unique beginning of its name. Capitals are ignored.
 std::optional<std::size_t> columnNamed(std::span<const TableColumn> columns, const std::string& wanted);
 
 }  // namespace drillwave

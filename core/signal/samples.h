@@ -25,13 +25,13 @@ enum class WrongRows { refused, skipped };
 struct SampleSource {
     RowFormat format;
     std::size_t firstLine = 1;  ///< first line with samples, counted from 1
-    /// index of the column of times, from 0; nullopt for evenly spaced samples
+    /// Index of the column of times, from 0; nullopt for evenly spaced samples.
     std::optional<std::size_t> timeColumn;
     double timeUnit = 1;          ///< unit of the column of times [s]; not used for times of day
     double interval = 1e-6;       ///< interval between samples without a column of times [s], > 0
     double start = 0;             ///< time of the first sample without a column of times [s]
     std::size_t valueColumn = 0;  ///< index of the column of the signal, from 0
-    /// index of the column of an opposite gauge, if any; the mean of both cancels bending
+    /// Index of the column of an opposite gauge, if any; the mean of both cancels bending.
     std::optional<std::size_t> secondGauge;
     WrongRows wrongRows = WrongRows::refused;
     TextEncoding encoding = TextEncoding::found;
@@ -40,23 +40,23 @@ struct SampleSource {
 
 /// Samples of a signal as recorded, or the reason why they could not be read.
 struct Samples {
-    /// times [s], increasing; equal steps from SampleSource::start without a column of times
+    /// Times [s], increasing; equal steps from SampleSource::start without a column of times.
     std::vector<double> time;
     std::vector<double> value;  ///< values in the unit of the table, one for each time
-    /// number of times with two values; the second one is stored at the next larger double
+    /// Number of times with two values; the second one is stored at the next larger double.
     std::size_t jumps = 0;
     std::size_t skipped = 0;       ///< number of skipped rows
     std::size_t firstSkipped = 0;  ///< line of the first skipped row, counted from 1
     double skippedTime = 0;        ///< longest time between two samples with skipped rows between them [s]
-    double skippedAt = 0;          ///< start of that longest time [s]
-    /// number of skipped rows that are marked as overload, by a word or a number
+    double skippedAt = 0;          ///< time at which that longest time without samples begins [s]
+    /// Number of skipped rows that are marked as overload, by a word or a number.
     std::size_t overloads = 0;
     bool hasNulTail = false;             ///< whether the text ended with NUL bytes
     std::vector<double> halfDifference;  ///< (first − second gauge)/2 for each time; empty with one gauge
     std::size_t problemLine = 0;         ///< line of the problem, counted from 1; 0 if it concerns no line
     std::string problem;                 ///< reason why the samples could not be read; then there are none
     /// Sampling rate [Hz] estimated from first time, last time and number of samples, if the times in the
-    /// table are rounded too coarsely. `firstTime` is then the first time [s].
+    /// table are rounded too coarsely. In this case `firstTime` is the first time [s].
     std::optional<double> estimatedRate = {};
     double firstTime = 0;
 };
@@ -82,9 +82,9 @@ struct SampleGuess {
     SampleSource source;                  ///< proposed columns; times are in s if their unit is not stated
     std::optional<NamedSignalUnit> unit;  ///< unit of the signal as stated in its heading, see statedUnit()
     bool hasTimeUnit = false;             ///< whether the table states the unit of times, or has times of day
-    /// without a column of times: whether the table states the sampling rate with its unit
+    /// Without a column of times: whether the table states the sampling rate with its unit.
     bool hasRate = false;
-    /// number of other columns that are equally likely to be the signal
+    /// Number of other columns that are equally likely to be the signal.
     std::size_t rivals = 0;
     bool operator==(const SampleGuess&) const = default;
 };

@@ -13,29 +13,32 @@ namespace drillwave {
 
 /// Quality of a record. A share is relative to the largest absolute value above the zero line.
 struct SignalQuality {
-    /// zero line in the unit of the table: mean before the blow; 0 with fewer than 50 quiet samples
+    /// Zero line, the mean value before the blow, in the unit of the table; 0 with fewer than 50 quiet
+    /// samples.
     double zero = 0;
-    /// largest value in size less the zero line, in the unit of the table, with its sign
+    /// Largest deviation from the zero line, in the unit of the table, with its sign.
     double peak = 0;
-    /// zero line as a share of the peak; nullopt with fewer than 50 quiet samples before the blow
+    /// Zero line, the mean value before the blow, as a share of the peak; nullopt with fewer than 50 quiet
+    /// samples before the blow.
     std::optional<double> offset = {};
-    /// change of the zero line in 1 ms as a share of the peak; nullopt if it does not exceed the noise
+    /// Drift: change of the mean value without load in 1 ms as a share of the peak; nullopt if it does not
+    /// exceed the noise.
     std::optional<double> drift = {};
     double noise = 0;  ///< standard deviation before the blow, as a share of the peak
-    /// resolution of the recorder as a share of the peak; 0 if no steps are found
+    /// Resolution of the recorder as a share of the peak; 0 if no steps are found.
     double step = 0;
-    /// whether the resolution is coarser than the noise, so that averaging cannot improve it
+    /// Whether the resolution is coarser than the noise, so that averaging cannot improve it.
     bool isQuantised = false;
     std::size_t flatSamples = 0;  ///< number of equal samples in a row at the largest value
-    double flatTop = 0;           ///< that largest value in the unit of the table
-    /// whether the record is probably clipped: more samples are equal at the largest value than noise allows
+    double flatTop = 0;           ///< value at which these equal samples are, in the unit of the table
+    /// Whether the record is probably clipped: more samples are equal at the largest value than noise allows.
     bool isClipped = false;
-    /// largest deviation of a time step from the usual step, as a share of that step
+    /// Largest deviation of a time step from the usual step, as a share of that step.
     double jitter = 0;
     bool hasJitter = false;  ///< whether the times are from a clock whose steps vary by more than 2 %
     double gap = 0;          ///< longest pause in the times [s]; 0 if there is none
     std::size_t blows = 1;   ///< number of blows: steep rises after at least 1 ms without a signal
-    /// root mean square of half the difference of opposite gauges, as a share of the peak
+    /// Root mean square of half the difference of opposite gauges, as a share of the peak.
     std::optional<double> gaugeDifference = {};
 };
 

@@ -36,19 +36,19 @@ struct SignalOptions {
     std::optional<std::size_t> firstLine = {};
     TextEncoding encoding = TextEncoding::found;
     std::string timeColumn = {};  ///< column of times: its name, or its number from 1
-    /// column of the signal: its name, or its number from 1; two with "+" between them are averaged
+    /// Column of the signal: its name, or its number from 1; two with "+" between them are averaged.
     std::string signalColumn = {};
     std::optional<double> timeUnit = {};  ///< unit of the column of times [s]
     std::optional<NamedSignalUnit> unit = {};
-    std::optional<double> rate = {};  ///< sampling rate [Hz]
+    std::optional<double> rate = {};  ///< sampling rate [Hz], which replaces a column of times
     std::optional<SignalScale> scale = {};
-    /// amplifier gain, supply of the bridge [V], bridge factor, gauge factor
+    /// Amplifier gain, supply of the bridge [V], bridge factor, gauge factor.
     std::optional<double> gain = {}, excitation = {}, bridge = {}, gaugeFactor = {};
-    /// cross-section of the bar [m²] and its Young's modulus [Pa]
+    /// Cross-section of the bar [m²] and its Young's modulus [Pa].
     std::optional<double> area = {}, modulus = {};
-    /// times of the table [s] between which the mean is the zero line
+    /// Times of the table [s] between which the mean is the zero line.
     std::optional<std::pair<double, double>> zero = {};
-    /// times of the table [s] between which samples are used
+    /// Times of the table [s] between which samples are used.
     std::optional<double> from = {}, to = {};
     bool invert = false;
     WrongRows wrongRows = WrongRows::refused;
@@ -73,7 +73,7 @@ struct SignalReading {
     SampleSource source;
     std::string timeUnitText;  ///< unit of time as in the table or the option; empty if unknown
     FactSource timeFrom = FactSource::header;  ///< source of the unit of time, or of the sampling rate
-    std::optional<double> rate = {};           ///< sampling rate [Hz], if there is no column of times
+    std::optional<double> rate = {};           ///< sampling rate [Hz], which replaces a column of times
     std::optional<NamedSignalUnit> unit = {};
     FactSource unitFrom = FactSource::header;
     Samples samples;  ///< samples with times in s; in the unit of the table if that is unknown
@@ -83,13 +83,13 @@ struct SignalReading {
     double forcePerNumber = 0;  ///< force for the number 1 in the table [N], with its sign; 0 if unknown
     double zero = 0;            ///< zero line subtracted from all samples, in the unit of the table
     RecordSpan range;           ///< times of the table [s] between which the blow is
-    /// open questions: "unit", "rate", "time_unit", "column", "decimal", "area", "modulus", "bridge",
-    /// "gauge_factor", "impedance"
+    /// Open questions: "unit", "rate", "time_unit", "column", "decimal", "area", "modulus", "bridge",
+    /// "gauge_factor", "impedance".
     std::vector<std::string> questions;
     std::vector<SignalRemark> remarks;
-    /// reason why the text is not a table of samples; then all other members are invalid
+    /// Reason why the text is not a table of samples; then all other members are invalid.
     Message problem;
-    /// whether the problem is a wrong option, such as a column that does not exist
+    /// Whether the problem is a wrong option, such as a column that does not exist.
     bool isWrongOption = false;
 
     bool isTimeKnown() const;
@@ -98,7 +98,8 @@ struct SignalReading {
     /// Returns the unit of peak(): "kN" if the force is known, else the unit of the table; empty if that is
     /// unknown too.
     std::string_view peakUnit() const;
-    double peak() const;  ///< largest value above the zero line in peakUnit(), positive for compression
+    /// Returns the largest value above the zero line in the unit peakUnit(), positive for compression.
+    double peak() const;
 };
 
 /// Reads a record from a stream that can be rewound. The sign is chosen so that the largest value is

@@ -27,11 +27,11 @@ std::vector<std::size_t> thinnedCurve(std::span<const double> time, std::span<co
 /// blow also keeps its impulse, unless this would move its forces by more than twice the deviation.
 enum class SignalUse { blow, curve };
 
-/// Zero line, the value that is subtracted from all samples.
+/// Choice of the zero line: the value of the signal without load, which is subtracted from all samples.
 enum class ZeroLine {
-    asRecorded,      ///< zero: samples are used as recorded
-    ofFirstSamples,  ///< mean of the samples in the first `zeroSpan`
-    chosen,          ///< the given `zeroValue`
+    asRecorded,      ///< zero line 0: samples are used as recorded
+    ofFirstSamples,  ///< zero line is the mean of the first samples, over the time `zeroSpan`
+    chosen,          ///< zero line is the given `zeroValue`
 };
 
 enum class Negatives { kept, clipped };
@@ -41,10 +41,10 @@ enum class Scaling { none, byFactor, toImpulse };
 struct SignalRecipe {
     SignalUse use = SignalUse::curve;
     ZeroLine zeroLine = ZeroLine::asRecorded;
-    /// time from the start of the record over which the zero line is the mean [s]
+    /// Time from the start of the record over which the samples are averaged to find the zero line [s].
     double zeroSpan = 0;
     double zeroValue = 0;  ///< given zero line, in the unit of the table
-    /// force for the number 1 in the table [N]; negative if the table has the opposite sign
+    /// Force for the number 1 in the table [N]; negative if the table has the opposite sign.
     double forcePerNumber = 1;
     std::optional<double> from = {};  ///< time of the table [s] before which samples are left out
     std::optional<double> to = {};    ///< time of the table [s] after which samples are left out
@@ -64,7 +64,7 @@ struct ShapedSignal {
     double zero = 0;            ///< zero line that was subtracted, in the unit of the table
     std::size_t clipped = 0;    ///< number of negative samples that were set to zero
     double clippedImpulse = 0;  ///< impulse that clipping added [N s], ≥ 0
-    double impulse = 0;         ///< impulse of the points [N s]
+    double impulse = 0;         ///< impulse of the force given by the points [N s]
     double impulseChange = 0;   ///< impulse of the points less that of all samples [N s]
     double peak = 0;            ///< largest force in size of all samples used, with its sign [N]
     double peakTime = 0;        ///< time of that largest force in the table [s]
@@ -77,16 +77,17 @@ struct ShapedSignal {
 ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
                           const std::stop_token& stop = {});
 
-/// Returns the zero line, the value that is subtracted from all samples, in the unit of the table.
+/// Returns the zero line, the value without load that is subtracted from all samples, in the unit of the
+/// table.
 double zeroOf(const Samples& samples, const SignalRecipe& recipe);
 
 /// Times of the record at the start and the end of the stretch around its largest value in size.
 struct RecordSpan {
-    double from = 0;  ///< start [s]
-    double to = 0;    ///< end [s]
+    double from = 0;  ///< time of the record at the start of the stretch [s]
+    double to = 0;    ///< time of the record at the end of the stretch [s]
 };
 /// Returns the times around the largest value in size at which the signal has fallen to 2 % of it on either
-/// side. nullopt if that value equals the zero line.
+/// side. Returns nullopt if that value equals the zero line.
 std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
 
 /// Returns the sign, +1 or −1, of the largest value in size after subtraction of the zero line.

@@ -54,8 +54,8 @@ std::string rateText(double rate);
 struct GaugedBar {
     double axialStiffness = 0;  ///< axial stiffness E A [N], > 0
     double gaugeFactor = 2;     ///< gauge factor k > 0 of the strain gauges; for signals in V/V and V
-    /// bridge factor n: 1 quarter, 2 half, 4 full bridge with gauges at ±ε, 2.6 full with Poisson gauges
-    /// (ν = 0.3)
+    /// Bridge factor n: 1 quarter, 2 half, 4 full bridge with gauges at ±ε, 2.6 full with Poisson gauges
+    /// (ν = 0.3).
     double activeGauges = 1;
     double gain = 1;          ///< gain g > 0 of the amplifier; for signals in V
     double excitation = 1;    ///< supply V > 0 of the bridge [V]; for signals in V
@@ -65,7 +65,7 @@ struct GaugedBar {
     bool operator==(const GaugedBar&) const = default;
 };
 
-/// Returns the normal force [N] for the number 1 in the file. `unitFactor` is the value of that number in N,
+/// Returns the normal force [N] for the number 1 in the file. The value of that number is `unitFactor`, in N,
 /// m/m, V/V, V, Pa or m/s.
 double forcePerNumber(SignalKind kind, double unitFactor, const GaugedBar& bar);
 

@@ -39,9 +39,10 @@ class TableRow {
     std::deque<std::string> m_unquoted;
 };
 
-/// Returns the number in a cell, or nullopt. Point or comma, whichever is not the decimal sign, is allowed
-/// only between groups of three digits: if the format says so, or if a decimal sign follows ("3,676.8").
-/// U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in Fortran.
+/// Returns the number in a cell, or nullopt. The one of point and comma that is not the decimal sign is
+/// allowed only between groups of three digits. It requires that the format says so, or that a decimal sign
+/// follows ("3,676.8"). U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in
+/// Fortran.
 std::optional<double> cellNumber(std::string_view cell, const RowFormat& format);
 
 /// Returns a cell that begins with a number with that number in C notation: "3,66 m" becomes "3.66 m". Any
@@ -52,9 +53,9 @@ std::string plainCell(std::string_view cell, const RowFormat& format);
 struct SignEvidence {
     bool point = false;  ///< whether the point must be a decimal sign
     bool comma = false;  ///< whether the comma must be a decimal sign
-    /// whether a single point or comma precedes three digits, "1,234", and may be either
+    /// Whether a single point or comma precedes three digits, "1,234", and may be either.
     bool ambiguous = false;
-    /// sign between groups of three digits: ',', '.', an apostrophe or ' '; 0 for none
+    /// Sign between groups of three digits: ',', '.', an apostrophe or ' '; 0 for none.
     char groups = 0;
 };
 /// Returns what a cell shows about the decimal sign and groups of thousands.

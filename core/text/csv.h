@@ -36,8 +36,8 @@ class CsvInSigns {
     bool m_isBehindHeader = false;
 };
 
-/// One line of a table, split into cells without their quotes and without the line end. If the record is
-/// malformed, `problem` says why; else it is empty.
+/// Row of a table, split into cells without their quotes and without the line end. If it is malformed,
+/// `problem` says why; else `problem` is empty.
 struct CsvRecord {
     std::vector<std::string> cells;
     Message problem;
@@ -59,7 +59,8 @@ class CsvReader {
     Skipped skipNext();
     /// Skips at most `most` records without reading their cells, and returns the number of records skipped.
     std::uint64_t skip(std::uint64_t most);
-    int line() const { return m_line; }  ///< line of the file on which the last record began, counted from 1
+    /// Returns the line of the file on which the last record began, counted from 1.
+    int line() const { return m_line; }
 
   private:
     /// Moves to the start of the next line, after '#' lines before the header, and returns false at the end

@@ -34,7 +34,7 @@ inline Message refusedValue(std::string_view name, std::string_view value, Messa
 }
 
 /// Returns the length in bytes of the finite decimal number at the beginning of a text, such as "+1.5e3".
-/// 0 if there is none, also for "nan" and "inf".
+/// Returns 0 if there is none, also for "nan" and "inf".
 std::size_t numberLength(std::string_view text);
 
 /// Returns the whole number that fills the entire text. Returns nullopt if the text is anything else, or if

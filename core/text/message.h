@@ -26,8 +26,8 @@ struct Message {
         : pattern(english), arguments(std::move(places)) {}
     /// Makes a message that is a name or a number, the same in every language.
     Message(std::string words) : pattern(std::move(words)), isWords(true) {}
-    /// Returns a message for a text that has a translation but is not a literal here: a word from a table of
-    /// the core, or a sentence marked by translatable() elsewhere.
+    /// Returns a message for a text with a translation that is not a literal here. It may be a word from a
+    /// table of the core, or a sentence marked by translatable() elsewhere.
     static Message ofTable(std::string_view word) { return std::string(word).c_str(); }
 
     bool operator==(const Message&) const = default;

@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// First fault of a text: a byte that is not UTF-8, NUL, a control character, or a carriage return without a
-/// line feed. `offset` is its byte.
+/// First fault of a text, at the byte `offset`: not UTF-8, NUL, a control character, or a carriage return
+/// without a line feed.
 struct TextProblem {
     std::size_t offset = 0;
     std::string reason;  ///< description of the fault, "a NUL byte"; empty if the text has none

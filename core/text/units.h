@@ -37,8 +37,8 @@ enum class Quantity {
 /// factor = numerator/denominator.
 struct Unit {
     std::string_view name;
-    /// numerator of the factor to SI; with the denominator exact for most units, so that 1.5 in is the double
-    /// nearest to 0.0381
+    /// Numerator of the factor to SI. Numerator and denominator are exact for most units, so that 1.5 in is
+    /// the double nearest to 0.0381.
     double numerator = 1;
     double denominator = 1;                   ///< denominator of the factor to SI, > 0
     std::optional<int> decimalExponent = {};  ///< n if the factor is exactly 10^n ("mm": −3), else empty

@@ -14,7 +14,7 @@ struct Example {
     std::string title;        ///< title of the scenario
     std::string explanation;  ///< first comment of the file as one paragraph: what to look at
     std::string_view text;    ///< contents of the file, byte for byte
-    /// whether it has a hammer and a drill string of sections instead of a uniform rod
+    /// Whether it has a hammer and a drill string of sections instead of a uniform rod.
     bool ofString = false;
 };
 

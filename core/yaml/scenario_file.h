@@ -29,7 +29,7 @@ class ScenarioError : public std::runtime_error {
     const std::vector<InputProblem>& problems() const { return m_problems; }
     /// Returns a message for each error, with its position: "file:line:column: text".
     std::vector<Message> messages() const;
-    /// Returns the messages in English.
+    /// Returns a message in English for each error, with its position: "file:line:column: text".
     std::vector<std::string> lines() const;
 
   private:
@@ -42,10 +42,10 @@ class ScenarioError : public std::runtime_error {
 struct ScenarioDocument {
     Scenario scenario;
     std::string text;  ///< text as it was read; empty for a new scenario
-    /// file name, for messages and to find a table file with a relative path; may be empty
+    /// File name, for messages and to find a table file with a relative path; may be empty.
     std::string source;
     DesignSetup design = {};  ///< settings of the design study; other studies ignore them
-    /// remarks on the quality of the record that replaced the hammer force
+    /// Remarks on the quality of the record that replaced the hammer force.
     std::vector<Message> recordRemarks = {};
 };
 
@@ -72,7 +72,7 @@ inline constexpr std::string_view solvedRemark = "# Solved by method ";
 inline constexpr std::string_view columnsRemark = "# Columns: ";
 
 /// Returns the number of bytes of the comment lines that describe a result, and of a byte order mark before
-/// them. 0 if the text does not begin with them.
+/// them. Returns 0 if the text does not begin with them.
 std::size_t remarksLength(std::string_view yaml);
 
 }  // namespace drillwave

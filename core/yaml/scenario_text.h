@@ -20,16 +20,16 @@ struct SavedUnit {
 
 /// Value in a scenario file: a number, or a text (title, shape, table file, name of a section).
 struct SavedValue {
-    /// path of the map that contains it: "rod", "hammer.sections.0", "string.2.of.1"; empty at the top level.
+    /// Path of the map that contains it: "rod", "hammer.sections.0", "string.2.of.1"; empty at the top level.
     /// Items of lists are counted from 0.
     std::string section;
-    std::string_view key;           ///< key within that map
+    std::string_view key;           ///< key of the value within its map, "length"
     std::optional<SavedUnit> unit;  ///< quantity and default unit of a number; nullopt for a text
     double number = 0;              ///< value of a number in SI
     std::string text;               ///< value of a text
     bool isDefault = false;         ///< whether an absent key has the same meaning
     bool isUnusual = false;         ///< whether a new file omits the value if it is the default
-    /// its parameter in the table of parameters; nullptr if it has none
+    /// Parameter that the value belongs to; nullptr if it is not in the table of parameters.
     const Parameter* parameter = nullptr;
 };
 
@@ -53,11 +53,11 @@ std::string scenarioText(const Scenario& scenario);
 inline constexpr std::string_view pointsPath = "pulse.points", cornersPath = "bit_rock.corners",
                                   hammerSectionsPath = "hammer.sections";
 
-/// Returns the items of one of the lists in a new file, without dashes. The lines of a longer item are not
-/// indented. Empty if the scenario has no such list.
+/// Returns the items of one of the lists, such as "bit_rock.corners", as a new file has them, without dashes.
+/// The lines of a longer item are not indented. Empty if the scenario has no such list.
 std::vector<std::string> listItems(const Scenario& scenario, std::string_view list);
 
-/// Returns the values of one path in braces, as an item of a list.
+/// Returns those of the values that have this path, in braces, as an item of a list.
 std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path);
 
 /// Returns items as a YAML list, each on one or more lines, indented by this number of blanks.

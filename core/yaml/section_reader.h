@@ -76,19 +76,20 @@ class SectionReader {
     /// Returns the entries of a map that have known keys. Reports unknown keys, and keys that occur twice.
     YamlEntries entriesOf(const YamlNode& map, std::string_view section,
                           const std::vector<std::string_view>& known);
-    /// Returns the entries of the section `name` of a file. Known keys are the parameters of `group` and
-    /// `moreKeys`. Returns nullopt and reports an error if the section is missing or is not a map.
+    /// Returns the entries of the section `name` of a file. Known keys are those of the parameters of the
+    /// section `group`, and `moreKeys`. Returns nullopt and reports an error if the section is missing or is
+    /// not a map.
     std::optional<YamlEntries> section(const YamlEntries& file, std::string_view name, std::string_view group,
                                        std::vector<std::string_view> moreKeys = {});
 
     /// Treatment of parameters that do not apply to the scenario: reported as errors, or not.
     enum class Applicability { checked, ignored };
-    /// Sets every parameter of the group that is present, in the order of the table, as a mean force needs
-    /// the duration.
+    /// Sets every parameter of the section `group` that is present in the file, in the order of the table of
+    /// parameters, as a mean force needs the duration.
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
-    /// Reports required parameters of the group that are missing, and pairs of which both or neither is
-    /// given. Parameters that do not apply to the scenario are ignored.
+    /// Reports required parameters of the section `group` that are missing, and pairs of which both or
+    /// neither is given. Parameters that do not apply to the scenario are ignored.
     void requireParameters(const YamlEntries& entries, std::string_view group);
     /// Reports the parameter if it is missing from its section.
     void require(const YamlEntries& entries, const Parameter& parameter);

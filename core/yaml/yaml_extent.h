@@ -19,8 +19,8 @@ struct TextExtent {
 /// Returns the bytes of a scalar including its quotes; nullopt if it is not on one line.
 std::optional<TextExtent> extentOf(std::string_view text, const YamlNode& scalar);
 
-/// Returns the byte after a value, including the brackets that close it. nullopt if the value is absent, or
-/// if its last scalar is not on one line.
+/// Returns the byte after a value, including the brackets that close it. Returns nullopt if the value is
+/// absent, or if its last scalar is not on one line.
 std::optional<std::size_t> endOf(std::string_view text, const YamlNode& value);
 
 /// Returns the complete lines that contain these bytes, including the last line end.
