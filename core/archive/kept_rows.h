@@ -15,7 +15,7 @@ namespace drillwave {
 /// Progress of a run that writes rows.
 struct RowsDone {
     std::uint64_t rows = 0;
-    std::uint64_t unsolved = 0;  ///< number of rows without a result
+    std::uint64_t unsolved = 0;  ///< number of rows for which no result was found
     FileSum sum;                 ///< size and checksum of the file of rows, including its header
     bool operator==(const RowsDone&) const = default;
 };
@@ -24,7 +24,8 @@ struct RowsDone {
 /// progress. Only one process at a time can use them.
 class KeptRows {
   public:
-    /// Treatment of rows that another run has left: an error, or overwritten.
+    /// Treatment of rows that another run has left in the temporary files: reported as a problem, or
+    /// overwritten.
     enum class Other { isProblem, isReplaced };
 
     /// Continues an interrupted run with the same `entries` (recordEntries()), or begins a new one.

@@ -67,8 +67,8 @@ class ContactLaw {
     /// Returns the slopes of the current loading line, β or s_j β, and of the elastic line, β/γ. As
     /// U' = 2g − F, with the incident wave g, they are the rates of F' = a(2g − F) (T16).
     const ContactRates<Real>& slopes() const { return m_slopes; }
-    /// Returns whether loading and unloading coincide so far, because every loading line used had the slope
-    /// β/γ.
+    /// Returns whether loading and unloading coincide, because every loading line that the force has reached
+    /// has the slope β/γ.
     bool isElastic() const { return m_isElastic; }
 
     /// Returns the largest force so far Fm, in units of the mean hammer force F0.
@@ -238,13 +238,12 @@ class ContactLaw {
     ContactRates<Real> m_slopes;  ///< slopes of the loading line in use and of the elastic line
     Real m_beta;
     Real m_gamma;
-    /// Returns the largest force so far Fm, in units of the mean hammer force F0.
-    Real m_largest = 0;
+    Real m_largest = 0;  ///< largest force so far Fm, in units of F0
     Real m_cornerForce = std::numeric_limits<Real>::infinity();
     std::size_t m_line = 0;    ///< index of the loading line on which the largest force so far is
     Line m_from;               ///< start of that loading line
-    bool m_isBilinear = true;  ///< whether all loading lines used had the slope β
-    /// Whether all loading lines used had the slope β/γ of the elastic line.
+    bool m_isBilinear = true;  ///< whether every loading line that the force has reached has the slope β
+    /// Whether every loading line that the force has reached has the slope β/γ of the elastic line.
     bool m_isElastic;
     std::shared_ptr<const std::vector<Line>> m_lines;  ///< loading lines; nullptr for a law without corners
 };

@@ -27,7 +27,7 @@ struct ParameterFacts {
     std::string range;     ///< allowed range, "greater than 0", "in (0, 1]"
     std::string usual;     ///< typical range, "1 – 10000 MN/m"; other values raise a warning
     std::string presence;  ///< whether it may be left out, a sentence without its full stop
-    /// Scenarios that have it, a sentence without its full stop; empty for all scenarios.
+    /// Scenarios to which the number applies, as a sentence without its full stop; empty for all scenarios.
     std::string condition;
 };
 

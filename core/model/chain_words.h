@@ -10,9 +10,9 @@ namespace drillwave {
 struct ChainWords {
     const char* kind;         ///< what the scenario is, "uniform rod"
     const char* assumptions;  ///< what the model neglects, in one sentence
-    /// References of the shares of energy and momentum in tables, "W is the work of the hammer.".
+    /// Sentence on what shares of energy and momentum in tables refer to, "W is the work of the hammer."
     const char* references;
-    const char* errors;  ///< meaning of the stated errors, in one sentence
+    const char* errors;  ///< what the errors of results include and what not, in one sentence
     /// "pulse %1" for the shape of the force, after the groups; empty if groups do not describe the blow
     const char* pulse = "";
     /// Sentence with the coefficient of restitution e as %1; empty if e is not a main result.

@@ -51,14 +51,14 @@ struct StringPart {
     /// Number of times that the sections follow one another; 1 unless `group`.
     int repeat = 1;
     bool group = false;             ///< whether the file lists the part as a repeat, even of a single section
-    std::vector<Section> sections;  ///< sections of the part, exactly one unless `group`
+    std::vector<Section> sections;  ///< sections of the part from its rear end, exactly one unless `group`
     bool operator==(const StringPart&) const = default;
 };
 
 /// Hammer: the sections that strike the drill string, all with the same velocity.
 struct Hammer {
     double velocity = 10;  ///< impact velocity v0 [m/s]
-    /// Sections from the rear to the face; empty if a prescribed force acts instead.
+    /// Sections of the hammer from its rear to its face. Empty if a prescribed force acts instead.
     std::vector<Section> sections;
     std::optional<double> faceStiffness;  ///< stiffness k_c between hammer and string [N/m] (default: rigid)
     /// Whether the hammer may strike again in the same blow; if false, it is removed once separated.

@@ -101,7 +101,8 @@ enum class Scope {
     section,       ///< drill strings that have the section of this parameter (section_parameter.h)
     uniformRod,    ///< uniform rods, with units or dimensionless
     dimensional,   ///< uniform rods in physical quantities
-    withoutArea,   ///< uniform rods in physical quantities
+    /// Uniform rods in physical quantities, given by their diameters and not by their area.
+    withoutArea,
     /// Scenarios with units whose hammer force is given by duration and impulse, not by a piston or table.
     givenPulse,
     trapezoid,      ///< scenarios with a hammer force of the shape `trapezoid`

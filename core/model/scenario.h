@@ -119,7 +119,8 @@ struct Pulse {
     double rise = 0.2;              ///< rise time of `trapezoid` as a share of the duration
     double fall = 0.3;              ///< fall time of `trapezoid` as a share of the duration
     Piston piston;
-    /// Path of the table as written in the scenario; empty if the scenario contains the points.
+    /// Path of the file with the points of `table`, as written in the scenario; empty if the scenario
+    /// contains the points.
     std::string tableFile;
     TablePoints tablePoints;  ///< points of `table`, with strictly increasing times and forces ≥ 0
     bool operator==(const Pulse&) const = default;

@@ -67,7 +67,7 @@ enum class MoveTo { rear, bit };
 std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
 
 /// Returns whether the sections at these positions are neighbours in the string and in no repeat, so that
-/// they can become one.
+/// they can be made a repeat.
 bool canRepeat(const DrillString& drillString, const std::vector<SectionSpot>& spots);
 /// Turns neighbouring sections of the string into a repeat of `times` ≥ 1. Requires canRepeat().
 void repeatSections(DrillString& drillString, const std::vector<SectionSpot>& spots, int times);

@@ -28,8 +28,8 @@ struct SampleSource {
     /// Index of the column of times, from 0; nullopt for evenly spaced samples.
     std::optional<std::size_t> timeColumn;
     double timeUnit = 1;          ///< unit of the column of times [s]; not used for times of day
-    double interval = 1e-6;       ///< interval between samples without a column of times [s], > 0
-    double start = 0;             ///< time of the first sample without a column of times [s]
+    double interval = 1e-6;       ///< interval between samples, if there is no column of times [s], > 0
+    double start = 0;             ///< time of the first sample, if there is no column of times [s]
     std::size_t valueColumn = 0;  ///< index of the column of the signal, from 0
     /// Index of the column of an opposite gauge, if any; the mean of both cancels bending.
     std::optional<std::size_t> secondGauge;
@@ -40,7 +40,8 @@ struct SampleSource {
 
 /// Samples of a signal as recorded, or the reason why they could not be read.
 struct Samples {
-    /// Times [s], increasing; equal steps from SampleSource::start without a column of times.
+    /// Times of the samples [s], increasing. Without a column of times they have equal steps from
+    /// SampleSource::start.
     std::vector<double> time;
     std::vector<double> value;  ///< values in the unit of the table, one for each time
     /// Number of times with two values; the second one is stored at the next larger double.
@@ -82,7 +83,7 @@ struct SampleGuess {
     SampleSource source;                  ///< proposed columns; times are in s if their unit is not stated
     std::optional<NamedSignalUnit> unit;  ///< unit of the signal as stated in its heading, see statedUnit()
     bool hasTimeUnit = false;             ///< whether the table states the unit of times, or has times of day
-    /// Without a column of times: whether the table states the sampling rate with its unit.
+    /// Whether the table states the sampling rate with its unit; only for a table without a column of times.
     bool hasRate = false;
     /// Number of other columns that are equally likely to be the signal.
     std::size_t rivals = 0;

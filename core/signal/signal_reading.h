@@ -73,7 +73,7 @@ struct SignalReading {
     SampleSource source;
     std::string timeUnitText;  ///< unit of time as in the table or the option; empty if unknown
     FactSource timeFrom = FactSource::header;  ///< source of the unit of time, or of the sampling rate
-    std::optional<double> rate = {};           ///< sampling rate [Hz], which replaces a column of times
+    std::optional<double> rate = {};           ///< sampling rate [Hz], if there is no column of times
     std::optional<NamedSignalUnit> unit = {};
     FactSource unitFrom = FactSource::header;
     Samples samples;  ///< samples with times in s; in the unit of the table if that is unknown

@@ -25,8 +25,8 @@ struct SavedValue {
     std::string section;
     std::string_view key;           ///< key of the value within its map, "length"
     std::optional<SavedUnit> unit;  ///< quantity and default unit of a number; nullopt for a text
-    double number = 0;              ///< value of a number in SI
-    std::string text;               ///< value of a text
+    double number = 0;              ///< value in SI, if it is a number
+    std::string text;               ///< value, if it is a text
     bool isDefault = false;         ///< whether an absent key has the same meaning
     bool isUnusual = false;         ///< whether a new file omits the value if it is the default
     /// Parameter that the value belongs to; nullptr if it is not in the table of parameters.
@@ -57,7 +57,8 @@ inline constexpr std::string_view pointsPath = "pulse.points", cornersPath = "bi
 /// The lines of a longer item are not indented. Empty if the scenario has no such list.
 std::vector<std::string> listItems(const Scenario& scenario, std::string_view list);
 
-/// Returns those of the values that have this path, in braces, as an item of a list.
+/// Returns the values that have this path as a YAML map in braces, "{length: 3660 mm, …}", for an item of a
+/// list.
 std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path);
 
 /// Returns items as a YAML list, each on one or more lines, indented by this number of blanks.
