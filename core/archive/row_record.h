@@ -33,7 +33,7 @@ struct RowRecord {
     std::string command;                 ///< command line that gives the same rows again
     std::optional<MethodChoice> method;  ///< method of solution; empty for studies with only one method
     std::uint64_t rows = 0;
-    /// number of rows for which no result was found; nullopt if not counted
+    /// Number of rows for which no result was found; nullopt if not counted.
     std::optional<std::uint64_t> unsolved = {};
     /// Size and checksum of the file of rows; nullopt until it is written.
     std::optional<FileSum> file = {};

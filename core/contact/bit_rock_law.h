@@ -11,7 +11,7 @@ namespace drillwave {
 
 /// Corner of the loading curve of the bit–rock law: above this force the curve has another slope.
 struct LawCorner {
-    /// force F_j at the corner, in units of F0; > 0, and not less than that of the previous corner
+    /// Force F_j at the corner, in units of F0; > 0, and not less than that of the previous corner.
     double force = 0;
     double slope = 1;  ///< slope above the corner as a multiple s_j of β; 0 < s_j ≤ 1/γ
     bool operator==(const LawCorner&) const = default;

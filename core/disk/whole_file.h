@@ -37,8 +37,8 @@ class WholeFile {
     /// Opens the new file for writing. Must be called first, unless openKept() is. Returns an empty failure
     /// when done.
     WriteFailure open();
-    /// Opens the existing file `kept` on the same disk instead, cuts it to its first `bytes`, and appends to
-    /// it. Without commit() `kept` remains. Returns an empty failure when done.
+    /// Opens the file `kept` on the same disk instead, or makes it, cuts it to its first `bytes`, and appends
+    /// to it. Without commit() `kept` remains. Returns an empty failure when done.
     WriteFailure openKept(const std::string& kept, std::uint64_t bytes);
     WriteFailure write(std::string_view bytes);
     /// Waits until all bytes are on the disk, and then replaces the file. Returns an empty failure when done.

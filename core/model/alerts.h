@@ -53,8 +53,9 @@ std::string_view name(AlertCode code);
 
 /// Named number in a warning or note.
 struct AlertArgument {
-    std::string_view name;  ///< name, "cor" or the key of a parameter; must refer to a string literal
-    double value = 0;       ///< value in SI
+    /// Name, "cor" or the key of a parameter; its text must have static storage duration.
+    std::string_view name;
+    double value = 0;  ///< value in SI
     Quantity quantity = Quantity::ratio;
     bool operator==(const AlertArgument&) const = default;
 };

@@ -8,8 +8,8 @@ namespace drillwave {
 
 /// Returns whether the blow is solved exactly from one contact event to the next. This holds for a uniform
 /// rod under a prescribed force, which the dimensionless groups and the shape of the force describe
-/// (theory §4). The coefficient of restitution e then has an error bound. Drill strings are computed in time
-/// steps instead, with an estimated error.
+/// (theory §4). The coefficient of restitution e then has an error bound, and curves can be traced instead of
+/// sampled. Drill strings are computed in time steps, with an estimated error of the efficiency.
 inline bool isFollowedByEvents(const Scenario& scenario) {
     return !isString(scenario);
 }

@@ -114,9 +114,9 @@ enum class Scope {
 enum class Presence {
     required,
     either,    ///< exactly one of the parameter and its rival (`rules.rival`) is required
-    assumed,   ///< may be missing; then it has its default value
-    unusual,   ///< may be missing and then has its default; new files give it only if it differs from that
-    optional,  ///< may be missing; then it has no value, or follows from its rival
+    assumed,   ///< a file may omit the parameter; then it has its default value
+    unusual,   ///< a file may omit the parameter, and new files do so if it has its default value
+    optional,  ///< a file may omit the parameter; then it has no value, or follows from its rival
 };
 
 /// Rules for a parameter that may be missing, or that excludes another one.

@@ -55,7 +55,7 @@ Scenario withPreset(Scenario scenario, const Preset& preset);
 bool matches(const Preset& preset, const Scenario& scenario);
 
 /// Returns the name of a preset, followed by its translation if there is one: "soft rock — weiches Gestein".
-/// Commands take the first name.
+/// Commands accept only the untranslated name.
 std::string nameFor(const std::string& name, const ReadingStyle& style);
 
 /// Returns one line per value of a preset with its source, "diameter: 38 mm — nominal", after the shape or
@@ -137,8 +137,8 @@ class PresetChoice {
     std::vector<std::string_view> m_words;
 };
 
-/// Shared pointer to a choice of presets, or none. Two are equal if they choose the same part and equal
-/// presets.
+/// Shared pointer to a choice of presets, for copies of an axis of a study, or none. Two are equal if they
+/// choose the same part and equal presets.
 class SharedPresetChoice {
   public:
     SharedPresetChoice() = default;

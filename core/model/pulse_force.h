@@ -63,9 +63,9 @@ inline constexpr int maximumPulseSegments = 100000;
 /// Requires an impedance ratio q > 0.
 double pistonStepCount(double impedanceRatio);
 
-/// Returns the hammer force of a valid scenario. A piston gives steps of the duration t0 with F_n ∝ R^n (T12)
-/// and R = (q − 1)/(q + 1), where q = Z_hammer/Z_rod > 1. For q ≤ 1 there is a single step, after which the
-/// hammer rebounds.
+/// Returns the hammer force of a valid scenario. A piston gives steps of the duration t0 with F_n ∝ R^n
+/// (T12), where R = (q − 1)/(q + 1) and q = Z_hammer/Z_rod > 1. For q ≤ 1 there is a single step, after which
+/// the hammer stops (q = 1) or rebounds.
 PulseForce pulseForceOf(const Scenario& scenario);
 
 /// Returns whether the parameter `key` changes the force over t/t0 of a shape. Otherwise pulseForceOf() is

@@ -8,22 +8,26 @@
 
 namespace drillwave {
 
-/// Scales in SI (paper, section 5.1; theory §2): dimensionless number × scale = value in SI. Members give the
-/// scale under a prescribed force, then that for a hammer whose motion is simulated. For a drill string, Z
-/// and A are those of its ruleSection(), m and L those of the whole string.
+/// Scales in SI (paper, section 5.1; theory §2): dimensionless number × scale = value in SI. They depend on
+/// whether a prescribed force or a hammer whose motion is simulated acts. For a drill string, Z and A are
+/// those of its ruleSection(), m and L those of the whole string.
 struct Scales {
-    /// Time t0 [s], duration of the force; for a hammer, twice its transit time.
+    /// Scale of time t0 [s]: the duration of the force, or twice the transit time of a simulated hammer.
     double time = 1;
-    double impulse = 1;   ///< impulse I0 [N s] of the force; for a hammer, its momentum
-    double force = 1;     ///< force F0 = I0/t0 [N]; for a hammer, Z v0/2
-    double stress = 1;    ///< stress F0/A [Pa]
-    double velocity = 1;  ///< velocity v0 = I0/m [m/s]; for a hammer, its impact velocity
-    /// Particle velocity F0/Z [m/s] of a wave of the force F0; τ v0 for a uniform rod.
+    /// Scale of impulse I0 [N s]: that of the force, or the momentum of a simulated hammer.
+    double impulse = 1;
+    double force = 1;   ///< scale of force: I0/t0 [N] under a force, Z v0/2 for a simulated hammer
+    double stress = 1;  ///< scale of stress F0/A [Pa]
+    /// Scale of velocity: I0/m [m/s] under a force, the impact velocity of a simulated hammer.
+    double velocity = 1;
+    /// Scale of particle velocity F0/Z [m/s], that of a wave of the force F0; for a uniform rod τ v0.
     double particleVelocity = 1;
-    double penetration = 1;  ///< penetration d0 = 2 I0/Z [m], paper (3); for a hammer, v0 t0
-    double stiffness = 1;    ///< stiffness k0 = Z/t0 [N/m]
-    double energy = 1;       ///< energy W0 = m v0²/2 [J]; for a hammer, its kinetic energy at impact
-    double length = 1;       ///< length L [m] of the rod or drill string
+    /// Scale of penetration: 2 I0/Z [m] under a force (paper, eq. 3), v0 t0 for a simulated hammer.
+    double penetration = 1;
+    double stiffness = 1;  ///< scale of stiffness k0 = Z/t0 [N/m]
+    /// Scale of energy: m v0²/2 [J], or the kinetic energy of a simulated hammer at impact.
+    double energy = 1;
+    double length = 1;  ///< scale of length L [m], that of the rod or drill string
     bool operator==(const Scales&) const = default;
 };
 

@@ -30,7 +30,7 @@ struct SectionField {
     Presence presence;
     std::optional<double> (*value)(const Section&);
     void (*assign)(Section&, double);
-    /// function that makes the value "not given"; nullptr if there is always a value
+    /// Function that makes the value "not given"; nullptr if there is always a value.
     void (*clear)(Section&) = nullptr;
     /// Sections that have this number: all, or only those given by outer diameter or by area.
     enum class With { both, diameter, area } with = With::both;

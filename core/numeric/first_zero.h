@@ -93,9 +93,9 @@ Real stepOver(Real value, Real slope, Real bend) {
 }
 
 /// Advances u towards `end` until the zero of p(u) = Σ c_k u^k or until u passes `end`, and returns which
-/// came first. Requires p(u) ≥ 0 at the start and −bend ≤ p'' ≤ rise, both ≥ 0, which limit the steps: none
-/// passes a zero. Convergence is quadratic. `step` returns the number of steps. Always inlined, as a call
-/// takes 1.5 % of the time of a solution.
+/// came first, or that 24 steps were too few. Requires p(u) ≥ 0 at the start and −bend ≤ p'' ≤ rise,
+/// both ≥ 0, which limit the steps: none passes a zero. Convergence is quadratic. The number of steps is
+/// written to `step`. Always inlined, as a call takes 1.5 % of the time of a solution.
 template <class Real>
 [[gnu::always_inline]] inline MarchEnd marchToZero(const Real* c, int count, Real end, Real bend, Real rise,
                                                    Real noise, Real& u, int& step) {

@@ -44,7 +44,7 @@ struct FitSide {
 };
 
 /// Smallest change of slope that counts as a kink, relative to the size of the values or to the steeper
-/// slope.
+/// slope, whichever is larger.
 inline constexpr double leastAngle = 1e-3;
 /// Length below which a piece has no reliable slope, in units of x. Kinks closer than this count as one.
 inline constexpr double leastSlopeWidth = 1e-6;

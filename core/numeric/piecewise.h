@@ -18,7 +18,7 @@ class PiecewisePolynomial {
   public:
     struct Piece {
         double start;  ///< value of the variable s at which the piece begins
-        /// length of the piece in the variable s, ≥ 0; the next piece begins at start + length
+        /// Length of the piece in the variable s, ≥ 0; the next piece begins at start + length.
         double length;
         double scale;         ///< scale of the local coordinate u = (s − start)/scale, > 0
         std::uint32_t first;  ///< index of the first coefficient of the piece in the common list

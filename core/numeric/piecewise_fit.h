@@ -26,8 +26,8 @@ class Chebyshev {
     /// mostNodes.
     Chebyshev(double a, double b, std::span<const double> values);
 
-    /// Returns the j-th of `count` nodes in [a, b], ascending from a to b: the extremes of a Chebyshev
-    /// polynomial. Every second one of 17 nodes is one of 9 nodes.
+    /// Returns the j-th of `count` nodes in [a, b], ascending from a to b, at the extremes of a Chebyshev
+    /// polynomial. The nodes for 9 are every second of the nodes for 17.
     static double node(double a, double b, std::size_t j, std::size_t count);
 
     double operator()(double x) const;

@@ -21,7 +21,7 @@ inline constexpr std::size_t maximumRecorderBytes = std::size_t{1} << 20;
 
 struct Recorder {
     std::string name;
-    /// names and values of options for reading records, see signalOptions()
+    /// Names and values of options for reading records, see signalOptions().
     std::vector<std::pair<std::string, std::string>> settings;
     bool operator==(const Recorder&) const = default;
 };
