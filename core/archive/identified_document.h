@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scenario with the rock that records show, as a file.
+// Scenario file with the rock that was identified from records.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace drillwave {
 
-/// Returns the document with the rock as identified and its text, in which a comment behind each value of the
-/// rock gives its source and interval; everything else stays as it was.
+/// Returns the document with the identified rock. A comment after each identified value of the rock gives its
+/// source and interval; everything else in the text remains. If the text has an unusual layout, it is
+/// rewritten without these comments.
 ScenarioDocument identifiedDocument(const IdentifyReport& report, ScenarioDocument document);
 
 }  // namespace drillwave

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of a run that may end before its time, kept beside their file so that the same run can go on behind
-// them.
+// Rows of an interrupted run, kept next to their file so that the same run can continue after them.
 #pragma once
 
 #include <chrono>
@@ -13,48 +12,51 @@
 
 namespace drillwave {
 
-/// Progress of a run of rows.
+/// Progress of a run that writes rows.
 struct RowsDone {
     std::uint64_t rows = 0;
-    std::uint64_t unsolved = 0;  ///< of these
-    FileSum sum;                 ///< of their file, with its header
+    std::uint64_t unsolved = 0;  ///< number of rows for which no result was found
+    FileSum sum;                 ///< size and checksum of the file of rows, including its header
     bool operator==(const RowsDone&) const = default;
 };
 
-/// Two files on the way to FILE: FILE.partial with the rows, and FILE.partial.yaml, which says what they are
-/// and how far the run came. Held by one process at a time.
+/// Two temporary files of a run: FILE.partial with the rows, and FILE.partial.yaml with their description and
+/// progress. Only one process at a time can use them.
 class KeptRows {
   public:
-    /// Whether rows of another run are a problem or make room.
+    /// Treatment of rows that another run has left in the temporary files: reported as a problem, or
+    /// overwritten.
     enum class Other { isProblem, isReplaced };
 
-    /// Continues the run with the same `entries` (recordEntries()) that was left there, or begins.
+    /// Continues an interrupted run with the same `entries` (recordEntries()), or begins a new one.
     KeptRows(const std::string& file, const std::string& entries, Other other);
     ~KeptRows();
     KeptRows(const KeptRows&) = delete;
     KeptRows& operator=(const KeptRows&) = delete;
 
-    /// Why there is nothing to go on with: another run's rows, another process, a disk; empty otherwise.
+    /// Returns why the run can neither continue nor begin; empty if it can. Rows of another run, another
+    /// process or the disk may prevent it.
     const Message& problem() const { return m_problem; }
-    /// Returns the path of the rows.
+    /// Returns the path of FILE.partial, which contains the rows.
     const std::string& path() const { return m_path; }
-    /// Returns the progress of the run; later bytes of the file are not valid.
+    /// Returns the progress of the interrupted run. Later bytes of FILE.partial are not valid.
     const RowsDone& done() const { return m_done; }
 
-    /// Notes how far the run is, from time to time: what is in the file then must have been written.
+    /// Records the progress, at most every 200 ms. All bytes that it counts must already be written. Returns
+    /// an empty failure when done.
     WriteFailure note(const RowsDone& done);
-    /// Notes it now.
+    /// Records the progress at once. Returns an empty failure when done.
     WriteFailure noteNow(const RowsDone& done);
-    /// Removes what says how far the run came, when the rows are in their place.
+    /// Removes FILE.partial.yaml, when the rows are in their final file.
     void remove();
 
   private:
     void open(const std::string& entries, Other other);
-    /// Reads the notes of the run before and returns how many of their bytes hold.
+    /// Reads the progress that an earlier run recorded, and returns the number of its bytes that are valid.
     std::uint64_t takeUp(std::string_view notes);
 
     std::string m_path;
-    std::string m_notes;  // the path of FILE.partial.yaml
+    std::string m_notes;  // path of FILE.partial.yaml
     Message m_problem;
     RowsDone m_done;
     int m_descriptor = -1;

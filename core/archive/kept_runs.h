@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs kept in a folder beside their scenario file (files §9): a scenario a run, and an index of them.
+// Runs that are kept in a folder next to their scenario file (files §9): a scenario for each run, and an
+// index.
 #pragma once
 
 #include <optional>
@@ -11,70 +12,77 @@
 
 namespace drillwave {
 
-/// Runs have letters, by which their files are called: A.yaml, B.yaml …
+/// Largest number of kept runs. Each has a letter, from which its file is named: A.yaml, B.yaml, …
 inline constexpr int mostRuns = 12;
 
-/// "A" for 0, the next for the next.
+/// Returns the letter of a run: "A" for 0, "B" for 1.
 std::string runLetter(int number);
 
-/// "A.yaml" for 0.
+/// Returns the file name of a run: "A.yaml" for 0.
 std::string runFileName(int number);
 
-/// Kept run: everything needed to solve it again.
+/// Kept run, with everything that is needed to solve it again.
 struct KeptRun {
-    int number = 0;             ///< 0 … mostRuns − 1, of its letter
-    std::string name;           ///< "k 300 MN/m"
-    ScenarioDocument contents;  ///< `text` is the file byte for byte
-    bool isShown = true;        ///< laid over the plots
-    bool isReference = false;   ///< that others are compared with
-    std::optional<double> cor;  ///< as it was solved; tells a table of the blow that has changed since
-    std::string version = {};   ///< of the program that solved it; empty where the index does not say
+    int number = 0;             ///< number 0 … mostRuns − 1, from which its letter follows
+    std::string name;           ///< name given by the user, "k 300 MN/m"
+    ScenarioDocument contents;  ///< scenario of the run; its `text` is the file byte for byte
+    bool isShown = true;        ///< whether its curves are drawn in the plots
+    bool isReference = false;   ///< whether it is the run with which others are compared
+    /// Coefficient of restitution of the run. If solving again gives another one, the table of its hammer
+    /// force has changed.
+    std::optional<double> cor;
+    /// Version of the program that solved it; empty if the index does not give it.
+    std::string version = {};
 };
 
-/// Contents of a folder of runs.
+/// Contents of a folder of kept runs.
 struct KeptRuns {
     std::vector<KeptRun> runs;
-    std::vector<std::string> problems;  ///< one line each, on runs that could not be taken
-    std::vector<int> foreign;           ///< numbers whose files are there, but not among `runs`: not to be
-                                        ///< written over
+    std::vector<std::string> problems;  ///< messages on runs that could not be read, one line each
+    /// Numbers of runs whose files exist but are not among `runs`. These files must not be overwritten.
+    std::vector<int> foreign;
 };
 
-/// "t38.runs" beside "t38.yaml", "t38.yml.runs" beside "t38.yml", "t38.scenario.runs" beside "t38": no two
-/// files have the same one.
+/// Returns the folder of the kept runs of a scenario file, different for every file: "t38.runs" for
+/// "t38.yaml", "t38.yml.runs" for "t38.yml", "t38.scenario.runs" for "t38".
 std::string runsFolderOf(const std::string& scenarioPath);
 
-/// The files of the folder: the scenarios and, last, the index.
+/// Returns the files of a folder of kept runs: the scenarios and, last, the index.
 std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs);
 
-/// The runs of a folder; none and no problem where it is not there. A table of the blow is read relative to
-/// the scenario file, as for the scenario itself.
+/// Returns the runs in a folder; none and no problem if the folder does not exist. A table file of the hammer
+/// force is searched relative to the scenario file.
 KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath);
 
-// The folder of kept runs, and which of its files are ours.
+// Folder of kept runs, and which of its files this program has written.
 
-/// Files that were read here or written count as ours while they stay as they were; any other one of a name
-/// of ours is foreign. A value: a copy of it may be written on another thread.
+/// Folder of kept runs. It knows the files that it has read or written, as long as their bytes do not change.
+/// Any other file with the name of a run is foreign. Copies may be used on another thread.
 class RunsFolder {
   public:
     RunsFolder() = default;
     explicit RunsFolder(std::string path) : m_path(std::move(path)) {}
 
-    /// Empty if there is no scenario file to put the folder beside.
+    /// Returns the path of the folder; empty without a scenario file.
     const std::string& path() const { return m_path; }
-    /// Takes the files of these names as ours, as they are on the disk.
+    /// Marks the files with these names as known, with their present contents on the disk, so that they may
+    /// be replaced.
     void adopt(const std::vector<NamedFile>& named);
     bool hasFiles() const { return !m_files.empty(); }
-    /// Returns whether these files are the ones read or written, as far as known here.
+    /// Returns whether these are exactly the files read or written here, with the same names and bytes. Does
+    /// not read the disk.
     bool holds(const std::vector<NamedFile>& files) const;
-    /// Returns the path of the first foreign file that writing these would replace or remove; empty if none.
+    /// Returns the path of the first foreign file, neither read nor written here, that writing these files
+    /// would replace or remove. Empty if there is none.
     std::string foreignFile(const std::vector<NamedFile>& files) const;
-    /// Returns the numbers of runs whose files exist and are not ours.
+    /// Returns the numbers of runs whose files exist but were not read or written here.
     std::vector<int> foreignNumbers() const;
 
-    /// Writes the files, the index of them last, whole or not at all, and removes those of ours that are not
-    /// among them. Foreign ones are replaced only if that is asked for. Returns why not. Waits for the disk.
+    /// Writes the files, the index last, all or none, and removes files of earlier runs that are not among
+    /// them. Files that others have put there are replaced only with ExistingFiles::replaced. Returns an
+    /// empty message when done, else the reason. Waits for the disk.
     Message write(const std::vector<NamedFile>& files, ExistingFiles existing);
-    /// Takes the files that are ours away, and the folder where nothing else is in it.
+    /// Removes the files read or written here that have not changed, and the folder if nothing else is in it.
     void remove();
 
   private:
@@ -83,7 +91,7 @@ class RunsFolder {
     std::vector<NamedFile> unwritten(const std::vector<NamedFile>& files) const;
 
     std::string m_path;
-    std::vector<NamedFile> m_files;  // that are ours, as they are there
+    std::vector<NamedFile> m_files;  // files read or written here, with their contents
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on a scenario as it stands in its file.
+// Report on a scenario, with its values as its file gives them.
 #pragma once
 
 #include <stop_token>
@@ -11,18 +11,19 @@
 
 namespace drillwave {
 
-/// studyReport() with the scenario itself and the sources of its values. Throws ScenarioError as
-/// completeScenarioText() does.
+/// Returns the report on a scenario, see studyReport(), together with the scenario and the sources of its
+/// values. Throws ScenarioError if the scenario cannot be written as a complete text, see
+/// completeScenarioText().
 BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop = {},
                     const GapProgress& progress = {}, const WorkLimits& limits = {});
 
-/// The values of a scenario as its text has them, in the order of a file. The source of each is the comment
-/// behind it; without one, the built-in preset that the scenario follows; "assumed by the program" for a
-/// value that the text leaves out.
+/// Returns the values of a scenario as its text gives them, in the order of the file. The source of each
+/// value is the comment after it, else the built-in preset that the scenario follows. For a value that the
+/// text omits it is "assumed by the program".
 std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text);
 
-/// Returns the sections of a hammer and a string in the same way; none for a uniform rod. Their source also
-/// includes remarks after the list that they are in.
+/// Returns the sections of hammer and drill string as the text gives them, with their sources; none for a
+/// uniform rod. A source is the comments after the values, else the comment after the list, else the preset.
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of results: of one blow, beside the rows of a study, of a report, and their pictures.
+// Files of results: of one blow, next to the rows of a study, of a report, and their pictures.
 #pragma once
 
 #include <array>
@@ -14,89 +14,92 @@
 
 namespace drillwave {
 
-// Formats in which pictures are written, and orders for pictures.
+// Formats of pictures, and orders for pictures.
 
-/// File extensions of the formats.
+/// File extensions of the picture formats.
 inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
 
-/// Marks in the properties of pictures beside the file of a study, of figures of the paper, and of reports:
-/// with the names, a later run recognises files of an earlier one by these.
+/// Marks in the properties of pictures, by which a later run recognises files of an earlier one. They are for
+/// pictures next to the file of a study, for figures of the paper, and for reports.
 inline constexpr std::string_view studyPictureMark = "Drillwave study";
 inline constexpr std::string_view figureMark = "Drillwave figure";
 inline constexpr std::string_view reportMark = "Drillwave report";
 
-/// Pictures to be drawn of one thing.
+/// Order for pictures of one subject.
 struct PictureOrder {
-    std::string stem;                  ///< of their names: "t38" for t38.png
-    std::vector<std::string> formats;  ///< of pictureFormats
-    std::stop_token stop;              ///< ends the drawing between two pictures
-    std::string mark = "Drillwave";    ///< creator, in their properties
+    std::string stem;                  ///< beginning of their file names: "t38" for t38.png
+    std::vector<std::string> formats;  ///< picture formats, such as "png", from pictureFormats
+    std::stop_token stop;              ///< request to stop, checked between two pictures
+    std::string mark = "Drillwave";    ///< creator that is written into the properties of the pictures
 };
 
 // Files of one blow, as written by `drillwave run -o` and by the export of the window.
 
-/// Blow with additional data for its files.
+/// Blow with further data for its files.
 struct SolvedRun {
-    Blow blow;                 ///< solved with Detail::histories
-    std::string scenarioText;  ///< gives its scenario again (completeScenarioText())
+    Blow blow;                 ///< blow, solved with Detail::histories
+    std::string scenarioText;  ///< complete text of its scenario (completeScenarioText())
     OutputUnits units = OutputUnits::dimensionless;
 };
 
-/// Returns the default units for the files of a run: SI if the scenario has
-/// units.
+/// Returns the default units for the files of a run: SI if the scenario has units, else dimensionless.
 OutputUnits customaryUnits(const Scenario& scenario);
 
-/// Returns the lines at the top of every CSV file: the whole scenario and how it was solved.
+/// Returns the lines at the top of every CSV file: the entire scenario, and how it was solved.
 std::string runHeader(const SolvedRun& run);
 
-/// histories.csv: the header with the whole scenario, then the curves; of a string with those in the middle
-/// of its longest section. Requires Impact::hasHistories().
+/// Returns the text of histories.csv: a header with the entire scenario, then the histories over time. For a
+/// drill string these include the middle of its longest section. Requires Impact::hasHistories().
 std::string historiesFile(const SolvedRun& run);
 
-/// Returns events.csv in the same way.
+/// Returns the text of events.csv: a header with the entire scenario, then the events of the blow.
 std::string eventsFile(const SolvedRun& run);
 
-/// scenario.yaml: the scenario that was solved, complete in itself, behind who solved it and how.
+/// Returns the text of scenario.yaml: the program and the method that solved the scenario, and the complete
+/// scenario.
 std::string scenarioFile(const SolvedRun& run);
 
-/// Returns the names of the files of a run with pictures in these formats.
+/// Returns the names of all files of a run, with pictures in these formats.
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
 
-/// Returns those files of a run, with pictures in every format, that exist in the folder.
+/// Returns the names of files of a run, with pictures in any format, that exist in the folder.
 std::vector<std::string> runFilesThere(const std::string& folder);
 
-/// Name of the record of gauges in the folder of a run (core/report/gauge_record.h).
+/// File name of the record of gauges in the folder of a run (core/report/gauge_record.h).
 inline constexpr char gaugeRecordName[] = "record.csv";
 
-/// Returns the folder of a run, with further files: pictures, a record of gauges. Pictures of an earlier run
-/// in formats not requested would show another blow and are removed. A folder with a summary.json is
-/// complete. The same run gives the same bytes wherever it is written from, except `run_time` in summary.json
-/// and the creation date in PDF.
+/// Returns the files of the folder of a run, together with `further` ones, such as pictures or a record of
+/// gauges. Pictures of an earlier run in other formats would show another blow and are removed. A folder with
+/// summary.json is complete. The same run always gives the same bytes, except `run_time` in summary.json and
+/// the creation date in PDF.
 FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> further);
 
-// Files that belong together: those beside the rows of a study, and the two files of a report.
+// Files that belong together: those next to the rows of a study, and the two files of a report.
 
-/// "map" of "map.csv", to which pictures and contours append; another ending stays.
+/// Returns the name without ".csv", to which pictures and contours append: "map" for "map.csv". Other endings
+/// remain.
 std::string studyStem(std::string_view file);
 
-/// "map.csv.yaml" of "map.csv", with the folder that `file` has.
+/// Returns the name of the record of a file of rows, with the same folder: "map.csv.yaml" for "map.csv".
 std::string recordName(std::string_view file);
 
-/// "map_contours.csv" of "map.csv".
+/// Returns the name of the file of contours of a map: "map_contours.csv" for "map.csv".
 std::string contoursName(std::string_view file);
 
-/// "curve_goal.csv" of "curve.csv".
+/// Returns the name of the file with the curve for a goal: "curve_goal.csv" for "curve.csv".
 std::string goalName(std::string_view file);
 
-/// Returns the names of files in the folder beside FILE that an earlier study wrote, by name and content: its
-/// record, contours, goal and pictures. Other files with such a name are not touched.
+/// Returns the names of files next to `file` that an earlier study wrote: its record, contours, goal and
+/// pictures. They are recognised by name and content, so that other files with such a name are not listed.
 std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file);
 
-/// Returns the names of the pictures STEM.png, .svg and .pdf in the folder with `mark` in their properties.
+/// Returns the names of the pictures STEM.png, STEM.svg and STEM.pdf in the folder that have `mark` in their
+/// properties.
 std::vector<std::string> picturesThere(const std::string& folder, const std::string& stem,
                                        std::string_view mark);
 
-/// Where FILE is there, the other file of the report that it is of: report.pdf beside report.html.
+/// Returns the other file of a report if `file` exists: report.pdf for report.html, and the reverse. Empty if
+/// it does not exist, or is not from a report.
 std::vector<std::string> reportFilesThere(const std::string& folder, const std::string& file);
 
 }  // namespace drillwave

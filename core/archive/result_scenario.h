@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scenario of an earlier run, from the files it left behind.
+// Scenario of an earlier run, read from the files of its results.
 #pragma once
 
 #include <optional>
@@ -13,49 +13,50 @@
 
 namespace drillwave {
 
-/// Most bytes of an input that are read: a scenario may have 1 MiB, with "# " before each of its lines or as
-/// text in JSON, beside thousands of events, more; of a CSV file or a page only the top matters.
+/// Largest number of bytes read from a result, 4 MiB. A scenario has at most 1 MiB, but more with "# " before
+/// each line or as text in JSON with thousands of events. For a CSV file or an HTML page the beginning is
+/// sufficient.
 inline constexpr std::size_t maximumInputBytes = std::size_t{1} << 22;
 
-/// Scenario, with information from the file that contained it.
+/// Scenario, with information on the file that contained it.
 struct ScenarioInput {
     ScenarioDocument document;
-    /// A result, whose bytes are not those of the scenario: JSON, CSV, or the record beside a CSV file.
+    /// Whether the file is a result: JSON, CSV, an HTML report, or the record next to a CSV file. Then its
+    /// bytes are not those of the scenario.
     bool isResult = false;
-    std::string version;                 ///< of the program that wrote the file; empty if unknown
-    std::optional<MethodChoice> method;  ///< how it was solved; nothing if unknown
+    std::string version;                 ///< version of the program that wrote the file; empty if unknown
+    std::optional<MethodChoice> method;  ///< method by which the scenario was solved; nullopt if unknown
 };
 
-/// Returns whether the name is that of a CSV file ("….csv", in any case).
+/// Returns whether a path is that of a CSV file ("….csv", in any capitals).
 bool isCsvName(std::string_view path);
 
-/// The scenario of a text, whatever kind of file it is from: a scenario file; the JSON object of a command,
-/// with the scenario as its text; the record beside a CSV file of rows; a CSV file that begins with its
-/// scenario in "#" lines; a report in HTML. A byte order mark in front is skipped. `source` names the text in
-/// messages, and where it ends in ".csv", ".json" or ".html" the text is taken for a result. Throws
-/// ScenarioError.
+/// Returns the scenario in a text of any kind: a scenario file, the JSON output of a command, the record next
+/// to a CSV file of rows, a CSV file with the scenario in "#" lines, or an HTML report. Skips a byte order
+/// mark. The name of the text in messages is `source`; if it ends in ".csv", ".json" or ".html", the text
+/// must be a result. Throws ScenarioError.
 ScenarioInput parseInput(std::string_view text, const std::string& source);
 
-/// The same for a regular file of at most maximumInputBytes, of a CSV file or a page its top. Throws
-/// ScenarioError.
+/// Returns the scenario in a file of any kind, such as a scenario file, JSON, CSV or HTML. Reads at most
+/// maximumInputBytes. Throws ScenarioError.
 ScenarioInput loadInput(const std::string& path);
 
-/// Returns the scenario of a result. Throws ScenarioError: unreadable if the file has none.
+/// Returns the scenario of a result. Throws ScenarioError if there is none in the file.
 ScenarioDocument loadResultScenario(const std::string& path);
 
-/// Whether a version ("0.2.0") is newer than another one; false where one of them is no version.
+/// Returns whether a version ("0.2.0") is newer than another one; false if one of them is not a version.
 bool isNewerVersion(std::string_view version, std::string_view than);
 
-/// The scenario as it is solved, complete in itself: points that came from a file are written out or, where
-/// that would be more than a scenario file may have, their file is named by its absolute path. Throws
-/// ScenarioError where there is no such file either.
+/// Returns the text of a scenario that needs no other file: points of a table file are written into it. If
+/// the text would be larger than 1 MiB, it gives the absolute path of the table file instead. Throws
+/// ScenarioError if the text is then still too large, or there is no table file.
 std::string completeScenarioText(ScenarioDocument document);
 
 // Changes in results since older versions (manual, upgrading).
 
-/// Says which numbers of a result that `version` ("0.2.0") wrote of this scenario have changed: "Written by
-/// Drillwave 0.2.0. These results have changed since: … (manual, Upgrading)." Empty where none has, or the
-/// version is not known.
+/// Returns a sentence on results that have changed since `version` ("0.2.0") solved this scenario: "Written
+/// by Drillwave 0.2.0. These results have changed since: … (manual, Upgrading)." Empty if nothing has
+/// changed, or the version is unknown.
 Message changesSentence(std::string_view version, const Scenario& scenario);
 
 }  // namespace drillwave

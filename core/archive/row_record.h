@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The record beside a CSV file of rows, map.csv.yaml beside map.csv: what the rows are and how to get them.
+// Record next to a CSV file of rows, map.csv.yaml for map.csv: what the rows are and how to get them again.
 #pragma once
 
 #include <cstdint>
@@ -16,84 +16,91 @@
 
 namespace drillwave {
 
-/// The first key of a record, with the number of its format.
+/// First key of a record of rows, and the number of its format.
 inline constexpr std::string_view rowRecordKey = "drillwave_result:";
 inline constexpr std::string_view rowRecordFormatKey = rowRecordKey.substr(0, rowRecordKey.size() - 1);
 inline constexpr int rowRecordFormat = 1;
 
-/// An axis of a sweep: its column, and its values as they were asked for.
+/// Axis of a sweep: its column, and its values as the user gave them.
 struct RecordedAxis {
-    std::string column;       ///< "rod.length [m]"
-    std::string values;       ///< "3 m:6 m:4"
-    std::uint64_t count = 0;  ///< 0 where every line has its own
+    std::string column;       ///< heading of the column, "rod.length [m]"
+    std::string values;       ///< values as given by the user, "3 m:6 m:4"
+    std::uint64_t count = 0;  ///< number of values; 0 if every row has its own value
 };
 
-/// Contents of a record besides the version of the program.
+/// Contents of a record of rows, except the version of the program.
 struct RowRecord {
-    std::string command;                 ///< command that gives the same rows
-    std::optional<MethodChoice> method;  ///< empty for studies with only one
+    std::string command;                 ///< command line that gives the same rows again
+    std::optional<MethodChoice> method;  ///< method of solution; empty for studies with only one method
     std::uint64_t rows = 0;
-    std::optional<std::uint64_t> unsolved = {};  ///< of these, without outputs; nothing if not counted
-    std::optional<FileSum> file = {};            ///< of the file of the rows; nothing before it is written
+    /// Number of rows for which no result was found; nullopt if not counted.
+    std::optional<std::uint64_t> unsolved = {};
+    /// Size and checksum of the file of rows; nullopt until it is written.
+    std::optional<FileSum> file = {};
     Shard shard;
-    std::vector<RecordedAxis> axes;  ///< of a sweep
-    std::string cases;               ///< file of the rows of a table, as given; empty for a sweep
+    std::vector<RecordedAxis> axes;  ///< axes of a sweep; empty for a table
+    std::string cases;               ///< path of the table of cases, as given by the user; empty for a sweep
     std::optional<FileSum> casesFile = {};
-    std::vector<std::string> outputs;  ///< their columns
-    std::string scenario;              ///< complete in itself, as YAML
+    std::vector<std::string> outputs;  ///< headings of the columns of results
+    std::string scenario;              ///< complete scenario as YAML
 };
 
-/// The file: recordEntries() and its checksum, sealed().
+/// Returns the text of the record next to a file of rows: recordEntries(), and their checksum in the last
+/// line.
 std::string recordText(const RowRecord& record);
 
-/// The lines of the file. The scenario is in it as text, and parseInput() finds it there.
+/// Returns the lines of the record next to a file of rows, without the checksum. They contain the scenario as
+/// text, where parseInput() finds it.
 std::string recordEntries(const RowRecord& record);
 
-/// "bytes: 123" and "crc32: 0a1b2c3d", each on its line, behind such a beginning of their keys.
+/// Returns the lines "bytes: 123" and "crc32: 0a1b2c3d" for a size and checksum, with `prefix` before both
+/// keys.
 std::string sumLines(std::string_view prefix, const FileSum& sum);
 
-/// The key of the last line of a record, the checksum of all lines before it.
+/// Key of the last line of a record, which is the checksum of all lines before it.
 inline constexpr std::string_view recordChecksumKey = "record_crc32";
 
-/// Entries with that line behind them.
+/// Returns the entries of a record of rows with their checksum as the last line.
 std::string sealed(std::string entries);
 
-/// Entries without that line; nothing where it is missing or another text was sealed.
+/// Returns the entries of a record of rows without the checksum line; nullopt if it is missing or does not
+/// match the entries.
 std::optional<std::string_view> unsealed(std::string_view record);
 
-// A part of the rows that were written in several, as in its record.
+// Part of the rows of a run that was divided, as its record describes it.
 
-/// Contents of the record beside a part.
+/// Contents of the record of one part of the rows.
 struct RowPart {
-    std::string file;     ///< of the rows
-    std::string command;  ///< with its --shard
+    std::string file;     ///< path of the file of rows
+    std::string command;  ///< command line that gives this part of the rows, including its option --shard
     std::uint64_t rows = 0;
-    std::uint64_t unsolved = 0;  ///< of these, without outputs
-    FileSum sum;                 ///< of the file of the rows
-    Shard shard;                 ///< 1/1 for rows in one piece
-    std::string record;          ///< its entries, without the checksum
+    std::uint64_t unsolved = 0;  ///< number of rows without a result
+    FileSum sum;                 ///< size and checksum of the file of rows
+    Shard shard;                 ///< number of the part and of all parts; 1/1 for undivided rows
+    std::string record;          ///< entries of the record, without the checksum
 };
 
-/// Reads the text of the record beside `file`. Throws ScenarioError (unreadable) where it is none, or was
-/// changed since it was written.
+/// Returns the contents of a record of rows; `file` is the file of the rows. Throws ScenarioError
+/// (unreadable) if the text is not a record, or was changed after it was written.
 RowPart parseRowPart(std::string_view record, const std::string& file);
 
-/// The first key of the record in which two parts differ although they must agree ("axes"): any but rows,
-/// unsolved, bytes, crc32, part and command; empty where they agree.
+/// Returns the first key in which the records of two parts differ although they must agree, such as "axes";
+/// empty if they agree. Only the keys rows, unsolved, bytes, crc32, part and command may differ.
 std::string differingKey(const RowPart& one, const RowPart& other);
 
-/// Returns why parts that agree with each other are not a whole, each a line that names the part: missing
-/// parts, doubled parts, parts with other rows than their own. Empty for a whole.
+/// Returns why parts whose records agree do not form a whole: missing or repeated parts, or parts with a
+/// wrong number of rows. Each message names the part. Empty if they form a whole.
 std::vector<Message> wholeProblems(std::span<const RowPart> parts);
 
-/// Rows of all parts together.
+/// Number of rows of all parts together, and size and checksum of their common file.
 struct WholeRows {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;
     FileSum sum;
 };
 
-/// The record of the rows in one piece, of any of the parts: with that command and those rows.
+/// Returns the record of the joined rows, made from the record of any part, with the given command and
+/// numbers.
 std::string wholeRecord(const RowPart& part, std::string_view command, const WholeRows& whole);
 
 }  // namespace drillwave

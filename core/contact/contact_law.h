@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of bit and rock: straight lines, with memory (paper, Fig. 1; theory §1, §1.1).
+// Bit–rock law of straight lines with memory (paper, Fig. 1; theory §1, §1.1).
 #pragma once
 
 #include <algorithm>
@@ -13,43 +13,44 @@
 
 namespace drillwave {
 
-/// Unit of penetrations in the law, I0/Z, in units of results, d0 = 2 I0/Z (T7).
+/// Unit of penetrations in this law, I0/Z, as a multiple of the unit in results, d0 = 2 I0/Z (T7).
 inline constexpr double lawUnitOfPenetration = 0.5;
 
-/// State of the force, between two corners of the law.
+/// Line of the bit–rock law on which the contact force changes.
 enum class ContactLine {
-    apart,    ///< no force
-    primary,  ///< first loading, of slope β, or s_j β after a corner
-    elastic,  ///< below the largest force so far, of slope β/γ, up and down
+    apart,    ///< bit and rock are apart, the force is zero
+    primary,  ///< first loading of the rock, with the slope β, or s_j β above corner j of the loading curve
+    elastic,  ///< unloading and reloading below the largest force so far, with the slope β/γ
 };
 
-/// Law with the memory of the rock (T4) (T5), dimensionless: forces F ≥ 0 in F0, penetrations U into the rock
-/// positive in I0/Z (half of d0), slopes in F0/(I0/Z) = k0, work on the rock in I0²/(Z t0).
+/// Bit–rock law with the memory of the rock (T4, T5), dimensionless. Forces F ≥ 0 are in F0, penetrations U
+/// (positive into the rock) in I0/Z (half of d0), slopes in F0/(I0/Z) = k0, and work on the rock in
+/// I0²/(Z t0).
 ///
 ///     U(F) = Σ ΔF_j/(s_j β),   A(F) = Σ Δ(F²)_j/(2 s_j β)    over the lines up to F               (T40)
 ///     F = max(0, Fm − (β/γ)(Um − U)) below Um = U(Fm), on the loading curve above it              (T41)
 ///
-/// The largest force so far, Fm, is the whole memory. It survives separation, so that a second contact begins
-/// at the residual penetration Ur. With γ = 1, and while the force has stayed on the first line, both lines
-/// are one and the memory has no effect. Along any path ∫F dU is worked(F): the law dissipates only where Fm
-/// grows.
+/// The only memory is the largest force so far, Fm. It remains after separation, so that a second contact
+/// begins at the residual penetration Ur. With γ = 1, and while the force has stayed on the first line,
+/// loading and unloading coincide, and the memory has no effect. Along any path ∫F dU is worked(F): energy is
+/// dissipated only while Fm grows.
 template <class Real = double>
 class ContactLaw {
   public:
-    /// Untouched rock without corners: β > 0 and 0 < γ ≤ 1.
+    /// Makes the law of intact rock without corners. Requires β > 0 and 0 < γ ≤ 1.
     ContactLaw(Real beta, Real gamma)
         : m_slopes{beta, beta / gamma}, m_beta(beta), m_gamma(gamma), m_isElastic(gamma == 1) {
         assert(beta > 0 && gamma > 0 && gamma <= 1);
     }
     explicit ContactLaw(const BitRockLaw& law) : ContactLaw(law, Real(law.beta)) {}
-    /// Takes another β.
+    /// Makes the law of intact rock with the lines of `law`, but with another β > 0.
     ContactLaw(const BitRockLaw& law, Real beta) : ContactLaw(beta, Real(law.gamma)) {
         if (!law.isBilinear()) [[unlikely]]
             addLines(law);
     }
 
-    /// Returns the law with no line steeper than `steepest`. For the rates of a solver: penetrations are no
-    /// longer those of β.
+    /// Returns the law with every slope limited to `steepest` > 0. Only its slopes, the rates of a solver,
+    /// are meaningful: penetrations no longer belong to β.
     ContactLaw limitedTo(Real steepest) const {
         ContactLaw limited = *this;
         if (m_slopes.elastic <= steepest) return limited;
@@ -63,46 +64,54 @@ class ContactLaw {
         return limited;
     }
 
-    /// Returns β, or s_j β after a corner, and β/γ. As U' = 2g − F, these are rates of F' = a(2g − F) (T16).
+    /// Returns the slopes of the current loading line, β or s_j β, and of the elastic line, β/γ. As
+    /// U' = 2g − F, with the incident wave g, they are the rates of F' = a(2g − F) (T16).
     const ContactRates<Real>& slopes() const { return m_slopes; }
-    /// Returns whether it has no memory: as long as the loading lines have been as steep as the elastic one.
+    /// Returns whether loading and unloading coincide, because every loading line that the force has reached
+    /// has the slope β/γ.
     bool isElastic() const { return m_isElastic; }
 
-    Real largestForce() const { return m_largest; }  ///< Fm
-    /// The force has been as large as that, up to the next corner: beyond it passCorner() leads.
+    /// Returns the largest force so far Fm, in units of the mean hammer force F0.
+    Real largestForce() const { return m_largest; }
+    /// Records that the contact force has reached `force` [in units of F0], but at most up to the next corner
+    /// of the loading curve. Beyond it passCorner() must be called first.
     void remember(Real force) {
         if (force > m_largest) m_largest = std::min(force, m_cornerForce);
     }
-    /// Remembers that the force has been that large, across any corners.
+    /// Records that the contact force has reached `force` [in units of F0], past any corners of the loading
+    /// curve.
     void rememberAcross(Real force) {
         while (force >= m_cornerForce) passCorner();
         remember(force);
     }
 
-    // The lines and their corners
+    // Lines of the law and their corners
 
-    /// Returns the line on which the force rises from zero: the primary one in untouched or elastic rock,
-    /// else the elastic one, from the bottom of the crater.
+    /// Returns the line on which the force rises from zero. It is `primary` for intact or elastic rock, else
+    /// `elastic`, which starts at the residual penetration.
     ContactLine lineAtContact() const {
         return isElastic() || m_largest == 0 ? ContactLine::primary : ContactLine::elastic;
     }
-    /// Returns whether that line is left as soon as the bit turns back: the primary one, except for γ = 1.
+    /// Returns whether the force leaves this line as soon as the bit moves back. This holds for the primary
+    /// line, unless γ = 1.
     bool isOneWay(ContactLine line) const { return line == ContactLine::primary && !isElastic(); }
-    /// Returns the slope of a line in contact.
+    /// Returns the slope of the primary or the elastic line, in units of k0 = Z/t0.
     Real slope(ContactLine line) const {
         return line == ContactLine::primary ? m_slopes.primary : m_slopes.elastic;
     }
-    /// Returns the loading line of the largest force, from 0; at a corner the one after it.
+    /// Returns the index, from 0, of the line of the loading curve with the largest force so far; at a corner
+    /// the line above.
     std::size_t loadingLine() const { return m_line; }
-    /// Returns the slope of any loading line, in use or not; 0 if there is no such line.
+    /// Returns the slope of the loading line with this index, in units of k0 = Z/t0, whether the force has
+    /// reached it or not. Returns 0 if there is no such line.
     Real loadingSlope(std::size_t line) const {
         if (!m_lines) return line == 0 ? m_slopes.primary : Real(0);
         return line < m_lines->size() ? (*m_lines)[line].slope : Real(0);
     }
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
-    /// Returns the force at which that line ends; infinite if it never ends.
+    /// Returns the force at which the current loading line ends, in units of F0; infinity if it does not end.
     Real cornerForce() const { return m_cornerForce; }
-    /// Continues the loading after the next corner, which must exist.
+    /// Continues the loading on the line above the next corner of the loading curve. Requires hasCorner().
     void passCorner() {
         assert(hasCorner());
         m_from = (*m_lines)[++m_line];
@@ -112,19 +121,21 @@ class ContactLaw {
         findCorner();
     }
 
-    // Force and penetration (T4) (T5)
+    // Force and penetration (T4, T5)
 
-    /// Um.
+    /// Returns the largest penetration so far Um, in units of I0/Z (hammer impulse over rod impedance).
     Real largestPenetration() const {
         return m_from.penetration + (m_largest - m_from.force) / m_slopes.primary;
     }
-    /// Returns Ur = Um − γFm/β, the penetration left at zero force.
+    /// Returns the residual penetration Ur = Um − γFm/β, at which the force is zero after unloading, in units
+    /// of I0/Z.
     Real residualPenetration() const {
         if (m_isBilinear) [[likely]]
             return (1 - m_gamma) * largestPenetration();
         return largestPenetration() - m_gamma * m_largest / m_beta;
     }
-    /// U at a force 0 ≤ F: on the elastic line up to Fm, beyond it on the loading curve. Without force: Ur.
+    /// Returns the penetration U, in units of I0/Z, at a force F ≥ 0, in units of F0. Below the largest force
+    /// so far it is on the elastic line, above on the loading curve. F = 0 gives the residual penetration.
     Real penetration(Real force) const {
         if (force >= m_cornerForce) [[unlikely]] {
             ContactLaw loaded = *this;
@@ -137,7 +148,8 @@ class ContactLaw {
         return m_from.penetration + (largest - m_from.force) / m_slopes.primary -
                m_gamma * (largest - force) / m_beta;
     }
-    /// F at any penetration.
+    /// Returns the force F ≥ 0, in units of F0, at a penetration U, in units of I0/Z. Below the largest
+    /// penetration so far it is on the elastic line, above on the loading curve.
     Real force(Real penetration) const {
         const Real above = largestPenetration() - penetration;
         if (above > 0) return std::max(Real(0), m_largest - m_slopes.elastic * above);
@@ -147,34 +159,38 @@ class ContactLaw {
             if (penetration >= (*m_lines)[j].penetration) on = (*m_lines)[j];
         return on.force + on.slope * (penetration - on.penetration);
     }
-    /// Returns the penetration along the elastic line over which the force changes by as much.
+    /// Returns the change of penetration along the elastic line, in units of I0/Z, for a change of the force,
+    /// in units of F0. Both have the same sign.
     Real elasticWay(Real change) const { return change / m_slopes.elastic; }
 
     // Work on the rock
 
-    /// Returns the energy released by unloading from a force F ≤ Fm: γF²/(2β).
+    /// Returns the energy γF²/(2β) that unloading from a force F ≤ Fm releases, in units of I0²/(Z t0).
     Real givenBack(Real force) const { return force * elasticWay(force) / 2; }
-    /// Returns the work on the rock up to the largest force: A(Fm) (T40).
+    /// Returns the work A(Fm) of loading the rock up to the largest force so far, in units of I0²/(Z t0)
+    /// (T40).
     Real loadingWork() const {
         return m_from.work + (m_largest - m_from.force) * (m_largest + m_from.force) / (2 * m_slopes.primary);
     }
-    /// Returns the energy left in the rock: A(Fm) − γFm²/(2β), (1 − γ) Fm²/(2β) without corners.
+    /// Returns the energy that the rock has absorbed, in units of I0²/(Z t0): A(Fm) − γFm²/(2β). Without
+    /// corners this is (1 − γ) Fm²/(2β).
     Real kept() const {
         if (m_isBilinear) [[likely]]
             return m_largest * residualPenetration() / 2;
         return loadingWork() - m_gamma * m_largest * m_largest / (2 * m_beta);
     }
-    /// Returns ∫F dU from the first touch until the force is F ≤ Fm.
+    /// Returns the work ∫F dU on the rock from the first contact until the force is F ≤ Fm, in units of
+    /// I0²/(Z t0).
     Real worked(Real force) const { return kept() + givenBack(force); }
 
   private:
-    /// A loading line: where it begins, and how steep it is.
+    /// Line of the loading curve: force, penetration and work at its start, and its slope.
     struct Line {
         Real force = 0, penetration = 0, work = 0;
         Real slope = 0;
     };
 
-    /// The loading lines, from the one that begins at zero.
+    /// Lines of the loading curve, the first of which begins at zero.
     struct LineList {
         std::vector<Line> lines;
         void add(Real force, Real slope) {
@@ -183,7 +199,8 @@ class ContactLaw {
             if (!lines.empty()) {
                 const Line& before = lines.back();
                 const Real rise = force - before.force;
-                assert(rise >= 0);  // 0 where corners differ in newtons, and not as multiples of F0
+                // 0 for corners that differ in newtons but round to the same multiple of F0
+                assert(rise >= 0);
                 line.penetration = before.penetration + rise / before.slope;
                 line.work = before.work + rise * (force + before.force) / (2 * before.slope);
             }
@@ -206,7 +223,7 @@ class ContactLaw {
         findCorner();
     }
 
-    /// Updates the flags that describe the law for the line now in use.
+    /// Updates the flags m_isBilinear and m_isElastic for the loading line now in use.
     void tellLine() {
         m_isBilinear = m_isBilinear && m_slopes.primary == m_beta;
         m_isElastic = m_isElastic && m_slopes.primary == m_slopes.elastic;
@@ -218,16 +235,17 @@ class ContactLaw {
             next < m_lines->size() ? (*m_lines)[next].force : std::numeric_limits<Real>::infinity();
     }
 
-    ContactRates<Real> m_slopes;  ///< of the loading line in use, and of the elastic one
+    ContactRates<Real> m_slopes;  ///< slopes of the loading line in use and of the elastic line
     Real m_beta;
     Real m_gamma;
-    Real m_largest = 0;  ///< Fm
+    Real m_largest = 0;  ///< largest force so far Fm, in units of F0
     Real m_cornerForce = std::numeric_limits<Real>::infinity();
-    std::size_t m_line = 0;                            ///< loading line of Fm
-    Line m_from;                                       ///< where it begins
-    bool m_isBilinear = true;                          ///< still on the line of slope β from zero
-    bool m_isElastic;                                  ///< all so far were as steep as the elastic one
-    std::shared_ptr<const std::vector<Line>> m_lines;  ///< where there are corners
+    std::size_t m_line = 0;    ///< index of the loading line on which the largest force so far is
+    Line m_from;               ///< start of that loading line
+    bool m_isBilinear = true;  ///< whether every loading line that the force has reached has the slope β
+    /// Whether every loading line that the force has reached has the slope β/γ of the elastic line.
+    bool m_isElastic;
+    std::shared_ptr<const std::vector<Line>> m_lines;  ///< loading lines; nullptr for a law without corners
 };
 
 }  // namespace drillwave

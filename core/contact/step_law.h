@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of bit and rock over steps of constant force and velocity (paper, section 5.3; theory §6).
+// Bit–rock law over time steps of constant force and velocity (paper, section 5.3; theory §6).
 #pragma once
 
 #include <cmath>
@@ -10,35 +10,38 @@
 
 namespace drillwave {
 
-/// Contact of bit and rock in constant time steps: keeps its gap, its force and the largest force so far.
+/// Contact of bit and rock in constant time steps Δ. The state is the gap, the force, and the largest force
+/// so far.
 ///
-/// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
-/// is the work of the law over that increment (T32),
+/// In each step the force F is constant while the bit advances by dU = (2g − F)Δ, with the mean incident wave
+/// g. F is chosen so that F·dU is the work of the law over that increment (T32),
 ///
-///     F dU = ∫ F(U) dU,   F(U) of slope s_j β on the loading curve, β/γ below the largest force so far, 0
-///     apart,
+///     F dU = ∫ F(U) dU,
+///     F(U) of slope s_j β on the loading curve, β/γ below the largest force so far, 0 apart,
 ///
-/// whatever corners the increment passes. On one line of slope a that is F = f + (2g − f) q,
-/// q = (aΔ/2)/(1 + aΔ/2) (T33), where f is the force at the beginning of the step; it approaches the end of
-/// the line without overshoot for aΔ ≤ 2. Along corners it is the root of a quadratic equation; it exists and
-/// is the only one because the mean force of the law grows with the increment and 2g − dU/Δ falls.
+/// even if the increment passes corners. On one line of slope a this gives F = f + (2g − f) q with
+/// q = (aΔ/2)/(1 + aΔ/2) (T33). Here f is the force at the beginning of the step; there is no overshoot for
+/// aΔ ≤ 2. If corners are passed, F is the root of a quadratic equation. It is unique, because the mean force
+/// of the law grows with the increment while 2g − dU/Δ falls.
 class StepLaw {
   public:
-    /// Events of a step, as bits: the corners that it passed.
+    /// Events within a step, as bits that can be combined.
     enum Change : unsigned {
         none = 0,
-        contact = 1,         ///< the gap closed
-        unloading = 2,       ///< the force turned down from the primary line, at the beginning of the step
+        contact = 1,         ///< the gap closed, contact began
+        unloading = 2,       ///< the force began to fall from the primary line, at the beginning of the step
         primaryLoading = 4,  ///< the force returned to the primary line
-        separation = 8,      ///< the force vanished
-        corner = 16,         ///< the force passed corners of the loading curve
+        separation = 8,      ///< the force became zero, contact ended
+        corner = 16,         ///< the force passed one or more corners of the loading curve
     };
 
-    /// Step Δ > 0 in t0, gap ≥ 0 in I0/Z; `negligible` ≥ 0 is the force taken for zero when nothing arrives
-    /// any more.
+    /// Starts the contact of a bit with intact rock. The time step is > 0 (in t0), the initial gap ≥ 0 (in
+    /// units of I0/Z). Without an incident wave a force up to `negligible` ≥ 0 (in units of F0) is set to
+    /// zero.
     StepLaw(const ContactLaw<>& law, double step, double gap, double negligible);
 
-    /// Advances by one step in which the mean incident wave is g. Returns F ≥ 0.
+    /// Advances by one time step with the mean incident wave g, in units of F0. Returns the contact force
+    /// F ≥ 0 in the step, in units of F0.
     double advance(double g) {
         m_changes = none;
         if (!m_touches) {
@@ -52,21 +55,30 @@ class StepLaw {
         return drive > 0 ? advanceLoading(g, drive) : advanceUnloading(g, drive);
     }
 
-    unsigned changes() const { return m_changes; }  ///< of the last step
-    /// Times in the last step when the gap closed, the primary line was reached, the force vanished; 0 … 1.
+    /// Returns the events in the last time step, as bits of the enumeration Change.
+    unsigned changes() const { return m_changes; }
+    /// Returns the fraction of the last step (0 to 1) at which the gap closed; valid only if changes() has
+    /// `contact`.
     double contactFraction() const { return m_contactFraction; }
+    /// Returns the fraction of the last step (0 to 1) at which the force reached the primary line; valid only
+    /// if changes() has `primaryLoading`.
     double primaryFraction() const { return m_primaryFraction; }
+    /// Returns the fraction of the last step (0 to 1) at which the force became zero; valid only if changes()
+    /// has `separation`.
     double separationFraction() const { return m_separationFraction; }
     /// Returns the fractions of the last step (0 to 1) at which corners were passed; valid only if changes()
     /// has `corner`.
     const std::vector<double>& cornerFractions() const { return m_cornerFractions; }
 
-    /// Returns whether it is not in contact; contact by exactly zero force counts as contact.
+    /// Returns whether bit and rock are apart. Contact with exactly zero force is not apart.
     bool isApart() const { return !m_touches; }
-    double gap() const { return m_gap; }                  ///< still to close, I0/Z
-    double force() const { return m_force; }              ///< at the end of the last step
-    double peak() const { return m_law.largestForce(); }  ///< Fm
-    /// Sets the gap that is left after free flight.
+    /// Returns the remaining gap between bit and rock, in units of I0/Z (hammer impulse over rod impedance).
+    double gap() const { return m_gap; }
+    /// Returns the contact force at the end of the last time step, in units of the mean hammer force F0.
+    double force() const { return m_force; }
+    /// Returns the largest contact force so far, in units of the mean hammer force F0.
+    double peak() const { return m_law.largestForce(); }
+    /// Sets the gap between bit and rock after free flight, in units of I0/Z.
     void setGap(double gap) { m_gap = gap; }
 
   private:
@@ -99,8 +111,8 @@ class StepLaw {
 
     ContactLaw<> m_law;
     double m_step;
-    double m_loading;    ///< q of the primary line
-    double m_unloading;  ///< q below the largest force
+    double m_loading;    ///< q = (aΔ/2)/(1 + aΔ/2) with the slope a of the primary line
+    double m_unloading;  ///< q = (aΔ/2)/(1 + aΔ/2) with the slope a of the elastic line
     double m_negligible;
     bool m_touches = false;
     double m_gap;

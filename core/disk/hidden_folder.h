@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where files wait that are to change places with those of the folder around them.
+// Hidden folder in which new files wait until they replace those of the folder around it.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace drillwave {
 
-// A lock on a folder among runs of this program.
+// Lock on a folder, respected by all runs of this program.
 
-/// A hidden file in the folder, held by the process and gone with it.
+/// Lock on a folder: a hidden file in it, locked by this process and removed at the end.
 class FolderLock {
   public:
     static constexpr std::string_view fileName = ".drillwave.lock";
@@ -23,8 +23,8 @@ class FolderLock {
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// Returns 0 when it is held, EWOULDBLOCK while another one holds it, or the errno of why not. Leaves no
-    /// file behind on a disk without locks. Does not follow a link of that name.
+    /// Returns 0 if the lock was obtained, EWOULDBLOCK if another process holds it, else the errno. Leaves no
+    /// file behind on a disk without locks. Does not follow a symbolic link of that name.
     int tryLock();
 
     const std::string& path() const { return m_path; }
@@ -34,12 +34,13 @@ class FolderLock {
     int m_descriptor = -1;
 };
 
-/// Returns whether an error of tryLock() means that the disk has no locks, not that one is held.
+/// Returns whether an error of tryLock() means that the disk does not support locks. A lock held by another
+/// process is no such error.
 bool isLockingUnsupported(int error);
 
-/// A folder with an unused name in another one: `new` holds new files, `old` the replaced ones. It is removed
-/// with all that is still in it. Its run holds a lock while it lives; a folder left by a run that died is
-/// recognised by its missing lock, and the next run repairs the exchange (mendFolder()).
+/// Hidden folder inside another one: `new` contains new files, `old` the replaced ones. The destructor
+/// removes it with its contents. The process holds a lock on it. If the process dies, the missing lock shows
+/// it, and the next run completes or undoes the exchange of files (mendFolder()).
 class HiddenFolder {
   public:
     HiddenFolder() = default;
@@ -47,7 +48,7 @@ class HiddenFolder {
     HiddenFolder(const HiddenFolder&) = delete;
     HiddenFolder& operator=(const HiddenFolder&) = delete;
 
-    /// 0, or the errno.
+    /// Makes the hidden folder in `parent`. Returns 0, or the errno on failure.
     int make(const std::string& parent);
     bool isMade() const { return !m_path.empty(); }
 
@@ -55,10 +56,10 @@ class HiddenFolder {
     std::string newFile(const std::string& name) const { return newFolder() + "/" + name; }
     std::string oldFile(const std::string& name) const { return m_path + "/old/" + name; }
 
-    /// Writes the list of names in `new`, before the first file is moved. Until endExchange() the next run
-    /// repairs the folder around it if this run dies.
+    /// Writes the list of names into `new`, before the first file is moved. If this process dies before
+    /// endExchange(), the next run repairs the folder around. Returns an empty failure when done.
     WriteFailure beginExchange(const std::vector<std::string>& names);
-    /// Ends an exchange in which all files were moved, or none.
+    /// Ends an exchange of files, of which all or none were moved.
     void endExchange();
 
   private:
@@ -66,12 +67,13 @@ class HiddenFolder {
     std::unique_ptr<FolderLock> m_lock;
 };
 
-/// Restores the files that runs which died in the middle of an exchange had put aside in this folder, and
-/// removes their new files and all else they left hidden. An exchange that only lacked cleaning stays done.
-/// Requires the lock of the folder.
+/// Repairs a folder in which runs died while exchanging files. Restores the files that they had moved away,
+/// and removes their new files and hidden folders. A completed exchange remains valid. Requires the lock of
+/// the folder.
 void mendLockedFolder(const std::string& folder);
 
-/// Does the same under the lock, if there is anything to repair and nobody else holds the lock.
+/// Repairs a folder in which runs died while exchanging files, under the lock of the folder. Does nothing if
+/// another process holds the lock.
 void mendFolder(const std::string& folder);
 
 }  // namespace drillwave

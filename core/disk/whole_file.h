@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file written whole or not at all.
+// File that is written completely or not at all.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace drillwave {
 
-/// Why something could not be written; no reason where it was.
+/// Reason why something could not be written; an empty reason means success.
 struct WriteFailure {
-    std::string reason;   ///< as the system says it
-    bool isFull = false;  ///< the disk is: it helps to free some space
+    std::string reason;   ///< reason in the words of the operating system
+    bool isFull = false;  ///< whether the disk is full, so that freeing space helps
 
     explicit operator bool() const { return !reason.empty(); }
 };
 
-/// The reason of an errno.
+/// Returns the reason, in words, for an error code (errno) of the operating system.
 WriteFailure writeFailure(int error);
 
-/// Writes all bytes to an open file.
+/// Writes all bytes to an open file. Returns an empty failure when done.
 WriteFailure writeAll(int descriptor, std::string_view bytes);
 
-/// A file on its way. It has no name, or on disks that know no such files one of its own beside the file, and
-/// takes the place of that in commit(); without, nothing is left of it. A link stays a link to the file,
-/// permissions stay.
+/// New contents of a file, which replace it in commit(). Until then they have no name, or a temporary name
+/// beside the file if the disk does not support this. Without commit() nothing remains. A symbolic link stays
+/// a link to the file, and permissions stay.
 class WholeFile {
   public:
     explicit WholeFile(std::string path) : m_path(std::move(path)) {}
@@ -34,38 +34,41 @@ class WholeFile {
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Before anything else.
+    /// Opens the new file for writing. Must be called first, unless openKept() is. Returns an empty failure
+    /// when done.
     WriteFailure open();
-    /// Instead: goes on behind the first `bytes` of the file `kept` on the same disk, which stays where the
-    /// file never takes its place.
+    /// Opens the file `kept` on the same disk instead, or makes it, cuts it to its first `bytes`, and appends
+    /// to it. Without commit() `kept` remains. Returns an empty failure when done.
     WriteFailure openKept(const std::string& kept, std::uint64_t bytes);
     WriteFailure write(std::string_view bytes);
-    /// Puts the file in place when all of it is on the disk.
+    /// Waits until all bytes are on the disk, and then replaces the file. Returns an empty failure when done.
     WriteFailure commit() { return commitAs(m_path); }
-    /// Gives it another name on the same disk instead, so that others can put it in place.
+    /// Moves the new file to another path on the same disk instead, once all bytes are on the disk. Others
+    /// can then put it in place.
     WriteFailure commitAs(const std::string& path);
 
-    /// Where it is to be: as given until open(), then behind all links.
+    /// Returns the path of the file that is replaced: as given, and after open() with all symbolic links
+    /// resolved.
     const std::string& path() const { return m_path; }
 
   private:
     WriteFailure giveName(const std::string& path);
 
     std::string m_path;
-    std::string m_beside;  // its name meanwhile, empty without
+    std::string m_beside;  // temporary name, empty if the file has none
     bool m_isKept = false;
     int m_descriptor = -1;
-    WriteFailure m_failure;  // the first one of write()
+    WriteFailure m_failure;  // first failure of write()
 };
 
-/// The file behind a link to a link …, also where it is not there yet; the link itself where they go in a
-/// circle.
+/// Returns the path after resolving all symbolic links, even if the file does not exist yet. Returns the path
+/// itself if the links form a circle.
 std::string behindLinks(const std::string& path);
 
-/// Writes a whole file at once. On a failure the file is as it was.
+/// Replaces the contents of a file at once, or makes it. On failure the file does not change.
 WriteFailure replaceFile(const std::string& path, std::string_view bytes);
 
-/// The failure in one line that begins with `name`, by which people know the file.
+/// Returns the message on a failure in one line that begins with `name`: "out.csv: cannot be written: …".
 Message notWritten(const std::string& name, const WriteFailure& failure);
 
 }  // namespace drillwave

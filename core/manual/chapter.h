@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual as the program has it: the pages of resources/manual, and the references that are written from
-// the tables.
+// Manual inside the program: the pages of resources/manual, and the reference pages made from the tables of
+// parameters and outputs.
 #pragma once
 
 #include <span>
@@ -12,23 +12,24 @@
 
 namespace drillwave {
 
-/// A page of the manual.
+/// Chapter of the manual.
 struct Chapter {
-    std::string name;   ///< "theory": its file, and the word that cites it in every language
-    std::string title;  ///< its first heading
-    std::string text;   ///< whole text, in Markdown
+    std::string name;   ///< name of its file, "theory", by which other texts cite it in every language
+    std::string title;  ///< title, its first heading
+    std::string text;   ///< complete text, in Markdown
 };
 
-/// Returns the names of all chapters, in the order of a list of contents.
+/// Returns the names of all chapters, in the order of the table of contents.
 std::vector<std::string> chapterNames();
 
-/// Returns all chapters in that order, in the language of a reader; untranslated pages are in English.
+/// Returns all chapters in the order of the table of contents, in the language of the reader. Untranslated
+/// chapters are in English.
 std::vector<Chapter> manualChapters(const ReadingStyle& style);
 
-/// The one of that name, or nullptr.
+/// Returns the chapter with this name, such as "theory", or nullptr.
 const Chapter* findChapter(std::span<const Chapter> chapters, std::string_view name);
 
-/// Returns a chapter of that text, whose first line is its heading.
+/// Returns a chapter with this name and text; its title is the heading in the first line.
 Chapter chapterOf(std::string_view name, std::string text);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Markdown of the manual as blocks: headings, paragraphs, items of lists, code and tables.
+// Markdown of the manual as blocks: headings, paragraphs, list items, code and tables.
 #pragma once
 
 #include <cstddef>
@@ -12,35 +12,38 @@ namespace drillwave {
 
 // Parts of a line of Markdown, and line breaks.
 
-/// Returns a line without the marks of bold, slanted and links; code keeps its backquotes.
+/// Returns a line without the marks for bold, italics and links. Code keeps its backquotes.
 std::string withoutMarks(std::string_view line);
 
-/// Returns the texts between backquotes, in order.
+/// Returns the texts between backquotes in a line, in order.
 std::vector<std::string_view> codeIn(std::string_view line);
 
-/// Returns lines of at most that many columns, broken at blanks; a longer word has a line of its own. At
-/// least one line.
+/// Returns the text as lines of at most `width` columns, at least one, broken at blanks. A longer word has a
+/// line of its own.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
-/// Lines that belong together.
+/// Block of Markdown: lines that belong together, such as a paragraph or a table.
 struct ManualBlock {
     enum class Kind { heading, paragraph, item, code, table };
     Kind kind = Kind::paragraph;
-    int level = 0;     ///< of a heading, from 1; else how many blanks it is indented by
-    std::string mark;  ///< of an item: "-" or "3."
-    std::string text;  ///< one line with its marks; of code the lines as they stand; of a table none
-    std::vector<std::vector<std::string>> rows =
-        {};  ///< of a table, its header first; each with as many cells
+    /// Level of a heading, from 1; for other blocks the number of blanks of its indentation.
+    int level = 0;
+    std::string mark;  ///< mark of a list item, "-" or "3."
+    /// Text with its Markdown in one line; for code the lines unchanged; empty for a table.
+    std::string text;
+    /// Rows of a table, the header first, all with the same number of cells.
+    std::vector<std::vector<std::string>> rows = {};
 };
 
-/// The blocks of a text, in order.
+/// Returns the blocks of a Markdown text, in order.
 std::vector<ManualBlock> readMarkdown(std::string_view text);
 
-/// Returns the blocks of a section from its heading to the next heading of the same or a higher level; none
-/// if the heading is not found. `heading` is the number of the heading, "§3.1", or its whole text.
+/// Returns the blocks of a section, from its heading to the next heading of the same or a higher level. The
+/// section is given by the number of its heading, "§3.1", or by the complete text of the heading. Returns
+/// none if the heading is not found.
 std::vector<ManualBlock> sectionOf(std::span<const ManualBlock> blocks, std::string_view heading);
 
-/// "§3.1" of the heading "§3.1 Everything else"; empty where it has no number.
+/// Returns the number of a heading, "§3.1" for "§3.1 Everything else"; empty if it has none.
 std::string_view sectionNumber(std::string_view heading);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual as text for a terminal.
+// Manual as text for a terminal.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Blocks in lines of at most `width` columns, code and formulas as they stand.
+/// Returns Markdown blocks as text with lines of at most `width` columns. Code and formulas are not wrapped.
 std::string plainText(std::span<const ManualBlock> blocks, std::size_t width);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The references of the manual, written from the tables of parameters and outputs, so that none can be behind
-// them, in the words of a reader.
+// Reference pages of the manual in the language of the reader. They are made from the tables of parameters
+// and outputs, so that they are always up to date.
 #pragma once
 
 #include <string>
@@ -15,41 +15,44 @@
 
 namespace drillwave {
 
-// Descriptions of the numbers of a scenario, in the words of a reader: for the reference and `help`.
+// Descriptions of the numbers of a scenario in the language of the reader, for the reference pages and the
+// command `help`.
 
-/// One row of a table of numbers.
+/// Description of one number of a scenario.
 struct ParameterFacts {
-    std::string key;        ///< "bit_rock.gamma"; of sections "string.NAME.length"
-    std::string title;      ///< "elasticity γ"
-    std::string meaning;    ///< a sentence without its end
-    std::string unit;       ///< customary, may be empty
-    std::string range;      ///< "greater than 0", "in (0, 1]"
-    std::string usual;      ///< "1 – 10000 MN/m"; other values get an alert
-    std::string presence;   ///< whether it may be left out, a sentence without its full stop
-    std::string condition;  ///< scenarios that have it, a sentence without its full stop; empty: all
+    std::string key;       ///< key, "bit_rock.gamma"; for a number of sections "string.NAME.length"
+    std::string title;     ///< name with its symbol, "elasticity γ"
+    std::string meaning;   ///< explanation, a sentence without its full stop
+    std::string unit;      ///< default unit, "mm"; may be empty
+    std::string range;     ///< allowed range, "greater than 0", "in (0, 1]"
+    std::string usual;     ///< typical range, "1 – 10000 MN/m"; other values raise a warning
+    std::string presence;  ///< whether it may be left out, a sentence without its full stop
+    /// Scenarios to which the number applies, as a sentence without its full stop; empty for all scenarios.
+    std::string condition;
 };
 
 ParameterFacts factsOf(const Parameter& parameter, const ReadingStyle& style);
 ParameterFacts factsOf(const SectionField& field, const ReadingStyle& style);
 
-/// Values that the built-in presets give it, each with who has it and where it is from, or from where to
-/// where where they are many; empty where none gives it.
+/// Returns the values of a parameter in the built-in presets, each with the preset and its source; if there
+/// are many, only their range. Empty if no preset sets it.
 std::vector<std::string> presetValues(const Parameter& parameter, const ReadingStyle& style);
 
-/// Returns the chapter of all parameters, in Markdown: a section for each, whose heading begins with its key.
+/// Returns the chapter on all parameters, in Markdown. Each has a section whose heading begins with its key.
 std::string parameterReference(const ReadingStyle& style);
-/// Returns the chapter of all outputs.
+/// Returns the chapter on all outputs, in Markdown.
 std::string outputReference(const ReadingStyle& style);
 
-/// Returns the section of only one of them, its heading first.
+/// Returns the section of the reference on this one parameter or output, in Markdown with its heading.
 std::string referenceOf(const Parameter& parameter, const ReadingStyle& style);
 std::string referenceOf(const SectionField& field, const ReadingStyle& style);
 std::string referenceOf(const WordParameter& parameter, const ReadingStyle& style);
 std::string referenceOf(const Output& output, const ReadingStyle& style);
 
-/// "I0", "t0": what an output that is not in SI only is a multiple of; "–" for a plain number.
+/// Returns the scale of a dimensionless output, such as "I0" or "t0", of which it is a multiple; "–" for a
+/// plain number.
 std::string_view scaleName(const Output& output);
-/// Its unit in SI, "–" where it has none.
+/// Returns the SI unit of an output, "–" if it has none.
 std::string_view siName(const Output& output);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the manual has a word: titles of sections, entries of the glossary, rows of tables, text.
+// Search of words in the manual: in titles of sections, entries of the glossary, rows of tables and text.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,30 @@
 
 namespace drillwave {
 
-/// A section of the manual that has a word.
+/// Section of the manual that contains a word.
 struct WordPlace {
-    enum class Rank { wholeTitle, title, term, row, text };  ///< where the word is, the best first
+    /// Place of the word in the section, the best first.
+    enum class Rank { wholeTitle, title, term, row, text };
     Rank rank = Rank::text;
-    std::string chapter;    ///< "theory"
-    std::string number;     ///< of the section, "10"; empty for the head of a chapter
-    std::string shown;      ///< the title, the entry of the glossary, or the words around the word
-    std::size_t count = 0;  ///< how often the section has the word
+    std::string chapter;  ///< name of the chapter, "theory"
+    std::string number;   ///< number of the section, "10"; empty for the beginning of a chapter
+    /// Text shown for the hit: the title, the entry of the glossary, or the words around the word.
+    std::string shown;
+    std::size_t count = 0;  ///< number of times that the section contains the word
 };
 
-/// Returns how often a text has a whole word, in the singular or the plural (unit, units), capitals or not.
+/// Returns how many times a text contains a whole word, in the singular or the plural (unit, units), ignoring
+/// capitals.
 std::size_t countOfWord(std::string_view text, std::string_view word);
 
-/// Returns whether a text has each of these words.
+/// Returns whether a text contains each of these words.
 bool hasWords(std::string_view text, std::string_view words);
 
-/// Returns the places of the manual that have each of these words, the best first: titles, terms of the
-/// glossary, rows of tables by their first cell, then at most five by their text, those with the most hits
-/// first. A section is one place; each entry of the glossary is one, at most five. Within a rank, chapters
-/// about the window and the evidence come last. Leaves out the references of parameters and outputs, whose
-/// sections have no numbers.
+/// Returns the sections of the manual that contain each of these words, the best hits first: titles, terms of
+/// the glossary, first cells of table rows, then text. At most five hits in text are returned, those with the
+/// most words first. A section counts once; each entry of the glossary counts, at most five. Within a rank,
+/// chapters on the window and the evidence come last. The reference pages are left out, as their sections
+/// have no numbers.
 std::vector<WordPlace> placesOfWords(std::span<const Chapter> manual, std::string_view words);
 
 }  // namespace drillwave

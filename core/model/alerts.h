@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remarks on a valid scenario and its result, as codes with numbers: report/alert_words.h makes sentences of
-// them.
+// Warnings and notes on a valid scenario and its result, as codes with numbers. report/alert_words.h turns
+// them into sentences.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,7 @@ namespace drillwave {
 
 enum class AlertLevel { information, warning };
 
-/// Subjects of alerts (files §5.1).
+/// Subjects of warnings and notes (files §5.1).
 enum class AlertCode {
     implausibleValue,
     longPulse,
@@ -35,7 +35,7 @@ enum class AlertCode {
     blowNotOver,
     stressesLeftOut,
     cornersWithoutEffect,
-    // of many blows
+    // simulations of many blows
     pushedBack,
     noWaveLoss,
     restrikeInTheWay,
@@ -48,32 +48,34 @@ enum class AlertCode {
     damperAssumed,
 };
 
-/// "outside_plausible_range", "pulse_longer_than_round_trip", …
+/// Returns the name of a code in JSON: "outside_plausible_range", "pulse_longer_than_round_trip".
 std::string_view name(AlertCode code);
 
-/// Number in an alert.
+/// Named number in a warning or note.
 struct AlertArgument {
-    std::string_view name;  ///< of static storage: "cor", or the key of a parameter
-    double value = 0;       ///< SI
+    /// Name, "cor" or the key of a parameter; its text must have static storage duration.
+    std::string_view name;
+    double value = 0;  ///< value in SI
     Quantity quantity = Quantity::ratio;
     bool operator==(const AlertArgument&) const = default;
 };
 
-/// A remark on a valid scenario or its result.
+/// Warning or note on a valid scenario or its result.
 struct Alert {
     AlertLevel level = AlertLevel::information;
     AlertCode code = AlertCode::implausibleValue;
-    std::string parameter;  ///< key of the subject, may be empty
+    std::string parameter;  ///< key of the parameter that it is about; may be empty
     std::vector<AlertArgument> arguments;
-    Message subject = {};  ///< words of the section that it is about, "3rd rod"; or empty
+    Message subject = {};  ///< words for the section that it is about, "3rd rod"; may be empty
     bool operator==(const Alert&) const = default;
 
     bool has(std::string_view argument) const;
-    /// The argument of that name, which must be there.
+    /// Returns the argument with this name. Requires that there is one.
     const AlertArgument& argument(std::string_view name) const;
 };
 
-/// Values outside their plausible range, and assumptions of the model that the scenario strains.
+/// Returns warnings and notes known before solving: values outside their typical range, and assumptions of
+/// the model that the scenario violates.
 std::vector<Alert> alertsFor(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys and values that one scenario is given: the order in which to set them, and contradictions.
+// Keys that are set together in a scenario: the order in which to set them, and keys that contradict each
+// other.
 #pragma once
 
 #include <cstddef>
@@ -17,76 +18,78 @@
 
 namespace drillwave {
 
-/// Returns whether setting one key undoes the other, in any scenario: the same key, a group and the physical
-/// parameter it moves, mean force and impulse, area and diameters.
+/// Returns whether setting one key undoes the other in every scenario. This holds for equal keys, a group and
+/// the parameter it changes, mean force and impulse, area and diameters.
 bool areRivals(std::string_view a, std::string_view b);
 
-/// Returns why two keys cannot both be set, to be written after them: "set the same thing" if they are
-/// rivals; "set one section, …" if both set one that the file has once. Empty if they can. The scenarios are
-/// as for meetingProblem().
+/// Returns why two keys cannot both be set, as text to follow them: "set the same thing", or
+/// "set one section: …". Returns an empty message if they can. The scenarios `ofA` and `ofB` differ only in
+/// the number of repeats; a position refers to the scenario of its key.
 Message rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
 
-/// Two keys of Assignments that cannot both be set.
+/// Indices of two keys of Assignments that cannot both be set, and the reason.
 struct RivalPair {
-    std::size_t one = 0, other = 0;  ///< one < other
-    Message problem;                 ///< rivalProblem()
+    std::size_t one = 0, other = 0;  ///< indices of the two keys, one < other
+    Message problem;                 ///< reason, "set the same thing"; see rivalProblem()
 };
 
-/// A key, and the parameter that it names, if any.
+/// Key, and the parameter that it denotes; empty if it denotes none.
 struct AssignedKey {
     std::string_view key;
     KeptParameter parameter;
 };
 
-/// Keys that are set together, numbered as they were added. Their values stay with the caller: a word of the
-/// command line, an axis of a sweep, a cell of a table.
+/// Keys that are set together, numbered from 0 as they are added. The caller keeps their values, which may be
+/// from a command line, a sweep or a table.
 class Assignments {
   public:
     Assignments() = default;
     explicit Assignments(const std::vector<std::string_view>& keys);
 
-    /// Adds a key, known or not, under the next number.
+    /// Adds a key of a parameter under the next number, 0 for the first. Unknown keys are allowed.
     void add(std::string_view key);
-    /// The next number sets nothing.
+    /// Skips the next number, so that it stands for no key.
     void skip();
 
-    /// Returns the numbers of the keys in the order in which a scenario takes them: the shape, which decides
-    /// what applies (and with it everything that is not in the table of parameters); physical parameters in
-    /// the order of the table; for a string the repeat, then sections by name, then by place; the groups,
-    /// which move physical parameters.
+    /// Returns the numbers of the keys in the order in which they must be set. First the shape of the force,
+    /// which decides what applies, and all other keys that are not in the table of parameters. Then physical
+    /// parameters in the order of the table. For a drill string then the repeat, sections by name, and
+    /// sections by position. Finally the groups, which change physical parameters.
     const std::vector<std::size_t>& order() const { return m_order; }
 
-    /// Which of them are set, where not all are.
+    /// Function that returns whether the key of a number is set; if empty, all keys are set.
     using IsSet = std::function<bool(std::size_t)>;
-    /// Returns the first two rivals, in any scenario.
+    /// Returns the first two keys that contradict each other in every scenario, such as area and diameter, or
+    /// nullopt. Only keys for which `isSet` is true count.
     std::optional<RivalPair> rivals(const IsSet& isSet = {}) const;
-    /// The first two that are about one section of a scenario in which all is set.
+    /// Returns the first two keys that set the same section of this scenario, where at least one is by
+    /// position; nullopt if there are none. Only keys for which `isSet` is true count. All values must
+    /// already be assigned.
     std::optional<RivalPair> meeting(const Scenario& scenario, const IsSet& isSet = {}) const;
 
-    /// Returns whether the hammer blow depends on the key: on its own parameters and, for a piston, those of
-    /// the rod; for a string, on all of hammer and string.
+    /// Returns whether the hammer force may depend on this key, because it begins with "pulse.", "rod.",
+    /// "hammer.", "material." or "string.".
     bool movesPulse(std::size_t number) const;
-    /// Whether it does on any of the keys.
+    /// Returns whether the hammer force may depend on any of the keys.
     bool movePulse() const;
 
   private:
-    std::vector<std::optional<AssignedKey>> m_keys;  // none: sets nothing
+    std::vector<std::optional<AssignedKey>> m_keys;  // nullopt for a number that stands for no key
     std::vector<std::size_t> m_order;
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
     Pairs m_rivals;
-    Pairs m_mayMeet;  // in one section
+    Pairs m_mayMeet;  // pairs of numbers that may set the same section
 };
 
 // Parameters in which scenarios differ.
 
-/// Returns the value of a parameter in SI; for the material of a rod also that of all sections of a string,
-/// and vice versa. Nothing where it does not apply or is not given.
+/// Returns the value of a parameter in SI; nullopt if it does not apply or is not given. The material of a
+/// uniform rod and that of all sections of a string count as the same parameter.
 std::optional<double> valueIn(const Scenario& scenario, const Parameter& parameter);
 
-/// Returns the parameters that at least one scenario gives (isGiven()) and that differ between scenarios, in
-/// the order of the table, then those of sections by place. Values that only follow from others are left out,
-/// such as the groups of a scenario in physical units; so is one of two parameters that are the same number
-/// of a rod and of a string.
+/// Returns the parameters that differ between scenarios, in the order of the table, then those of sections by
+/// position. At least one scenario must give the parameter (isGiven()), so that values derived from others,
+/// such as groups, are left out. A number that a rod and a string share, such as density, is listed once.
 std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios);
 
 }  // namespace drillwave

@@ -6,20 +6,21 @@
 
 namespace drillwave {
 
-/// Whether it is followed exactly from event to event, so that e has a bound and a curve can be traced: only
-/// rock, a rod and a force on it, which groups and shape describe except for the scales (theory §4). All
-/// others are solved on cells, state the error of their efficiency and are sampled.
+/// Returns whether the blow is solved exactly from one contact event to the next. This holds for a uniform
+/// rod under a prescribed force, which the dimensionless groups and the shape of the force describe
+/// (theory §4). The coefficient of restitution e then has an error bound, and curves can be traced instead of
+/// sampled. Drill strings are computed in time steps, with an estimated error of the efficiency.
 inline bool isFollowedByEvents(const Scenario& scenario) {
     return !isString(scenario);
 }
 
-/// Whether there is a list of sections, with places that count and are named.
+/// Returns whether the scenario has a list of sections, so that sections can be addressed by name or number.
 inline bool hasSections(const Scenario& scenario) {
     return !scenario.drillString.parts.empty();
 }
 
-/// Returns whether two scenarios both have a list of sections or both have none: then they have the same
-/// places, and outputs have the same scales.
+/// Returns whether two scenarios both have a list of sections or both have none. Only then can their
+/// positions and the scales of their outputs be compared.
 inline bool areOfOneKind(const Scenario& one, const Scenario& other) {
     return hasSections(one) == hasSections(other);
 }

@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words that name the chain of a scenario: its uniform rod, or hammer and string.
+// Words for the subject of a scenario: its uniform rod, or its hammer and drill string.
 #pragma once
 
 #include "core/model/scenario.h"
 
 namespace drillwave {
 
-/// Sentences and labels about a chain, to be translated by their readers.
+/// Sentences and labels about a uniform rod or a drill string, in English and marked for translation.
 struct ChainWords {
-    const char* kind;           ///< "uniform rod"
-    const char* assumptions;    ///< what the model leaves out, in a sentence or two
-    const char* references;     ///< of the shares of energy and momentum in tables
-    const char* errors;         ///< what the stated errors are about
-    const char* pulse = "";     ///< "pulse %1", behind the groups; empty where they do not describe the blow
-    const char* rebound = "";   ///< with e as %1; empty where e is not the main result
-    const char* stresses;       ///< title of the largest stresses
-    const char* historyPlace;   ///< place of histories where none is chosen
-    const char* blowCaption;    ///< of the histories at %1
-    const char* stressCaption;  ///< of the largest stresses over the place
-    const char* place;          ///< "%1 from the struck end"
-    const char* peakPlace;      ///< of a largest stress, with its time as %2
-    const char* beyondEnd;      ///< why a place is none, with the length as %1
+    const char* kind;         ///< what the scenario is, "uniform rod"
+    const char* assumptions;  ///< what the model neglects, in one sentence
+    /// Sentence on what shares of energy and momentum in tables refer to, "W is the work of the hammer."
+    const char* references;
+    const char* errors;  ///< what the errors of results include and what not, in one sentence
+    /// "pulse %1" for the shape of the force, after the groups; empty if groups do not describe the blow
+    const char* pulse = "";
+    /// Sentence with the coefficient of restitution e as %1; empty if e is not a main result.
+    const char* rebound = "";
+    const char* stresses;  ///< title of the largest stresses
+    /// Default position of histories of force and velocity, "at the middle of the rod".
+    const char* historyPlace;
+    const char* blowCaption;    ///< caption of the histories over time, with their position as %1
+    const char* stressCaption;  ///< caption of the largest stresses along the rod or string
+    const char* place;          ///< distance along the rod or string, "%1 from the struck end"
+    const char* peakPlace;      ///< position %1 and time %2 of a largest stress
+    const char* beyondEnd;      ///< message that a position is beyond the end, with the length as %1
 };
 const ChainWords& chainWords(const Scenario& scenario);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The set-up of a design study as a scenario file keeps it.
+// Settings of a design study as a scenario file stores them.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,13 @@
 
 namespace drillwave {
 
-/// Options of `drillwave design` as texts. A study checks their meaning.
+/// Options of the command `drillwave design` as texts. The study checks them when it starts.
 struct DesignSetup {
-    std::vector<std::string> uncertain;  ///< "bit_rock.gap=0mm:1mm"
-    std::vector<std::string> choose;     ///< "hammer=medium drifter,COP 1838", "rod.length=3m:4m:5"
-    std::vector<std::string> aims;       ///< "max:efficiency@q05"
-    std::vector<std::string> atMost;     ///< "thrust@q95=8kN"
+    std::vector<std::string> uncertain;  ///< inputs with their range of uncertainty, "bit_rock.gap=0mm:1mm"
+    /// Design variables with their values, "hammer=medium drifter,COP 1838", "rod.length=3m:4m:5".
+    std::vector<std::string> choose;
+    std::vector<std::string> aims;    ///< objectives, "max:efficiency@q05"
+    std::vector<std::string> atMost;  ///< upper limits on results, "thrust@q95=8kN"
     std::vector<std::string> atLeast;
     bool keepEnergy = false;
     std::optional<std::uint64_t> samples;

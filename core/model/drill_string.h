@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A string of sections and the hammer that strikes it, as plain values (files §1.3).
+// Drill string of sections and the hammer that strikes it, as plain values (files §1.3).
 #pragma once
 
 #include <cstddef>
@@ -10,91 +10,105 @@
 
 namespace drillwave {
 
-/// Material of every section that names none of its own.
+/// Material of every section that does not have a material of its own.
 struct Material {
-    double youngsModulus = 210e9;  ///< E [Pa]
-    double density = 7850;         ///< ρ [kg/m³]
+    double youngsModulus = 210e9;  ///< Young's modulus E [Pa]
+    double density = 7850;         ///< density ρ [kg/m³]
     bool operator==(const Material&) const = default;
 };
 
-/// Section of a hammer or a string: uniform, or a cone whose diameter changes evenly. Its far end is the one
-/// towards the rock.
+/// Section of a hammer or drill string: uniform, or a cone whose diameter changes linearly. Its far end is
+/// the one towards the rock.
 struct Section {
-    std::string name;  ///< "rod", may be empty; several sections may share it
-    std::string
-        preset;  ///< "T38, 190 mm": the preset that the section is from; may be empty, changes no result
-    double length = 0;    ///< L [m]
-    double diameter = 0;  ///< outer diameter [m], of a cone at its rear end; unused when `area` is given
-    double bore = 0;      ///< flushing hole diameter [m]; unused when `area` is given
-    std::optional<double> area;           ///< A [m²], of a cone at its rear end; replaces diameter and bore
-    std::optional<double> endDiameter;    ///< [m] of a cone at its far end; unused when `area` is given
-    std::optional<double> endArea;        ///< [m²] of a cone at its far end; unused unless `area` is given
-    std::optional<double> youngsModulus;  ///< E [Pa], the material's when not given
-    std::optional<double> density;        ///< ρ [kg/m³], the material's when not given
-    double massAfter = 0;                 ///< M [kg], lumped at the far end; M_b after the last section
-    double loss = 0;         ///< η, share of the energy of a wave lost in the joint at the far end
-    double attenuation = 0;  ///< α [1/m], decay of the amplitude of a wave
-    std::optional<double> yieldStrength;    ///< [Pa] stress above which there is an alert; changes no result
-    std::optional<double> fatigueStrength;  ///< [Pa] tension above which there is an alert, for many blows
+    std::string name;  ///< name of the section, "rod"; may be empty, and several sections may have the same
+    /// Name of the preset that the section is from, "T38, 190 mm"; may be empty, has no effect on results.
+    std::string preset;
+    double length = 0;    ///< length L [m]
+    double diameter = 0;  ///< outer diameter [m], for a cone at its rear end; unused if `area` is given
+    double bore = 0;      ///< diameter of the flushing hole [m]; unused if `area` is given
+    /// Cross-section A [m²], for a cone at its rear end; if given, replaces diameter and bore.
+    std::optional<double> area;
+    /// Outer diameter of a cone at its far end [m]; unused if `area` is given.
+    std::optional<double> endDiameter;
+    /// Cross-section of a cone at its far end [m²]; used only if `area` is given.
+    std::optional<double> endArea;
+    std::optional<double> youngsModulus;  ///< Young's modulus E [Pa] (default: that of the common material)
+    std::optional<double> density;        ///< density ρ [kg/m³] (default: that of the common material)
+    /// Mass M [kg] lumped at the far end; after the last section the mass M_b of the bit.
+    double massAfter = 0;
+    /// Share η of the energy of a wave that is lost in the joint at the far end, 0 ≤ η < 1.
+    double loss = 0;
+    double attenuation = 0;  ///< decay α of the amplitude of a wave per length [1/m]
+    /// Yield strength [Pa]; a higher stress raises a warning but changes no result.
+    std::optional<double> yieldStrength;
+    /// Fatigue strength [Pa] for many blows; a higher tensile stress raises a warning.
+    std::optional<double> fatigueStrength;
     bool operator==(const Section&) const = default;
 };
 
-/// Item of a string: a section, or several that are repeated.
+/// Part of a drill string: one section, or a repeat of several sections.
 struct StringPart {
-    int repeat = 1;                 ///< how often the sections follow one another; 1 unless `group`
-    bool group = false;             ///< written as a repeat, even a single one
-    std::vector<Section> sections;  ///< exactly one unless `group`
+    /// Number of times that the sections follow one another; 1 unless `group`.
+    int repeat = 1;
+    bool group = false;             ///< whether the file lists the part as a repeat, even of a single section
+    std::vector<Section> sections;  ///< sections of the part from its rear end, exactly one unless `group`
     bool operator==(const StringPart&) const = default;
 };
 
-/// Hammer: the sections that strike, all with the same velocity.
+/// Hammer: the sections that strike the drill string, all with the same velocity.
 struct Hammer {
-    double velocity = 10;                 ///< v0 [m/s] at impact
-    std::vector<Section> sections;        ///< from the rear to the face; none: a force drives the string
-    std::optional<double> faceStiffness;  ///< k_c [N/m] between hammer and string; rigid when not given
-    bool restrike = true;  ///< the hammer stays to be hit again; false: withdrawn once separated
+    double velocity = 10;  ///< impact velocity v0 [m/s]
+    /// Sections of the hammer from its rear to its face. Empty if a prescribed force acts instead.
+    std::vector<Section> sections;
+    std::optional<double> faceStiffness;  ///< stiffness k_c between hammer and string [N/m] (default: rigid)
+    /// Whether the hammer may strike again in the same blow; if false, it is removed once separated.
+    bool restrike = true;
     bool operator==(const Hammer&) const = default;
 };
 
-/// Hammer and string.
+/// Hammer and drill string with their common material.
 struct DrillString {
     Material material;
     Hammer hammer;
-    std::vector<StringPart> parts;  ///< from the shank to the bit
-    std::optional<double> endTime;  ///< [s] until when the blow is followed; to its end when not given
+    std::vector<StringPart> parts;  ///< parts from the shank adapter to the bit
+    /// Time [s] at which the simulation of the blow ends (default: when the blow is over).
+    std::optional<double> endTime;
     bool operator==(const DrillString&) const = default;
 };
 
-/// Most sections of a string, its repeats written out, and of a hammer.
+/// Largest number of sections of a drill string, with its repeats expanded, and of a hammer.
 inline constexpr std::size_t maximumSections = 1000;
 
-/// Number of sections of the string with its repeats written out; saturates instead of overflowing.
+/// Returns the number of sections of the string with its repeats expanded; the largest number of the type
+/// instead of an overflow.
 std::uint64_t sectionCount(const DrillString& drillString);
 
-/// Returns the sections of the string from shank to bit with repeats written out, so that those of a repeat
-/// are in it several times. Requires at most maximumSections of them.
+/// Returns the sections of the string from shank adapter to bit, with repeats expanded: a section in a repeat
+/// occurs several times. Requires at most maximumSections of them.
 std::vector<const Section*> expandedSections(const DrillString& drillString);
 
-/// Returns the sections of the hammer from its rear, then those of the string, expanded: order of results.
+/// Returns the sections of the hammer from its rear, then those of the string with repeats expanded. Results
+/// have this order.
 std::vector<const Section*> allSections(const DrillString& drillString);
 
-/// Section as in a file, once, and the first place (from 1) that it has in the string.
+/// Section as a file lists it, and its position in the string, from 1 with repeats expanded; in a repeat that
+/// of its first copy.
 struct PlacedSection {
     const Section* section = nullptr;
     std::uint64_t place = 1;
 };
-/// Returns every section of the string once, in the order of a file.
+/// Returns every section of the string once, in the order of a file, with its position.
 std::vector<PlacedSection> placedSections(const DrillString& drillString);
 
-/// Returns the section at a place, counted from 1 with repeats written out; nullptr after the last one. All
-/// places that a repeat gives to a section return the same one.
+/// Returns the section at a position, from 1 with repeats expanded, or nullptr after the last one. All copies
+/// that a repeat makes of a section return the same pointer.
 const Section* sectionAt(const DrillString& drillString, std::uint64_t place);
 
-/// The first part that is a repeat, or nullptr.
+/// Returns the first part of the string that is a repeat, or nullptr.
 const StringPart* firstRepeat(const DrillString& drillString);
 
-/// Returns the section that the scales of the string refer to: the first one called "rod", or else the
-/// longest; nullptr without sections.
+/// Returns the section that the scales of results refer to: the first one named "rod", else the longest one;
+/// nullptr without sections.
 const Section* ruleSection(const DrillString& drillString);
 
 }  // namespace drillwave

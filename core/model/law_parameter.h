@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of the loading curve of the rock that are no rows of the table of parameters: corners by their
-// place, and what is measured in scales of the blow where a scenario is dimensionless.
+// Parameters of the loading curve of the rock that are not in the table of parameters: its corners by number,
+// and quantities in units of F0 or d0 for dimensionless scenarios.
 #pragma once
 
 #include <cstddef>
@@ -13,40 +13,42 @@
 
 namespace drillwave {
 
-/// Most corners that a law may have.
+/// Largest number of corners that a loading curve may have.
 inline constexpr std::size_t mostRockCorners = 64;
 
-/// Returns the parameter "bit_rock.corner.2.force", of a scenario with units if the key has a unit. The
-/// corner need not exist: setting one after the last corner adds it. None for another key.
+/// Returns the parameter of a corner of the loading curve, such as "bit_rock.corner.2.force", in physical
+/// units; empty for any other key. The corner need not exist: setting the one after the last adds it.
 KeptParameter findLawParameter(std::string_view key);
 
-/// Returns the same key in a dimensionless scenario: forces in F0, penetrations in d0. None if it has the
-/// same meaning there, or no meaning.
+/// Returns the parameter with the same key in a dimensionless scenario, where forces are in units of F0 and
+/// penetrations in d0. Empty if it is the same parameter, or has no meaning there.
 KeptParameter inScales(const Parameter& parameter);
 
-/// Returns the parameter that the same key means in that scenario.
+/// Returns the parameter that the same key denotes in this scenario, in SI or in units of F0 or d0.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 
-/// Returns the parameters in scales of the blow, except corners; none for a scenario with units.
+/// Returns the parameters of the loading curve that are in units of F0 or d0, except those of corners; none
+/// for a scenario with units.
 std::vector<KeptParameter> numbersInScales(const Scenario& scenario);
 
-/// Returns force and slope of every corner that the scenario has, then numbersInScales(). Other numbers of a
-/// law are rows of the table of parameters.
+/// Returns force and slope of every corner of the scenario, then numbersInScales(). Other numbers of the
+/// loading curve are in the table of parameters.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
-/// Returns the corner that a parameter belongs to, from 1; 0 for none.
+/// Returns the number of the corner that a parameter belongs to, from 1; 0 if it belongs to none.
 std::size_t cornerOf(const Parameter& parameter);
 
-/// "bit_rock.corner.2.force".
+/// Returns the key of a number of a corner, such as "bit_rock.corner.2.force". `place` counts from 1.
 std::string cornerKey(std::size_t place, std::string_view field);
 
-// A rock under another law.
+// Change of the form of the loading curve.
 
-/// Returns the rock with another law, without the numbers that only its present law has.
+/// Returns the rock with another form of the loading curve. Numbers that only its previous form has get their
+/// default values.
 BitRock withLaw(BitRock rock, RockLaw law);
 
-/// Returns the rock with another allowed law and the same curve at first: a corner without a change of slope,
-/// a power of one.
+/// Returns the rock with another form of the loading curve but initially the same curve: a corner without a
+/// change of slope, or the exponent 1.
 BitRock proposedRock(const Scenario& scenario, RockLaw law);
 
 }  // namespace drillwave

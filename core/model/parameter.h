@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of the one table of parameters: scenario files, --set, sweep axes, CSV headers, form rows, tooltips
-// and messages all take keys, symbols, units, ranges and meanings from here (files §2).
+// Row of the common table of parameters. Scenario files, --set, sweeps, CSV headers, forms, tooltips and
+// messages take keys, symbols, units, ranges and meanings from it (files §2).
 #pragma once
 
 #include <concepts>
@@ -19,50 +19,54 @@ namespace drillwave {
 struct Parameter;
 struct SectionAddress;
 
-// A parameter to keep: of axes, families, table columns and edits. References that are only used at once take
-// a const Parameter&.
+// Parameters that are stored, as in axes of sweeps, columns of tables and edits. For immediate use a const
+// Parameter& is sufficient.
 
-/// A row of the table of parameters, the repeat of a string, or a number of a section, which lives as long as
-/// it is kept; or none. A value: copies are cheap, and two with the same key are equal.
+/// Reference to a parameter that can be stored, or none. It may be a row of the table of parameters, the
+/// repeat of a drill string, or a number of a section. It keeps a parameter of a section alive. Copies are
+/// cheap; two with the same key are equal.
 class KeptParameter {
   public:
     KeptParameter() = default;
     KeptParameter(std::nullptr_t) {}
-    /// Keeps the same parameter.
+    /// Refers to an existing parameter, and keeps it alive if it belongs to a section.
     KeptParameter(const Parameter& parameter);
-    /// Keeps one that nobody else keeps.
+    /// Takes a newly made parameter that is not in the table of parameters.
     explicit KeptParameter(std::shared_ptr<const Parameter> parameter);
 
     explicit operator bool() const { return m_parameter != nullptr; }
-    /// Requires that there is one. Except for rows of the table it lives only as long as it is kept.
+    /// Returns the parameter. Requires that there is one. For a parameter of a section the reference is valid
+    /// only as long as this object or a copy.
     const Parameter& operator*() const;
     const Parameter* operator->() const { return &**this; }
 
     friend bool operator==(const KeptParameter& one, const KeptParameter& other);
 
   private:
-    std::shared_ptr<const Parameter> m_parameter;  // without an owner where it lives as long as the program
+    // does not own rows of the table, which live as long as the program
+    std::shared_ptr<const Parameter> m_parameter;
 };
 
-/// A range of a parameter in SI. An open end is excluded.
+/// Range of a parameter in SI. An open end is excluded.
 struct Range {
     double low;
     double high;
     bool lowOpen = false;
-    const char* whyNotMore = "";  ///< why there is an upper end, for messages; may be empty
+    const char* whyNotMore = "";  ///< reason for the upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
-    /// "(0, 1]", of a range with an upper end; in a unit.
+    /// Returns the range as text, in SI or in a unit: "(0, 1]". Requires an upper end.
     std::string ends() const;
     std::string ends(const Unit& unit) const;
-    /// Returns why a value (SI, finite or not) is outside: "must be in (0, 1]", in the given unit, with its
-    /// name after it if it has one; empty if it is inside.
+    /// Returns why a value (SI, may be infinite or NaN) is outside the range: "must be in (0, 1]". Ends are
+    /// in `unit`, followed by its name. Empty if the value is inside.
     Message problem(double value, const Unit& unit) const;
 };
 
 enum class SliderScale { linear, logarithmic };
 
-/// A function of a scenario, for a parameter of a section also of which one (section_field.h).
+/// Function of a scenario: a plain function, or one that also takes the address of a section, for the
+/// parameters of sections (section_field.h).
 template <class Result, class Scene, class... Values>
 class ParameterFunction {
   public:
@@ -86,106 +90,122 @@ class ParameterFunction {
     const SectionAddress* m_address = nullptr;
 };
 
-/// Scenarios in which a parameter has a meaning.
+/// Scenarios to which a parameter applies.
 enum class Scope {
     all,
-    withUnits,      ///< in physical quantities
-    withoutUnits,   ///< dimensionless
-    manyBlows,      ///< with units; a single blow does not depend on it
-    string,         ///< string of sections
-    hammer,         ///< that, struck by a hammer that is followed
-    section,        ///< that, with such sections in it (section_parameter.h)
-    uniformRod,     ///< in either form
-    dimensional,    ///< a uniform rod in physical quantities
-    withoutArea,    ///< dimensional, the rod given by its diameters
-    givenPulse,     ///< with units, for a force whose duration and impulse follow from no piston or table
-    trapezoid,      ///< of a force of that shape
-    pistonInSi,     ///< with units, of a force of that shape
-    pistonByRatio,  ///< dimensionless, with that shape
+    withUnits,     ///< scenarios in physical quantities
+    withoutUnits,  ///< dimensionless scenarios
+    manyBlows,     ///< scenarios with units; used only to simulate many blows, not for a single blow
+    string,        ///< drill strings of sections
+    hammer,        ///< drill strings struck by a hammer of sections, whose motion is simulated
+    section,       ///< drill strings that have the section of this parameter (section_parameter.h)
+    uniformRod,    ///< uniform rods, with units or dimensionless
+    dimensional,   ///< uniform rods in physical quantities
+    /// Uniform rods in physical quantities, given by their diameters and not by their area.
+    withoutArea,
+    /// Scenarios with units whose hammer force is given by duration and impulse, not by a piston or table.
+    givenPulse,
+    trapezoid,      ///< scenarios with a hammer force of the shape `trapezoid`
+    pistonInSi,     ///< scenarios with units and a hammer force of the shape `piston`
+    pistonByRatio,  ///< dimensionless scenarios with a hammer force of the shape `piston`
 };
 
-/// Whether a scenario file may leave a parameter out.
+/// Rule for a scenario file that does not give a parameter.
 enum class Presence {
     required,
-    either,    ///< exactly one of it and its rival is required
-    assumed,   ///< where it is missing, it has the value of a new scenario
-    unusual,   ///< as `assumed`, but written to a new file only if the value is another one
-    optional,  ///< need not have a value, or follows from its rival
+    either,    ///< exactly one of the parameter and its rival (`rules.rival`) is required
+    assumed,   ///< a file may omit the parameter; then it has its default value
+    unusual,   ///< a file may omit the parameter, and new files do so if it has its default value
+    optional,  ///< a file may omit the parameter; then it has no value, or follows from its rival
 };
 
-/// Rules on parameters that may be left out or exclude each other.
+/// Rules for a parameter that may be missing, or that excludes another one.
 struct ParameterRules {
     Presence presence = Presence::required;
-    /// Key of the parameter that setting this one overrides, and vice versa; only one of a pair has it.
+    /// Key of the parameter that setting this one undoes, and vice versa. Only one of the two parameters
+    /// names the other.
     std::string_view rival = {};
-    std::string_view shortLabel = {};  ///< label in its own section of a form, where that is another one
-    /// Back to "not given"; nullptr where there is always a value.
+    /// Name within its own group of a form, "length" instead of "length of the rod"; empty if it is the same
+    /// as `label`.
+    std::string_view shortLabel = {};
+    /// Function that makes the parameter "not given"; nullptr if it always has a value.
     ParameterFunction<void, Scenario> clear = nullptr;
-    bool wholeNumber = false;         ///< has no values between
-    std::optional<RockLaw> law = {};  ///< only a rock with that law has it, and must
+    bool wholeNumber = false;  ///< whether only whole numbers are allowed
+    /// Form of the loading curve of the rock that requires this parameter; other forms do not have it. It is
+    /// nullopt if the parameter does not depend on the form.
+    std::optional<RockLaw> law = {};
 };
 
-/// A number of a scenario: how it is called, which values it may have, how to read and set it.
+/// Numeric parameter of a scenario: its names, unit and ranges, and functions to read and set it.
 struct Parameter {
-    std::string_view key;      ///< path in files and on the command line, e.g. "rod.length", "beta"
-    std::string_view label;    ///< words for a form row, e.g. "length"
-    std::string_view symbol;   ///< symbol of the paper, may be empty
-    std::string_view meaning;  ///< one line, for tooltips and help
+    std::string_view key;      ///< key in files and on the command line, e.g. "rod.length", "beta"
+    std::string_view label;    ///< name in forms and messages, e.g. "length"
+    std::string_view symbol;   ///< symbol in the paper, e.g. "L"; may be empty
+    std::string_view meaning;  ///< explanation in one line, for tooltips and help
     Quantity quantity;
-    std::string_view unit;  ///< default unit for display and file output, e.g. "mm"
-    Range hard;             ///< outside: the scenario is invalid
-    Range plausible;        ///< outside: an alert; also the range of a slider
+    std::string_view unit;  ///< default unit for display and files, e.g. "mm"
+    Range hard;             ///< allowed range; a value outside is an error
+    Range plausible;        ///< typical range; a value outside raises a warning; also the range of a slider
     SliderScale slider;
     Scope scope;
-    /// Returns the value in SI, or nullopt if an optional parameter is not given, or if the sections that it
-    /// refers to differ in it. Requires applies().
+    /// Function that returns the value in SI. It returns nullopt if an optional parameter is not given, or if
+    /// its sections have different values. Requires applies().
     ParameterFunction<std::optional<double>, const Scenario> value;
-    /// Sets the value in SI (no range check). Groups of a scenario with units move the physical parameter
-    /// (beta the stiffness, tau the rod length, delta the gap). Requires applies().
+    /// Function that sets the value in SI without checking its range. In a scenario with units, setting a
+    /// group changes a physical parameter: β the stiffness, τ the rod length, δ the gap. Requires applies().
     ParameterFunction<void, Scenario, double> assign;
     ParameterRules rules = {};
-    const SectionAddress* address = nullptr;  ///< of a number of a section, else nullptr
+    /// Address of the section that the parameter belongs to; nullptr if it does not belong to a section.
+    const SectionAddress* address = nullptr;
 
-    /// Returns whether the parameter has a meaning in this scenario.
+    /// Returns whether the parameter applies to this scenario, so that it can be read and set.
     bool applies(const Scenario& scenario) const;
-    /// Returns the unit in which values are shown.
+    /// Returns the unit in which the program shows values of the parameter.
     const Unit& displayUnit() const;
-    bool isGroup() const;                  ///< one of the four dimensionless groups
-    std::string_view section() const;      ///< "rod", "pulse", "bit_rock", "drill", …, "groups", or none
-    std::string_view fileSection() const;  ///< section(), but "dimensionless" for the groups
-    std::string_view localKey() const;     ///< the key inside its section of a file
+    /// Returns whether the parameter is one of the four dimensionless groups β, γ, τ, δ.
+    bool isGroup() const;
+    /// Returns the part of the key before the dot: "rod", "pulse", "bit_rock"; "groups" for a dimensionless
+    /// group. May be empty.
+    std::string_view section() const;
+    /// Returns the section of a scenario file that has the parameter: "rod", or "dimensionless" for a
+    /// dimensionless group.
+    std::string_view fileSection() const;
+    /// Returns the key without its section, as in a file: "length" for "rod.length".
+    std::string_view localKey() const;
 };
 
-/// The keys of a scenario that are set by a word and not by a number.
+/// Keys of a scenario that are set by a word, not by a number.
 inline constexpr std::string_view pulseShapeKey = "pulse.shape";
 inline constexpr std::string_view rockLawKey = "bit_rock.law";
 inline constexpr std::string_view rockIndexingKey = "drill.indexing";
 inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
-/// Returns the parameter of that key: of the table, of a corner of the law
-/// (law_parameter.h), "string.repeat", or a number of a section ("string.adapter.length",
-/// "hammer.1.diameter", see section_field.h), even if there is no such section; otherwise
-/// none. Thread-safe.
+/// Returns the parameter with this key, or none. The key may be in the table of parameters, belong to a
+/// corner of the loading curve (law_parameter.h), or be "string.repeat". It may also be a number of a section
+/// (section_field.h), such as "string.adapter.length" or "hammer.1.diameter"; the section need not exist.
+/// Thread-safe.
 KeptParameter findParameter(std::string_view key);
 
-/// Returns whether the user gave the parameter, so that it does not follow from others (the groups of a
-/// dimensional scenario; the impulse if the mean force was given).
+/// Returns whether the user gives this parameter in the scenario. It is not given if it follows from others,
+/// as the groups of a scenario with units, or the impulse if the mean force was given.
 bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
-/// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
+/// Returns why `value` (SI, may be infinite or NaN) is outside the allowed range: "must be in (0, 1]"; empty
+/// if it is inside.
 Message rangeProblem(const Parameter& parameter, double value);
-/// Returns the unit for ends of a range in messages: SI, and for shares their usual unit, %.
+/// Returns the unit in which messages show the ends of a range: the SI unit, except for shares, which
+/// have the given unit, %.
 const Unit& unitOfRange(Quantity quantity, const Unit& customary);
 
-/// Returns why the scenario does not have the value `wanted` (SI) after assigning it: it keeps the physical
-/// value of a group, or the impulse of a force, which may be at the end of double precision. "cannot be kept
-/// …"; empty if it reads back to 1e-12. Requires applies().
+/// Returns why the scenario does not have the value `wanted` (SI) after it was assigned:
+/// "cannot be stored: …"; empty if it reads back to 1e-12. Groups and mean forces are stored as other
+/// quantities, which may be at the limit of double precision. Requires applies().
 Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
 
-// The one table of parameters: a row each, to which a new one is added.
+// Common table of all parameters. A new parameter is one more row.
 
-/// Returns all numeric parameters except those of sections, physical ones first, the groups last, in the
-/// order of scenario files.
+/// Returns all numeric parameters except those of sections, in the order of scenario files: physical ones
+/// first, the groups last.
 std::span<const Parameter> parameters();
 
 }  // namespace drillwave

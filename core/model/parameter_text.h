@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters set from text, and the words for what is wrong with it.
+// Setting parameters from text, and the messages on what is wrong with the text.
 #pragma once
 
 #include <cstddef>
@@ -14,55 +14,57 @@
 
 namespace drillwave {
 
-// Parameters whose value is a word from a list: the shape of the blow, the law of the rock.
+// Parameters whose value is a word from a list: the shape of the hammer force, the law of the rock.
 
 struct WordParameter {
-    std::string_view key;                          ///< "pulse.shape"
-    std::span<const std::string_view> (*words)();  ///< all there are
-    std::string_view (*value)(const Scenario&);    ///< the one of a scenario
-    /// Sets the word of that number. Returns why the scenario has none of this key, or not that one: "only a
-    /// drill string has it …"; empty when done.
+    std::string_view key;                          ///< key in files and on the command line, "pulse.shape"
+    std::span<const std::string_view> (*words)();  ///< function that returns all allowed words
+    std::string_view (*value)(const Scenario&);    ///< function that returns the word that a scenario has
+    /// Function that sets the word with this index in words(). It returns an empty message when done, else
+    /// why the scenario cannot have it: "only a drill string has it …".
     Message (*assign)(Scenario&, std::size_t word);
 
-    /// "rectangular, triangular, …", for messages.
+    /// Returns all allowed words separated by commas, for messages: "rectangular, triangular, …".
     std::string list() const;
 };
 
 std::span<const WordParameter> wordParameters();
-/// Returns the parameter of that key, or nullptr.
+/// Returns the word parameter with this key, such as "pulse.shape", or nullptr.
 const WordParameter* findWordParameter(std::string_view key);
 
-/// Returns the value of `true` or `false`, in the spellings of YAML; nothing for another word.
+/// Returns the truth value of `true` or `false`, in the spellings of YAML (true, True, TRUE); nullopt for
+/// another word.
 std::optional<bool> findTruth(std::string_view word);
 
-/// "rectangular, triangular, …", for messages.
+/// Returns the names of all shapes of the hammer force, for messages: "rectangular, triangular, …".
 std::string pulseShapeList();
 
-/// Why a scenario has no such shape of the force; empty when it may have it.
+/// Returns why a scenario cannot have this shape of the hammer force; empty if it can.
 Message shapeRefusal(const Scenario& scenario, PulseShape shape);
 
-/// Returns why a parameter has no meaning in this scenario and what to do instead; empty if it applies.
+/// Returns why a parameter does not apply to this scenario and what to do instead; empty if it applies.
 Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
 
-/// Sets a parameter to a number in SI. Returns why the scenario cannot have it, "has no meaning here: …" or
-/// "must be in (0, 1]", and sets nothing then; empty when done.
+/// Sets a parameter to a number in SI. Returns an empty message when done. Otherwise sets nothing and returns
+/// the reason: "does not apply here: …" or "must be in (0, 1]".
 Message assignNumber(Scenario& scenario, const Parameter& parameter, double si);
 
-/// The known key (of parameters() and sections, or set by a word) most like a mistyped one; empty when none
-/// is close.
+/// Returns the known key that is most similar to a mistyped one, among all parameters and sections; empty if
+/// none is similar.
 std::string nearestKey(std::string_view key);
 
-/// "`gama` is not a parameter; did you mean `gamma`?".
+/// Returns the message on an unknown key: "`gama` is not a parameter; did you mean `gamma`?".
 Message notAParameter(std::string_view key);
 
-/// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of findParameter()
-/// with a unit if it has one, of findWordParameter() with one of its words, and "hammer.restrike" with
-/// `true` or `false`. `unit` is a default unit taken from a column header, or nullptr. Returns the reason
-/// for a failure ("bit_rock.gamma = 1.3 (must be in (0, 1])"), after which the scenario must not be used;
-/// else nothing.
+/// Sets the parameter `key` from text, for --set, table cells and sweep values. Accepts numbers with their
+/// unit (keys of findParameter()), words (keys of findWordParameter()), and `true` or `false` for
+/// "hammer.restrike". The default unit from a column header is `unit`, or nullptr. Returns an empty message
+/// when done, else the reason: "bit_rock.gamma = 1.3 (must be in (0, 1])". The scenario must not be used
+/// after a failure.
 Message assignText(Scenario& scenario, std::string_view key, std::string_view text,
                    const Unit* unit = nullptr);
-/// Assigns a text to a parameter in the same way.
+/// Sets a numeric parameter from text, such as "38 mm". `unit` is the default unit for a bare number, or
+/// nullptr. Returns an empty message when done, else the reason; the scenario must not be used then.
 Message assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
                    const Unit* unit = nullptr);
 

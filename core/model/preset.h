@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A named set of values for a part of a scenario: a rod, a hammer, a rock.
+// Presets: named sets of values for a part of a scenario, such as a rod, a hammer or a rock.
 #pragma once
 
 #include <cstddef>
@@ -20,95 +20,103 @@
 
 namespace drillwave {
 
-/// The part of a scenario that a preset is for.
+/// Part of a scenario that a preset sets.
 enum class PresetKind { rod, hammer, rock };
 
-/// Value with its source.
+/// Value of one parameter of a preset, with its source.
 struct PresetValue {
     const Parameter* parameter = nullptr;
     double si = 0;
-    std::string source;  ///< never empty; begins with "assumed" where there is none
+    std::string source;  ///< source of the value, never empty; begins with "assumed" if there is no source
     bool operator==(const PresetValue&) const = default;
 };
 
-/// Named set of values; assigning it changes only these. A rock has a loading curve, named or not.
+/// Named set of values for a rod, hammer or rock. Using it changes only these values. A preset of a rock
+/// always sets the loading curve.
 struct Preset {
     PresetKind kind = PresetKind::rod;
     std::string name;
-    std::optional<PulseShape> shape;  ///< of a hammer, else nothing
+    std::optional<PulseShape> shape;  ///< shape of the force, for a hammer; else nullopt
     std::string shapeSource;
-    RockLaw law = RockLaw::bilinear;  ///< of a rock, with its corners in SI
+    RockLaw law = RockLaw::bilinear;  ///< form of the loading curve, for a rock; corner forces are in N
     std::vector<RockCorner> corners;
-    std::string lawSource;            ///< empty if the file has no law
-    std::vector<PresetValue> values;  ///< in the order of parameters()
+    std::string lawSource;            ///< source of the loading curve; empty if the file gives none
+    std::vector<PresetValue> values;  ///< values in the order of parameters()
     bool operator==(const Preset&) const = default;
 };
 
-/// The scenario with the preset's values; the hammer of a `piston` has the rod's material unless the preset
-/// names one. It may be invalid, so validate() it. Requires a scenario in physical units, and for a rod and a
-/// hammer one of a uniform rod.
+/// Returns the scenario with the values of a preset. A hammer of the shape `piston` gets the material of the
+/// rod unless the preset sets one. The result may be invalid: call validate(). Requires physical units, and a
+/// uniform rod for a preset of a rod or hammer.
 Scenario withPreset(Scenario scenario, const Preset& preset);
 
-/// Whether taking the preset would change nothing; never where it cannot be taken.
+/// Returns whether the scenario already has all values of a preset; false if the preset cannot be used for
+/// it.
 bool matches(const Preset& preset, const Scenario& scenario);
 
-/// Returns "soft rock — weiches Gestein": the name of a preset, as commands take it, and its translation for
-/// a reader of another language.
+/// Returns the name of a preset, followed by its translation if there is one: "soft rock — weiches Gestein".
+/// Commands accept only the untranslated name.
 std::string nameFor(const std::string& name, const ReadingStyle& style);
 
-/// "diameter: 38 mm — nominal", one line for the shape or the law and for each value.
+/// Returns one line per value of a preset with its source, "diameter: 38 mm — nominal", after the shape or
+/// the loading curve.
 std::string description(const Preset& preset, const ReadingStyle& style);
 
-// A named piece of a drill string: a piston, an adapter, a coupling, a bit.
+// Named sections of a drill string: a piston, an adapter, a coupling or a bit.
 
 enum class SectionPresetKind { piston, adapter, coupling, bit };
 inline constexpr auto sectionPresetKinds = allValues<SectionPresetKind>;
 
-/// "piston" and so on; its list in a file is called "pistons".
+/// Returns the name of a kind of sections, "piston". The plural, "pistons", is the key of its list in a file.
 std::string_view name(SectionPresetKind kind);
 
-/// Sections with one source for all of them.
+/// Named sections of a drill string, such as a coupling, with a common source.
 struct SectionPreset {
     SectionPresetKind kind = SectionPresetKind::coupling;
     std::string name;
-    std::string source;  ///< never empty; begins with "assumed" where there is none
-    std::string
-        strengthSource;  ///< the source of yield and fatigue strength; empty where `source` covers them
-    std::optional<double> velocity;  ///< [m/s] at impact, for a piston that has one
-    std::vector<Section> sections;   ///< at least one, from the rear; each has the name of the preset
+    std::string source;  ///< source of the numbers, never empty; begins with "assumed" if there is no source
+    /// Source of yield and fatigue strength; empty if `source` applies to them too.
+    std::string strengthSource;
+    std::optional<double> velocity;  ///< impact velocity [m/s], for a piston that has one
+    /// At least one section, from the rear to the rock, each with the name of the preset.
+    std::vector<Section> sections;
     bool operator==(const SectionPreset&) const = default;
 };
 
-/// "300 mm × 50 mm, 250 mm × 38 mm, 10 m/s — assumed", and strengths with their source in a line of their
-/// own.
+/// Returns sizes and velocity with their source: "300 mm × 50 mm, 250 mm × 38 mm, 10 m/s — assumed".
+/// Strengths with a source of their own are in a second line.
 std::string description(const SectionPreset& preset, const ReadingStyle& style);
 
-/// Returns the hammer with the sections of a piston, and its velocity if it has one. Requires a piston.
+/// Returns a hammer with its sections replaced by those of a piston, and its velocity too if the preset has
+/// one. Requires a preset of a piston.
 Hammer withPiston(Hammer hammer, const SectionPreset& piston);
 
-// Presets as values to choose from: hammers, rods and bits by their names.
+// Presets as values of a study: hammers, rods and bits are chosen by name.
 
-/// The part of a scenario that a chosen preset replaces.
+/// Part of a scenario that a preset replaces in a study.
 enum class PresetPart { hammer, rod, bit };
 
-/// "hammer", "rod", "bit".
+/// Returns the name of a part on the command line: "hammer", "rod" or "bit".
 std::string_view name(PresetPart part);
 std::optional<PresetPart> findPresetPart(std::string_view name);
 
-/// A preset that can replace a part: a section preset for drill strings, a preset for uniform rods.
+/// Preset that can replace a part: SectionPreset for drill strings, Preset for uniform rods.
 using PartPreset = std::variant<Preset, SectionPreset>;
 const std::string& nameOf(const PartPreset& preset);
 
-/// Returns why no preset can replace that part of the scenario; empty when one can.
+/// Returns why no preset can replace this part of the scenario; empty if one can.
 Message partProblem(PresetPart part, const Scenario& scenario);
 
-/// Returns whether the preset replaces that part of the scenario. Requires that there is no partProblem().
+/// Returns whether a preset is of the kind that can replace this part of the scenario. Requires that
+/// partProblem() is empty.
 bool suits(const PartPreset& preset, PresetPart part, const Scenario& scenario);
 
-/// Replaces the part. Returns why it cannot; empty when done.
+/// Replaces a part of the scenario by a preset. Returns an empty message when done, else why it cannot be
+/// replaced. Requires suits().
 Message replacePart(Scenario& scenario, PresetPart part, const PartPreset& preset);
 
-/// Chosen presets of one part, at least one. Immutable once made: words() refers to its own names.
+/// Presets of one part to choose from, at least one. It cannot be changed or copied, since words() refers to
+/// the names of its presets.
 class PresetChoice {
   public:
     PresetChoice(PresetPart part, std::vector<PartPreset> presets);
@@ -117,9 +125,10 @@ class PresetChoice {
 
     PresetPart part() const { return m_part; }
     const std::vector<PartPreset>& presets() const { return m_presets; }
-    /// The names of the presets.
+    /// Returns the names of the presets, in their order.
     std::span<const std::string_view> words() const { return m_words; }
-    /// Returns the keys that any of the presets sets, each once; of a section preset none but the velocity.
+    /// Returns the keys of the parameters that any of the presets sets, each once. Presets of sections count
+    /// only with their impact velocity.
     std::vector<std::string_view> keys() const;
 
   private:
@@ -128,7 +137,8 @@ class PresetChoice {
     std::vector<std::string_view> m_words;
 };
 
-/// A choice shared by copies of an axis, or none. Two are equal that choose equal presets.
+/// Shared pointer to a choice of presets, for copies of an axis of a study, or none. Two are equal if they
+/// choose the same part and equal presets.
 class SharedPresetChoice {
   public:
     SharedPresetChoice() = default;
@@ -143,14 +153,15 @@ class SharedPresetChoice {
     std::shared_ptr<const PresetChoice> m_choice;
 };
 
-/// A name found among others, or why not.
+/// Index of a name in a list, or the reason why it was not found.
 struct FoundName {
     std::size_t number = 0;
     Message problem;
 };
 
-/// Returns the preset of that name, ignoring case, or the only one that begins with it: `T51` for "T51, round
-/// 52 mm". `list` is the command that lists all names, for the message.
+/// Returns the index of the preset with this name, ignoring capitals, or of the only one that begins with it.
+/// So `T51` finds "T51, round 52 mm". The command that lists all names is `list`, for the message if none is
+/// found.
 FoundName findPresetName(std::span<const std::string_view> names, std::string_view wanted,
                          const std::string& list);
 

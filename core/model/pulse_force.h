@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hammer force as a dimensionless function of time with unit impulse, ready for the solvers.
+// Hammer force as a dimensionless function of time with unit impulse, as the solvers use it.
 #pragma once
 
 #include <string_view>
@@ -9,73 +9,91 @@
 
 namespace drillwave {
 
-/// Smooth piece of Fa(t)/F0 on [start, start + length], times in t0, local time x = t − start ≥ 0:
+/// Smooth part of the hammer force Fa(t)/F0 on [start, start + length], times in t0, local time
+/// x = t − start ≥ 0:
 ///   linear       value + slope·x
 ///   sine         amplitude·sin(π(start + x))        (half_sine; `value` is the amplitude)
 ///   exponential  value·exp(−x)                       (rate 1/t0)
 struct PulseSegment {
     enum class Kind { linear, sine, exponential };
     Kind kind = Kind::linear;
-    double start = 0;          ///< t0
-    double length = 0;         ///< t0, > 0
-    double value = 0;          ///< F0, ≥ 0
-    double slope = 0;          ///< F0/t0
-    double impulseBefore = 0;  ///< ∫Fa from 0 to start, 0 … 1
+    double start = 0;          ///< start of the segment, in units of t0
+    double length = 0;         ///< length of the segment, in units of t0, > 0
+    double value = 0;          ///< force at the start, or amplitude of a sine, in units of F0, ≥ 0
+    double slope = 0;          ///< slope of a linear segment, in units of F0/t0
+    double impulseBefore = 0;  ///< impulse of the force before the segment, as a share of I0, 0 … 1
 
-    double forceAt(double x) const;                ///< Fa(start + x)/F0
-    double impulseOf(double x) const;              ///< ∫Fa from start to start + x, 0 … 1
-    double energyOf(double from, double x) const;  ///< ∫Fa² over x from start + from on [F0² t0]
+    /// Returns the force at the time x (in t0) after the start of the segment, in units of F0.
+    double forceAt(double x) const;
+    /// Returns the impulse from the start of the segment to the time x (in t0) after it, as a share of I0, 0
+    /// … 1.
+    double impulseOf(double x) const;
+    /// Returns ∫Fa² over a time x that begins at start + from, in units of F0² t0.
+    double energyOf(double from, double x) const;
     bool operator==(const PulseSegment&) const = default;
 };
 
-/// Fa/F0 ≥ 0 with ∫ = 1 over all segments, contiguous from 0. Empty for the reference case.
+/// Hammer force Fa/F0 ≥ 0 over time, from 0 on without gaps, with unit impulse. Empty for the reference case
+/// of a rod that arrives with uniform velocity.
 struct PulseForce {
     PulseShape shape = PulseShape::rectangular;
     std::vector<PulseSegment> segments;
-    double end = 0;  ///< the force is zero from here on; beyond it less than 1e-20 of the impulse was cut off
-    double peak = 0;  ///< largest value
-    /// Upper bound of ∫|δFa| by rounding of given points of a table; 0 for other shapes.
+    /// Time after which the force is zero, in units of t0. The part of an endless force after it, less than
+    /// 1e-20 of the impulse, is neglected.
+    double end = 0;
+    /// Largest force, in units of the mean force F0.
+    double peak = 0;
+    /// Upper bound of ∫|δFa|, as a share of I0, where δFa is the rounding error of the points of a table; 0
+    /// for other shapes.
     double rounding = 0;
     bool operator==(const PulseForce&) const = default;
 
     bool isRigidBody() const { return shape == PulseShape::rigidBody; }
-    double operator()(double t) const;    ///< Fa(t)/F0, right-continuous; 0 outside
-    double impulseUntil(double t) const;  ///< ∫0..t Fa, 0 … 1
+    /// Returns the force Fa(t)/F0 at a time t in units of t0. At a jump it is the value after the jump; 0
+    /// before time 0 and after the end.
+    double operator()(double t) const;
+    /// Returns the impulse of the force from time 0 to t (in units of t0), as a share of I0, 0 … 1.
+    double impulseUntil(double t) const;
 };
 
-/// A piston that needs more steps than this, or a table of more points, is refused by validate().
+/// Largest number of steps of a piston force and of points of a table. validate() refuses more.
 inline constexpr int maximumPulseSegments = 100000;
 
-/// Steps of a piston's staircase until less than 1e-20 of the impulse is left, for any impedance ratio q > 0.
+/// Returns the number of steps of the force of a piston until less than 1e-20 of the impulse remains.
+/// Requires an impedance ratio q > 0.
 double pistonStepCount(double impedanceRatio);
 
-/// Builds the force of a valid scenario; a piston's staircase is F_n ∝ R^n (T12), R = (q−1)/(q+1) for
-/// impedance ratio q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last
-/// t0 each.
+/// Returns the hammer force of a valid scenario. A piston gives steps of the duration t0 with F_n ∝ R^n
+/// (T12), where R = (q − 1)/(q + 1) and q = Z_hammer/Z_rod > 1. For q ≤ 1 there is a single step, after which
+/// the hammer stops (q = 1) or rebounds.
 PulseForce pulseForceOf(const Scenario& scenario);
 
-/// Returns whether the force over t/t0 of such a shape depends on a parameter; otherwise pulseForceOf() is
+/// Returns whether the parameter `key` changes the force over t/t0 of a shape. Otherwise pulseForceOf() is
 /// the same for all its values.
 bool movesPulseForce(std::string_view key, PulseShape shape);
 
-/// Returns the force of a shape with default parameters, as in a dimensionless scenario; not for `table`.
+/// Returns the force of a shape with default parameters, as in a dimensionless scenario. The shape must not
+/// be `table`.
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
 
-// Visible part of a hammer force: the tails of an exponential blow and of a staircase are long and empty.
+// Visible part of a hammer force: an exponential force and the steps of a piston end with a long, almost
+// empty tail.
 
-/// Returns the times t/t0, ascending from 0, at which a curve of the impulse of the hammer is drawn: it is
-/// smooth inside a segment. Only 0 in the reference case.
+/// Returns the times, in units of t0 and ascending from 0, at which the impulse of the hammer force is drawn.
+/// They are dense where it is curved. Returns only 0 without a hammer force.
 std::vector<double> impulseTimes(const PulseForce& pulse);
 
-/// Returns the first of these times [t0] at which the rod has practically the whole impulse; later changes
-/// are invisible in a curve of the impulse or the momentum. 0 in the reference case.
+/// Returns the first of impulseTimes(), in units of t0, at which the rod has 97 % of the impulse. Later
+/// changes cannot be seen in a curve of impulse or momentum. Returns 0 without a hammer force.
 double visibleImpulseEnd(const PulseForce& pulse);
 
-/// Returns the end [t0] of the segment in which that happens, or its time for an exponential segment; later
-/// changes are invisible among the waves, which show whole segments. 0 in the reference case.
+/// Returns the time, in units of t0, after which the waves of the force no longer change visibly. It is the
+/// end of the segment in which the impulse reaches 97 %; for an exponential force it is that moment itself.
+/// Returns 0 without a hammer force.
 double visibleWavesEnd(const PulseForce& pulse);
 
-/// Returns the time [t0] from which the curve of the force looks like zero. 0 in the reference case.
+/// Returns the time, in units of t0, from which the force is too small to be seen in its curve. Returns 0
+/// without a hammer force.
 double visibleForceEnd(const PulseForce& pulse);
 
 }  // namespace drillwave

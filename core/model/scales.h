@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a scenario to its dimensionless groups and the scales that lead back to SI.
+// Dimensionless groups of a scenario, and the scales that convert dimensionless results to SI.
 #pragma once
 
 #include <optional>
@@ -8,86 +8,97 @@
 
 namespace drillwave {
 
-/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. After a
-/// semicolon: the meaning for a followed hammer. For a string, Z and A are those of its ruleSection(), m and
-/// L those of the whole string.
+/// Scales in SI (paper, section 5.1; theory §2): dimensionless number × scale = value in SI. They depend on
+/// whether a prescribed force or a hammer whose motion is simulated acts. For a drill string, Z and A are
+/// those of its ruleSection(), m and L those of the whole string.
 struct Scales {
-    double time = 1;              ///< t0 [s]; twice the transit time of the hammer
-    double impulse = 1;           ///< I0 [N s]; momentum of the hammer
-    double force = 1;             ///< F0 = I0/t0 [N]; Z v0/2
-    double stress = 1;            ///< F0/A [Pa]
-    double velocity = 1;          ///< v0 = I0/m [m/s]; of the hammer
-    double particleVelocity = 1;  ///< F0/Z [m/s], of a wave of the force F0; τ v0 of a uniform rod
-    double penetration = 1;       ///< d0 = 2 I0/Z [m] [paper (3)]; v0 t0
-    double stiffness = 1;         ///< k0 = Z/t0 [N/m]
-    double energy = 1;            ///< W0 = m v0²/2 [J]; of the hammer
-    double length = 1;            ///< L [m]
+    /// Scale of time t0 [s]: the duration of the force, or twice the transit time of a simulated hammer.
+    double time = 1;
+    /// Scale of impulse I0 [N s]: that of the force, or the momentum of a simulated hammer.
+    double impulse = 1;
+    double force = 1;   ///< scale of force: I0/t0 [N] under a force, Z v0/2 for a simulated hammer
+    double stress = 1;  ///< scale of stress F0/A [Pa]
+    /// Scale of velocity: I0/m [m/s] under a force, the impact velocity of a simulated hammer.
+    double velocity = 1;
+    /// Scale of particle velocity F0/Z [m/s], that of a wave of the force F0; for a uniform rod τ v0.
+    double particleVelocity = 1;
+    /// Scale of penetration: 2 I0/Z [m] under a force (paper, eq. 3), v0 t0 for a simulated hammer.
+    double penetration = 1;
+    double stiffness = 1;  ///< scale of stiffness k0 = Z/t0 [N/m]
+    /// Scale of energy: m v0²/2 [J], or the kinetic energy of a simulated hammer at impact.
+    double energy = 1;
+    double length = 1;  ///< scale of length L [m], that of the rod or drill string
     bool operator==(const Scales&) const = default;
 };
 
-/// Derived properties of the rod, SI.
+/// Properties derived from the dimensions and material of a rod or section, in SI.
 struct RodProperties {
-    double area = 0;         ///< A [m²]
-    double waveSpeed = 0;    ///< c = √(E/ρ) [m/s]
-    double impedance = 0;    ///< Z = AE/c [kg/s]
-    double transitTime = 0;  ///< T = L/c, one way [s]
-    double mass = 0;         ///< m = ρAL [kg]
+    double area = 0;         ///< cross-section A [m²]
+    double waveSpeed = 0;    ///< wave speed c = √(E/ρ) [m/s]
+    double impedance = 0;    ///< characteristic impedance Z = AE/c [kg/s = N s/m]
+    double transitTime = 0;  ///< transit time T = L/c of a wave, one way [s]
+    double mass = 0;         ///< mass m = ρAL [kg]
 };
 RodProperties propertiesOf(const Rod& rod);
 
-/// Returns the properties of a section of a hammer or a string, without the mass lumped at its far end.
+/// Returns the properties of a section of a hammer or drill string, in SI. The mass does not include the mass
+/// lumped at its far end.
 RodProperties propertiesOf(const Section& section, const Material& material);
 
-/// Sums over the sections of a hammer, or of a string with its repeats written out.
+/// Total length, transit time and mass of a hammer, or of a drill string with its repeats expanded.
 struct ChainProperties {
-    double length = 0;       ///< [m]
-    double transitTime = 0;  ///< one way [s]
-    double mass = 0;         ///< with lumped masses [kg]
+    double length = 0;       ///< total length [m]
+    double transitTime = 0;  ///< total transit time of a wave, one way [s]
+    double mass = 0;         ///< total mass, including lumped masses [kg]
 };
 ChainProperties hammerProperties(const DrillString& drillString);
 ChainProperties stringProperties(const DrillString& drillString);
-/// Returns the sums of the uniform rod, or of the string.
+/// Returns total length, transit time and mass of the uniform rod, or of the drill string without its hammer.
 ChainProperties chainProperties(const Scenario& scenario);
 
-/// Returns the impedance of the hammer of a piston pulse over that of the section it pushes (the
-/// `impedanceRatio` itself in a dimensionless scenario).
+/// Returns the impedance of a uniform piston relative to that of the rod, or of the first section that it
+/// strikes. For a dimensionless scenario it is `impedanceRatio`.
 double pistonImpedanceRatio(const Scenario& scenario);
 
-/// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of a hammer
-/// that is followed. 1 for a dimensionless scenario.
+/// Returns the duration t0 of the hammer force [s]; 1 for a dimensionless scenario. For a piston it is
+/// 2·length/c, for a table its time span, and for a hammer of sections twice its transit time.
 double pulseDuration(const Scenario& scenario);
 
-/// I0 [N s]: the impulse; of the staircase of a piston; of a table; momentum of a hammer that is followed. 1
-/// for a dimensionless scenario.
+/// Returns the impulse I0 of the hammer force [N s]; 1 for a dimensionless scenario. For a hammer of sections
+/// it is its momentum at impact. The force of a piston and of a table is integrated.
 double pulseImpulse(const Scenario& scenario);
 
-/// Mean force I0/t0 [N] of a pulse given by duration and impulse; where some double times the duration is
-/// exactly the impulse, that one, so that a force that was given reads back unchanged.
+/// Returns the mean force I0/t0 [N] of a pulse given by duration and impulse. If a double close to the
+/// quotient gives exactly the impulse when multiplied by the duration, it returns that one. So a mean force
+/// that was entered reads back unchanged.
 double meanForce(const Pulse& pulse);
 
-/// Returns β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0), or d/(v0 t0) for a followed hammer, T being the whole
-/// transit time; the given groups for a dimensionless scenario.
+/// Returns the groups β = k t0/Z, γ, τ = T/t0 and δ = d/d0, with T the transit time of the whole rod or
+/// string. Here d0 = 2 I0/Z, or v0 t0 for a hammer of sections. A dimensionless scenario has them as input.
 Groups groupsOf(const Scenario& scenario);
 
-/// The scales of a scenario with units; all 1 for a dimensionless one (not meaningful there). Requires a
-/// hammer and a string that are not empty where it is a string.
+/// Returns the scales of a scenario with units; all are 1, without meaning, for a dimensionless one. A drill
+/// string must have at least one section, and so must its hammer unless the force is prescribed.
 Scales scalesOf(const Scenario& scenario);
 
-/// Returns the period of the gap with which blows repeat (theory §4) because waves return as they left: d0
-/// [m], 1 for a dimensionless scenario. nullopt for a drill string: only of a period are shares of all gaps
-/// and the worst gap known.
+/// Returns the period of the gap for a uniform rod: d0 [m], or 1 for a dimensionless scenario. A gap that is
+/// larger by this period gives the same blow, because reflected waves return unchanged (theory §4). Returns
+/// nullopt for a drill string, which has no such period.
 std::optional<double> gapPeriod(const Scenario& scenario);
 
 // Round trips of waves in the rod between two blows.
 
-/// n_b = 1/(2 T f), round trips of a wave between two blows (T37). nullopt without units or a blow frequency.
+/// Returns the number n_b = 1/(2 T f) of round trips of a wave in the rod between two blows (T37). Returns
+/// nullopt without units or without a blow frequency f.
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario);
 
-/// Waves of the last blow that are still felt, n_b < 6, meet the new one in step where n_b is within 0.1 of a
-/// whole number below that, which is returned: 1 … 5 (theory §10).
+/// Returns the whole number 1 … 5 that `roundTrips`, the number n_b of round trips of a wave between two
+/// blows, differs from by at most 0.1. Residual waves of the last blow then coincide with the waves of the
+/// new one (theory §10). Returns nullopt if there is no such number.
 std::optional<int> stepOfWaves(double roundTrips);
 
-/// Round trips after which the waves of the last blow need no alert (theory §10).
+/// Number n_b of round trips between two blows from which residual waves of the last blow need no warning
+/// (theory §10).
 inline constexpr double enoughRoundTrips = 6;
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A drilling scenario as plain values: what is described, not how it is solved.
+// Drilling scenario as plain values. It describes the problem, not how it is solved.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,17 @@
 
 namespace drillwave {
 
-// The points of a tabulated pulse: a list that is never changed, so that copies of a scenario share it.
+// Points of a tabulated hammer force. The list never changes, so that copies of a scenario share it.
 
-/// Point of a tabulated pulse: time [s] and force [N]; any units in a dimensionless scenario.
+/// Point of a tabulated hammer force: time [s] and force [N], or any units in a dimensionless scenario.
 struct TablePoint {
     double time = 0;
     double force = 0;
     bool operator==(const TablePoint&) const = default;
 };
 
-/// Behaves as a list of points by value; a copy costs a pointer, however many there are.
+/// Immutable list of points with value semantics. Copies share the memory, so that copying a long list is
+/// cheap.
 class TablePoints {
   public:
     TablePoints() = default;
@@ -43,7 +44,7 @@ class TablePoints {
     auto begin() const { return list().begin(); }
     auto end() const { return list().end(); }
 
-    /// Returns whether both share memory; equal points are not enough.
+    /// Returns whether two lists share memory. Lists with equal points may still have separate memory.
     bool isSharedWith(const TablePoints& other) const { return m_points == other.m_points; }
 
     friend bool operator==(const TablePoints& a, const TablePoints& b) {
@@ -56,171 +57,191 @@ class TablePoints {
         return m_points ? *m_points : none;
     }
 
-    std::shared_ptr<const std::vector<TablePoint>> m_points;  // nullptr where there are none
+    std::shared_ptr<const std::vector<TablePoint>> m_points;  // nullptr if there are no points
 };
 
-/// Shape of the force of the hammer on the rear end of the rod or of the string (files §1.1).
+/// Shape over time of the force of the hammer on the rear end of the rod or drill string (files §1.1).
 enum class PulseShape {
-    rectangular,  ///< constant over the duration
-    triangular,   ///< symmetric rise and fall
-    halfSine,     ///< one half period of a sine
-    trapezoid,    ///< linear rise, plateau, linear fall
-    exponential,  ///< rigid hammer: force ∝ exp(−t/t0), no end
-    piston,       ///< uniform elastic hammer: staircase of two impedances, steps of t0
-    table,        ///< given points, linear between them
-    rigidBody,    ///< reference case: the rod arrives with uniform velocity and no waves
+    rectangular,  ///< constant over the duration t0
+    triangular,   ///< symmetric linear rise and fall within t0
+    halfSine,     ///< one half period of a sine within t0
+    trapezoid,    ///< linear rise, plateau and linear fall within t0
+    exponential,  ///< rigid hammer: force ∝ exp(−t/t0), without an end
+    /// Uniform elastic hammer: force in steps of the duration t0, which depend on two impedances.
+    piston,
+    table,  ///< given points, with linear interpolation between them
+    /// Reference case without a hammer force: the rod arrives with uniform velocity and no waves.
+    rigidBody,
 };
 
-/// "half_sine" and so on, as in scenario files.
+/// Returns the name of a shape as in scenario files, such as "half_sine".
 std::string_view name(PulseShape shape);
 std::optional<PulseShape> findPulseShape(std::string_view name);
-/// Returns all names, in the order of PulseShape, for menus and messages.
+/// Returns the names of all shapes for menus and messages, in the order of PulseShape.
 std::span<const std::string_view> pulseShapeNames();
 
 /// Uniform elastic rod. All values in SI.
 struct Rod {
-    double length = 3.66;                   ///< L [m]
-    double diameter = 0.038;                ///< outer diameter [m]; unused when `area` is given
-    double bore = 0;                        ///< flushing hole diameter [m]
-    std::optional<double> area;             ///< A [m²] when given instead of diameter and bore
-    double youngsModulus = 210e9;           ///< E [Pa]
-    double density = 7850;                  ///< ρ [kg/m³]
-    std::optional<double> yieldStrength;    ///< [Pa] stress above which there is an alert; changes no result
-    std::optional<double> fatigueStrength;  ///< [Pa] tension above which there is an alert, for many blows
+    double length = 3.66;          ///< length L [m]
+    double diameter = 0.038;       ///< outer diameter [m]; unused if `area` is given
+    double bore = 0;               ///< diameter of the flushing hole [m]; unused if `area` is given
+    std::optional<double> area;    ///< cross-section A [m²]; if given, replaces diameter and bore
+    double youngsModulus = 210e9;  ///< Young's modulus E [Pa]
+    double density = 7850;         ///< density ρ [kg/m³]
+    /// Yield strength [Pa]; a higher stress raises a warning but changes no result.
+    std::optional<double> yieldStrength;
+    /// Fatigue strength [Pa] for many blows; a higher tensile stress raises a warning.
+    std::optional<double> fatigueStrength;
     bool operator==(const Rod&) const = default;
 };
 
-/// Uniform elastic hammer of a `piston` pulse (SI). In a dimensionless scenario only `impedanceRatio` counts.
+/// Uniform elastic hammer of the pulse shape `piston`, in SI. A dimensionless scenario uses only
+/// `impedanceRatio`.
 struct Piston {
-    double length = 0.5;                  ///< [m]
-    double diameter = 0.038;              ///< [m]
+    double length = 0.5;                  ///< length of the hammer [m]
+    double diameter = 0.038;              ///< diameter of the hammer [m]
     double velocity = 10;                 ///< impact velocity [m/s]
-    std::optional<double> youngsModulus;  ///< [Pa], the rod's when not given
-    std::optional<double> density;        ///< [kg/m³], the rod's when not given
-    double impedanceRatio = 1;            ///< hammer impedance / rod impedance, dimensionless scenarios
+    std::optional<double> youngsModulus;  ///< Young's modulus [Pa] (default: that of the rod)
+    std::optional<double> density;        ///< density [kg/m³] (default: that of the rod)
+    /// q = hammer impedance/rod impedance, > 0; only for dimensionless scenarios.
+    double impedanceRatio = 1;
     bool operator==(const Piston&) const = default;
 };
 
-/// The hammer blow.
+/// Force of the hammer on the rear end over time. Shapes `piston` and `table` determine duration and impulse
+/// themselves.
 struct Pulse {
     PulseShape shape = PulseShape::rectangular;
-    /// t0 [s]; time constant of `exponential`; follows from the data for piston and table
+    /// Duration t0 of the force [s]; for `exponential` its time constant. Not used for `piston` and `table`.
     double duration = 200e-6;
-    double impulse = 51;            ///< I0 [N s]; follows from the data for piston and table
-    bool impulseFromForce = false;  ///< the user gave the mean force I0/t0, which a file then keeps
-    double rise = 0.2;              ///< trapezoid: rise time / duration
-    double fall = 0.3;              ///< trapezoid: fall time / duration
+    double impulse = 51;            ///< impulse I0 of the force [N s]; not used for `piston` and `table`
+    bool impulseFromForce = false;  ///< whether the user gave the mean force I0/t0; files then keep the force
+    double rise = 0.2;              ///< rise time of `trapezoid` as a share of the duration
+    double fall = 0.3;              ///< fall time of `trapezoid` as a share of the duration
     Piston piston;
-    std::string tableFile;    ///< path as written in the scenario, empty when the points are inline
-    TablePoints tablePoints;  ///< strictly increasing times, forces ≥ 0
+    /// Path of the file with the points of `table`, as written in the scenario; empty if the scenario
+    /// contains the points.
+    std::string tableFile;
+    TablePoints tablePoints;  ///< points of `table`, with strictly increasing times and forces ≥ 0
     bool operator==(const Pulse&) const = default;
 };
 
-/// Kind of the loading curve of the bit–rock law (files §1.4).
+/// Form of the loading curve of the bit–rock law, force over penetration (files §1.4).
 enum class RockLaw {
-    bilinear,  ///< one straight line
-    corners,   ///< straight lines
-    power,     ///< F = kU (U/U1)^(p − 1), followed by straight lines
+    bilinear,  ///< loading along one straight line of slope k
+    corners,   ///< loading along several straight lines, which meet at corners
+    power,     ///< power law F = kU (U/U1)^(p − 1), approximated by straight lines
 };
 
-/// "bilinear" and so on, as in scenario files.
+/// Returns the name of a rock law as in scenario files, such as "bilinear".
 std::string_view name(RockLaw law);
-/// "a power law" and so on, for messages.
+/// Returns the words for a rock law in messages, such as "a power law".
 std::string_view phrase(RockLaw law);
 std::optional<RockLaw> findRockLaw(std::string_view name);
-/// Returns all names, in the order of RockLaw.
+/// Returns the names of all rock laws, in the order of RockLaw.
 std::span<const std::string_view> rockLawNames();
 
-/// Corner of the loading curve, from which it has another slope. NaN: not given yet.
+/// Corner of the loading curve, where its slope changes. NaN means not given yet.
 struct RockCorner {
-    double force = std::numeric_limits<double>::quiet_NaN();  ///< [N], in a dimensionless scenario [F0]
-    double slope = std::numeric_limits<double>::quiet_NaN();  ///< from there on, as a multiple of k
+    /// Force at the corner [N]; in a dimensionless scenario in units of F0.
+    double force = std::numeric_limits<double>::quiet_NaN();
+    /// Slope above the corner as a multiple of the stiffness k, > 0.
+    double slope = std::numeric_limits<double>::quiet_NaN();
     bool operator==(const RockCorner& other) const {
         const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
         return same(force, other.force) && same(slope, other.slope);
     }
 };
 
-/// Bit–rock law with memory: the loading curve, and one slope k/γ below the largest force so far.
+/// Bit–rock law: a loading curve, and unloading and reloading with the slope k/γ below the largest force so
+/// far.
 struct BitRock {
-    double stiffness = 105e6;  ///< k, primary loading [N/m]: of the first line, of `power` the secant at U1
-    double gamma = 0.1;        ///< elasticity parameter γ, 0 < γ ≤ 1
-    double gap = 0;            ///< d, initial gap between bit and rock [m]
+    /// Stiffness k of loading [N/m]: slope of the first line; for `power` the secant at U1.
+    double stiffness = 105e6;
+    double gamma = 0.1;  ///< elasticity γ = loading/unloading stiffness, 0 < γ ≤ 1
+    double gap = 0;      ///< initial gap d between bit and rock [m], ≥ 0
     RockLaw law = RockLaw::bilinear;
-    std::vector<RockCorner> corners;     ///< of `corners`, forces increasing
-    double exponent = 1;                 ///< p of `power`
-    double referencePenetration = 1e-3;  ///< U1 of `power` [m], in a dimensionless scenario [d0]
+    std::vector<RockCorner> corners;  ///< corners of the law `corners`, with increasing forces
+    double exponent = 1;              ///< exponent p of the law `power`, F ∝ U^p; 0.3 … 3
+    /// Penetration U1 at which `power` has the stiffness k [m]; in a dimensionless scenario in units of d0.
+    double referencePenetration = 1e-3;
     bool operator==(const BitRock&) const = default;
 };
 
-/// State of the rock that the buttons of the bit hit at the next blow.
+/// State of the rock under the buttons of the bit at the next blow.
 enum class RockIndexing {
-    fresh,  ///< new rock: the bit has turned
-    same,   ///< the crater of the blow before
+    fresh,  ///< intact rock: the bit has turned since the last blow
+    same,   ///< the crater that the last blow left
 };
 
-/// "fresh" and "same", as in scenario files.
+/// Returns the name of a state of the rock as in scenario files: "fresh" or "same".
 std::string_view name(RockIndexing indexing);
 std::optional<RockIndexing> findRockIndexing(std::string_view name);
-/// Returns all names, in the order of RockIndexing.
+/// Returns the names of all states of the rock, in the order of RockIndexing.
 std::span<const std::string_view> rockIndexingNames();
 
-/// Operating data of the rock drill, all optional.
+/// Operating data of the rock drill. All of them are optional.
 struct Drill {
-    std::optional<double> blowFrequency;  ///< [Hz]
-    std::optional<double> thrust;         ///< installed feed force [N]
-    std::optional<double> machineMass;    ///< carried by the feed besides the rod [kg]
-    std::optional<double> inclination;    ///< of the hole below the horizontal [deg], −90 … 90
-    // Many blows only
-    std::optional<double> damperDamping;    ///< c_d, between machine and rear end [N s/m]
-    std::optional<double> damperStiffness;  ///< k_d [N/m]
+    std::optional<double> blowFrequency;  ///< blow frequency f [Hz]
+    std::optional<double> thrust;         ///< installed feed force [N], key `drill.thrust`
+    /// Mass of the machine [kg], which the feed pushes together with the rod.
+    std::optional<double> machineMass;
+    /// Angle of the hole below the horizontal [deg], −90 (upwards) … 90 (downwards).
+    std::optional<double> inclination;
+    // used only for simulations of many blows
+    std::optional<double> damperDamping;    ///< dashpot c_d between machine and rear end of the rod [N s/m]
+    std::optional<double> damperStiffness;  ///< spring k_d between machine and rear end of the rod [N/m]
     RockIndexing indexing = RockIndexing::fresh;
-    std::optional<double> waveLoss;         ///< η, of a round trip, 0 ≤ η < 1
-    std::optional<double> blows;            ///< N, a whole number
-    std::optional<double> settle;           ///< the first of them that no statistic counts, a whole number
-    std::optional<double> intervalScatter;  ///< normal deviation of an interval, over 1/f
-    std::optional<double> seed;             ///< of that, a whole number
+    std::optional<double> waveLoss;  ///< share η that waves lose per round trip in the rod, 0 ≤ η < 1
+    std::optional<double> blows;     ///< number N of simulated blows, a whole number
+    /// Number of transient blows, the first ones, which statistics exclude; a whole number.
+    std::optional<double> settle;
+    /// Standard deviation of the interval between blows (normal distribution), as a multiple of 1/f.
+    std::optional<double> intervalScatter;
+    std::optional<double> seed;  ///< seed of the random intervals, a whole number
     bool operator==(const Drill&) const = default;
 };
 
-/// The four dimensionless groups on which the solution depends (paper, section 5.1) (T8).
+/// The four dimensionless groups on which the solution depends (paper, section 5.1; T8).
 struct Groups {
-    double beta = 0.5;  ///< β = k/k0, k0 = Z/t0; > 0
-    double gamma = 1;   ///< γ, 0 < γ ≤ 1
-    double tau = 10;    ///< τ = T/t0; > 0
-    double delta = 0;   ///< δ = d/d0, d0 = 2 I0/Z; ≥ 0
+    double beta = 0.5;  ///< β = k/k0 > 0, stiffness of the rock relative to k0 = Z/t0
+    double gamma = 1;   ///< elasticity γ = loading/unloading stiffness of the rock, 0 < γ ≤ 1
+    double tau = 10;    ///< τ = T/t0 > 0, transit time of the rod relative to the duration of the blow
+    double delta = 0;   ///< δ = d/d0 ≥ 0, gap relative to d0 = 2 I0/Z
     bool operator==(const Groups&) const = default;
 };
 
-/// Form in which the scenario is given.
+/// Form in which a scenario is given.
 enum class ScenarioForm {
-    dimensional,    ///< uniform rod and prescribed hammer force, in physical quantities
-    dimensionless,  ///< a uniform rod, directly by its groups
-    string,         ///< string of sections under a hammer or a prescribed force, in physical quantities
+    dimensional,    ///< uniform rod under a prescribed hammer force, in physical quantities
+    dimensionless,  ///< uniform rod, given by its dimensionless groups
+    /// Drill string of sections, struck by a hammer or a prescribed force, in physical quantities.
+    string,
 };
 
-/// Contents of a scenario file. Members that the form does not use keep their defaults.
+/// Contents of a scenario file. Members that the form of the scenario does not use keep their defaults.
 struct Scenario {
     std::string title;
     ScenarioForm form = ScenarioForm::dimensional;
-    Groups groups;            ///< the definition when dimensionless; see groupsOf() otherwise
-    Rod rod;                  ///< dimensional only
-    Pulse pulse;              ///< where isForced()
-    BitRock bitRock;          ///< with units; in a dimensionless scenario the numbers of its loading curve
-    Drill drill;              ///< with units
-    DrillString drillString;  ///< of a string
+    Groups groups;  ///< groups of a dimensionless scenario; for other forms use groupsOf()
+    Rod rod;        ///< uniform rod; used only by the form `dimensional`
+    Pulse pulse;    ///< hammer force; used if isForced()
+    /// Gap and bit–rock law; a dimensionless scenario uses only the shape of its loading curve.
+    BitRock bitRock;
+    Drill drill;              ///< operating data of the rock drill; not used by dimensionless scenarios
+    DrillString drillString;  ///< hammer and string; used only by the form `string`
     bool operator==(const Scenario&) const = default;
 };
 
-/// Whether the scenario is in physical quantities, so that its results have SI units too.
+/// Returns whether the scenario is in physical quantities, so that its results can be given in SI units.
 inline bool hasUnits(const Scenario& scenario) {
     return scenario.form != ScenarioForm::dimensionless;
 }
-/// Whether it is a string of sections, and not a uniform rod.
+/// Returns whether the scenario is a drill string of sections, not a uniform rod.
 inline bool isString(const Scenario& scenario) {
     return scenario.form == ScenarioForm::string;
 }
-/// Whether the blow is a prescribed force, and not a hammer of sections that is followed too.
+/// Returns whether the blow is a prescribed force, not the impact of a hammer whose motion is simulated.
 inline bool isForced(const Scenario& scenario) {
     return !isString(scenario) || scenario.drillString.hammer.sections.empty();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a section of a hammer or a string: the rows of the table of parameters that stand for as
-// many parameters as there are sections.
+// Numbers of a section of a hammer or drill string, such as its length. Each row stands for one parameter per
+// section.
 #pragma once
 
 #include <algorithm>
@@ -16,76 +16,83 @@
 
 namespace drillwave {
 
-/// A number of a section.
+/// Number of a section, such as its length, with its names, unit and allowed range.
 struct SectionField {
-    std::string_view key;      ///< in a file, e.g. "length"
-    std::string_view label;    ///< words, e.g. "length"
-    std::string_view symbol;   ///< may be empty
-    std::string_view meaning;  ///< one line
+    std::string_view key;      ///< key in a file, "length"
+    std::string_view label;    ///< name in forms and messages, "length"
+    std::string_view symbol;   ///< symbol, "L"; may be empty
+    std::string_view meaning;  ///< explanation in one line
     Quantity quantity;
-    std::string_view unit;  ///< default
+    std::string_view unit;  ///< default unit for display and files, "mm"
     Range hard;
     Range plausible;
     SliderScale slider;
     Presence presence;
     std::optional<double> (*value)(const Section&);
     void (*assign)(Section&, double);
-    void (*clear)(Section&) = nullptr;  ///< nullptr where there is always a value
-    /// Form of the section to which the field applies: given by outer diameter, or by area.
+    /// Function that makes the value "not given"; nullptr if there is always a value.
+    void (*clear)(Section&) = nullptr;
+    /// Sections that have this number: all, or only those given by outer diameter or by area.
     enum class With { both, diameter, area } with = With::both;
 
     const Unit& displayUnit() const;
-    /// Returns whether the field has a meaning for that section.
+    /// Returns whether a section can have this number: an area, for example, excludes a diameter.
     bool applies(const Section& section) const {
         return with == With::both || (with == With::area) == section.area.has_value();
     }
 };
 
-/// Returns all fields, in the order of a file.
+/// Returns the numbers of a section, in the order of a file.
 std::span<const SectionField> sectionFields();
 
-/// The field of that key, or nullptr.
+/// Returns the number of a section with this key, such as "length", or nullptr.
 const SectionField* findSectionField(std::string_view key);
 
-/// Returns whether setting the one undoes the other: an area, and diameter or bore, including those of the
-/// end of a cone.
+/// Returns whether setting one number of a section undoes the other. This holds for an area against diameter
+/// or bore, also at the far end of a cone.
 bool areRivals(const SectionField& a, const SectionField& b);
 
-/// Why `value` (SI) is outside the hard range: "must be greater than 0"; empty when it is inside.
+/// Returns why `value` (SI) is outside the allowed range: "must be greater than 0"; empty if it is inside.
 Message rangeProblem(const SectionField& field, double value);
 
-// Which number of which sections a key is about: "string.adapter.length" (all sections of that name, `_`
-// standing for a blank too), "string.3.length" (by place from 1, repeats written out), "hammer.1.diameter". A
-// section inside a repeat stands in a file once: whichever of its places is set, it is set in every repeat.
+// Keys of the numbers of sections, by name or by number. "string.adapter.length" means all sections with that
+// name, where `_` also stands for a blank. "string.3.length" and "hammer.1.diameter" mean one section,
+// counted from 1 with repeats expanded. A section inside a repeat stands in the file once, so that setting
+// any of its copies sets all.
 
-/// Which number of which sections.
+/// Section or sections that a key refers to, and the number that it sets. Sections are given by name or by
+/// position.
 struct SectionAddress {
     enum class Chain { hammer, string };
     Chain chain = Chain::string;
-    std::string name;         ///< of the sections; empty where a place is given
-    std::uint64_t place = 0;  ///< from 1; 0 where a name is given
+    std::string name;  ///< name of the sections, "adapter"; empty if a position is given
+    /// Number of the section in hammer or string, from 1 with repeats expanded; 0 if a name is given.
+    std::uint64_t place = 0;
     const SectionField* field = nullptr;
 
-    /// Whether that is its name, given one.
+    /// Returns whether the address is by name and `section` is that name, with `_` also for a blank.
     bool isCalled(std::string_view section) const;
-    /// "adapter", "section 3", "hammer section 1".
+    /// Returns the words for the section in messages: "adapter", "section 3", "hammer section 1".
     std::string words() const;
-    /// Returns whether both are for the same name or place of the same chain.
+    /// Returns whether both addresses have the same name or position, and both are in the hammer or both in
+    /// the string.
     bool hasSameSections(const SectionAddress& other) const;
 };
 
-/// The address of such a key, whether there is such a section or not; nothing where it is none.
+/// Returns the address that a key such as "string.3.length" describes, even if there is no such section;
+/// nullopt for any other key.
 std::optional<SectionAddress> findSectionAddress(std::string_view key);
 
-/// "string.3", the section of that place.
+/// Returns the key of the section at a position: "string.3".
 std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
-/// "string.3.length", its number of that key.
+/// Returns the key of a number of the section at a position: "string.3.length".
 std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place, std::string_view field);
 
-/// Calls `visit` with every section that the address names, and which of its chain it is in a file, from 0.
+/// Calls `visit` for every section that the address refers to, with its index in the file: among the sections
+/// of its hammer or string, from 0.
 template <class String, class Visit>
 void visitNumberedSections(const SectionAddress& address, String& drillString, const Visit& visit) {
-    std::size_t first = 0;  // of the list
+    std::size_t first = 0;  // index of the first section of the list
     const auto visitList = [&](auto& sections, std::uint64_t before, std::uint64_t repeat) {
         const std::uint64_t count = sections.size();
         for (std::uint64_t i = 0; i < count; ++i) {
@@ -106,7 +113,7 @@ void visitNumberedSections(const SectionAddress& address, String& drillString, c
         before = visitList(part.sections, before, static_cast<std::uint64_t>(std::max(part.repeat, 0)));
 }
 
-/// Calls `visit` with every section that the address names.
+/// Calls `visit` for every section that the address refers to.
 template <class String, class Visit>
 void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
     visitNumberedSections(address, drillString, [&](auto& section, std::size_t) { visit(section); });
@@ -116,11 +123,11 @@ void visitSections(const SectionAddress& address, String& drillString, const Vis
 /// `adapter`?".
 Message whyNoneThere(const SectionAddress& address, const DrillString& drillString);
 
-/// Returns the known key of a section that is most like a mistyped one, as far as it is known without a
-/// scenario; empty when none is close.
+/// Returns the key of a section that is most similar to a mistyped one; empty if none is similar. As no
+/// scenario is given, names of sections are not known.
 std::string nearestSectionKey(std::string_view key);
 
-/// Returns why a section cannot have that name: "must be …"; empty when it can.
+/// Returns why a section cannot have this name: "must be …"; empty if it can.
 Message sectionNameProblem(std::string_view name);
 
 }  // namespace drillwave

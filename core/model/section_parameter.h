@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of the sections of a hammer and a string (section_field.h), and "string.repeat", as parameters,
-// so that --set, sweeps, tables, curves and maps take them.
+// Numbers of the sections of a hammer and a string (section_field.h), and "string.repeat", as parameters for
+// --set, sweeps, tables, curves and maps.
 #pragma once
 
 #include <string>
@@ -12,40 +12,45 @@
 
 namespace drillwave {
 
-/// The parameter of such a key, or none. May be called from several threads.
+/// Returns the parameter of a section with a key such as "string.3.length", or "string.repeat"; empty for any
+/// other key. Thread-safe.
 KeptParameter findSectionParameter(std::string_view key);
 
-/// Whether the scenario has sections, or a repeat, that the parameter of the scope `section` is about.
+/// Returns whether the scenario has the section, or the repeat, that this parameter sets. Requires a
+/// parameter of the scope `section`.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns whether both set the same number, or numbers that replace each other, of sections that may be the
-/// same ones: a name and a place, or two places.
+/// Returns whether two parameters set the same number, or numbers that exclude each other, of sections that
+/// may be the same. This is possible if one is by name and one by position, or for two positions in a repeat.
 bool mayMeet(const Parameter& one, const Parameter& other);
 
-/// Returns why the two cannot both be set, to be written after their keys: "set one section, …", if the file
-/// has it once; empty if they can. The two scenarios only differ in their repeats: each place counts in its
-/// own scenario.
+/// Returns why two parameters of sections cannot both be set: "set one section: …"; empty if they can. The
+/// text is to be written after the two keys. The scenarios differ only in the number of repeats; a position
+/// refers to the scenario of its parameter.
 Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                        const Scenario& ofOther);
 
-/// Returns why there is no such section: "no section of the string is called `adaptor`; did you mean …?".
+/// Returns why a scenario has no section for this parameter: "no section of the string is called `adaptor`;
+/// did you mean …?".
 Message whyNoSection(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns every number that a section of a string scenario has, in the order of a file; and the repeat.
+/// Returns every number that a section of hammer or string has, in the order of a file, and the number of
+/// repeats.
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario);
 
-/// Returns the name of the section that a parameter belongs to; empty without a section or a name.
+/// Returns the name of the section that a parameter belongs to; empty if it has no section, or the section no
+/// name.
 std::string sectionName(const Parameter& parameter, const Scenario& scenario);
 
-// The numbers of sections that are worth varying, to be chosen from a list.
+// Numbers of sections that are worth varying, for a list to choose from.
 
-/// Returns every number of a section that changes the results of a string, once, in the order of a file, the
-/// repeat before the sections of the string: by name ("string.coupling.diameter") where all sections of that
-/// name agree in it, else by place. Empty for a uniform rod.
+/// Returns every number of the sections that changes the results of a drill string, in the order of a file. A
+/// number is by name ("string.coupling.diameter") if all sections of that name have the same value, else by
+/// position. "string.repeat" is between hammer and string. Empty for a uniform rod.
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
 
-/// Returns the diameter, or area, of the section that matters first in a string: of those called "coupling",
-/// else of the first ones in a repeat, else of the first one; nullptr for a uniform rod.
+/// Returns the diameter, or area, of the most important section of a drill string. These are the couplings,
+/// else the first section in a repeat, else the first section. Empty for a uniform rod.
 KeptParameter typicalSize(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kinds of sections: their shape in numbers and words, and the uniform pieces that stand for it.
+// Shape of sections, uniform or conical, in numbers and words, and the uniform pieces by which a cone is
+// computed.
 #pragma once
 
 #include <string>
@@ -12,43 +13,48 @@
 namespace drillwave {
 
 bool isUniform(const Section& section);
-/// Returns whether all sections of hammer and string are uniform.
+/// Returns whether all sections of hammer and string are uniform, so that none is a cone.
 bool hasUniformSections(const DrillString& drillString);
 
-/// Returns the cross-section [m²] at `share` of the length, 0 at the rear end … 1. In a cone the diameter is
-/// linear and the bore constant; if it is given by areas, the diameter of a full bar is linear.
+/// Returns the cross-section [m²] at `share` of the length of a section, from 0 (rear end) to 1. In a cone
+/// the diameter varies linearly and the bore is constant. For a cone given by areas, the diameter of a solid
+/// bar varies linearly.
 double areaAt(const Section& section, double share);
 
-/// Returns the outer diameter [m] there; of a full bar for a section given by its area.
+/// Returns the outer diameter [m] at `share` of the length, from 0 (rear end) to 1. For a section given by
+/// its area it is the diameter of a solid bar.
 double outerDiameterAt(const Section& section, double share);
 
-/// The larger one of its ends.
+/// Returns the larger outer diameter [m] of the two ends of a section.
 double largestDiameter(const Section& section);
 
-/// Returns the mean of areaAt() between two shares [m²]: a uniform piece of that area has the same mass.
+/// Returns the mean cross-section [m²] between two shares of the length, from 0 (rear end) to 1. A uniform
+/// piece of this area has the same mass.
 double meanArea(const Section& section, double from = 0, double to = 1);
 
-/// Key of the size of its far end: "end_diameter".
+/// Returns the key of the size at the far end of a cone: "end_diameter" or "end_area".
 std::string_view endKey(const Section& section);
 
-/// Contradiction between sizes that are each in their range.
+/// Contradiction between two sizes of a section, each of which is within its allowed range.
 struct ShapeProblem {
-    std::string_view field;  ///< key of one of them
-    Message reason;          ///< "must be less than the diameter of 39 mm"
+    std::string_view field;  ///< key of one of the two sizes, "bore"
+    Message reason;          ///< reason: "must be less than the diameter of 39 mm"
 };
-/// Returns all contradictions.
+/// Returns all contradictions between the sizes of a section; empty if there are none.
 std::vector<ShapeProblem> shapeProblems(const Section& section);
 
-/// "3660 mm × 39 mm … 45 mm / 14 mm": length, sizes from the rear end to the far one, and bore.
+/// Returns length, outer diameters from the rear to the far end, and bore as text: "3660 mm × 39 mm … 45 mm /
+/// 14 mm".
 std::string sizeText(const Section& section);
 
-/// Divides a section into `count` > 0 uniform pieces of equal length with the same total mass. The lumped
-/// mass and the joint of the section are after the last piece. A uniform section in one piece is returned
-/// unchanged. Waves in the pieces differ from those in a cone by the square of their lengths.
+/// Returns a section as `count` > 0 uniform pieces of equal length with the same total mass. Lumped mass and
+/// joint of the section are after the last piece. A uniform section in one piece is returned unchanged. The
+/// error of the waves in a cone is proportional to the square of the length of the pieces.
 ///
-/// A joint with losses before it (`behindLoss`) reflects a wave before it weakens it, so that a step half a
-/// piece later is not the same as one at the joint: the first of four or more pieces then has the
-/// cross-section of the rear end, and the second one the mass that this leaves out.
+/// A joint with losses before the section (`behindLoss`) reflects a wave first and weakens it afterwards. A
+/// change of impedance at the joint therefore acts differently from one half a piece later. With four or more
+/// pieces, the first one has the cross-section of the rear end; the second one gets the mass that this leaves
+/// out.
 std::vector<Section> uniformPieces(const Section& section, int count, bool behindLoss = false);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of sections in tables and sentences, and what a string consists of.
+// Names of sections in tables and sentences, and words for the composition of a drill string.
 #pragma once
 
 #include <cstddef>
@@ -16,31 +16,34 @@
 
 namespace drillwave {
 
-/// Returns the names that examples and presets give to sections: "rod", "bit skirt". A reader has them in a
-/// language; other names stay as they are.
+/// Returns the names that examples and presets give to sections: "rod", "bit skirt". These names are
+/// translated, other names are not.
 std::span<const std::string_view> customarySectionNames();
-/// Returns the name of a section in a sentence, translated if it is a usual one.
+/// Returns the name of a section for use in a sentence; it is translated if it is one of
+/// customarySectionNames().
 Message sectionNameMessage(const std::string& name);
 
-/// Returns "3rd rod" for every section of the string with repeats written out; "adapter" where only one
-/// section has that name, "section 3" where it has none.
+/// Returns words for every section of the string, with repeats expanded: "3rd rod". A name that occurs once
+/// has no number, "adapter"; a section without a name is "section 3".
 std::vector<Message> stringSectionWords(const DrillString& drillString);
 
-/// Returns "hammer 1", or "hammer 1 (piston)" where it has a name. `place` counts from 1.
+/// Returns the words for a section of the hammer: "hammer 1", or "hammer 1 (piston)" if it has a name.
+/// `place` counts from 1.
 Message hammerSectionWords(const DrillString& drillString, std::size_t place);
 
-/// Returns the words of all sections of hammer and string, in the order of allSections().
+/// Returns words for all sections of hammer and string, in the order of allSections(): "hammer 1", "adapter",
+/// "3rd rod".
 std::vector<Message> sectionWords(const DrillString& drillString);
 
-/// Returns the words for every section in a file, in the order of sectionSpots(): those of sectionWords(),
-/// and "2nd to 4th rod" for a section in a repeat.
+/// Returns words for every section of a file, in the order of sectionSpots(): "3rd rod", or "2nd to 4th rod"
+/// for a section in a repeat.
 std::vector<Message> rowWords(const DrillString& drillString);
 
-/// Returns the words for the section of an address, as it is in a file: "2nd to 4th rod", "hammer 1"; for a
-/// name that of the sections, "coupling". "section 9" if the string has none.
+/// Returns words for the section that an address refers to, as in the file: "2nd to 4th rod", "hammer 1". For
+/// an address by name it is the name, "coupling"; without such a section "section 9".
 Message addressedWords(const SectionAddress& address, const DrillString& drillString);
 
-/// Returns "6 rods, 3 couplings, 2 other sections".
+/// Returns a summary of the sections of a drill string: "6 rods, 3 couplings, 2 other sections".
 Message stringWords(const DrillString& drillString);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits of a hammer and a string as a list of sections: places, inserting, removing, moving and repeating. An
-// edit may leave a scenario that is invalid for a moment (two sections of one bore).
+// Edits of the sections of a hammer and a drill string: inserting, removing, moving and repeating. An edit
+// may leave the scenario invalid for a moment, for example with two sections of one bore.
 #pragma once
 
 #include <cstddef>
@@ -12,71 +12,78 @@
 
 namespace drillwave {
 
-/// Position of a section in a file.
+/// Position of a section in a scenario file, where a repeat lists its sections once.
 struct SectionSpot {
     bool inHammer = false;
-    std::size_t part = 0;   ///< of the string; 0 in the hammer
-    std::size_t index = 0;  ///< in the hammer or in the part
+    std::size_t part = 0;   ///< index of the part of the string, a section or a repeat; 0 in the hammer
+    std::size_t index = 0;  ///< index of the section in the hammer or in the part
     bool operator==(const SectionSpot&) const = default;
 };
 
-/// Returns all positions in the order of a file: the hammer from its rear, then the string from the shank.
+/// Returns the positions of all sections in the order of a file: the hammer from its rear, then the string
+/// from the shank.
 std::vector<SectionSpot> sectionSpots(const DrillString& drillString);
 
-/// Returns the section at an existing position.
+/// Returns the section at a position, which must exist.
 const Section& sectionAt(const DrillString& drillString, const SectionSpot& spot);
 Section& sectionAt(DrillString& drillString, const SectionSpot& spot);
 
-/// Returns the first place, from 1, of the section in its hammer or its string with repeats written out: that
-/// of its key.
+/// Returns the number of the section in its hammer or string, counted from 1 with repeats expanded; in a
+/// repeat that of its first copy. Keys such as "string.3.length" use this number.
 std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 
-/// Inserts a section after another one, in the same repeat if that is in one. Returns its position.
+/// Inserts a section after another one, and inside the same repeat if that one is in a repeat. Returns its
+/// position.
 SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
 
-/// Inserts sections after another one. After the last section of a repeat they follow the repeat, so that
-/// they are not repeated. Returns the position of the last one. Requires at least one section.
+/// Inserts at least one section after another one. After the last section of a repeat they are inserted
+/// outside the repeat, so that they are not repeated. Returns the position of the last one.
 SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
                          const std::vector<Section>& sections);
 
-/// Returns whether the sections follow one another in the hammer, in one repeat or outside of repeats.
+/// Returns whether the sections at these positions are neighbours in the hammer, in one repeat or outside of
+/// repeats, so that others can replace them.
 bool canReplace(const DrillString& drillString, const std::vector<SectionSpot>& spots);
-/// Replaces the sections by others. Returns the position of the last one. Requires canReplace() and at least
-/// one section.
+/// Replaces neighbouring sections by at least one other. Returns the position of the last new one. Requires
+/// canReplace().
 SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionSpot>& spots,
                             const std::vector<Section>& sections);
 
-/// Inserts sections at an end of the string, outside any repeat: before or after all others. Returns the
-/// position of the last one.
+/// End of a drill string at which sections are inserted: before all others (shank), or after them (bit).
 enum class StringEnd { shank, bit };
+/// Inserts at least one section at an end of the string, outside any repeat. Returns the position of the last
+/// one.
 SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections);
 
-/// Returns whether its hammer or string has another section, so that it may be removed.
+/// Returns whether the section may be removed, because the hammer or string has at least one more.
 bool canRemove(const DrillString& drillString, const SectionSpot& spot);
-/// Removes a section; the last one of a repeat together with the repeat. Requires canRemove().
+/// Removes a section, and its repeat if it is the only one in it. Requires canRemove().
 void removeSection(DrillString& drillString, const SectionSpot& spot);
 
 enum class MoveTo { rear, bit };
-/// Moves a section one step: past its neighbour, into a repeat beside it, or out of its own at the end; the
-/// only section of a repeat takes the repeat with it. Returns its new position; nothing, and no change, at
-/// the end of its hammer or string.
+/// Moves a section one step: past its neighbour, into a neighbouring repeat, or out of its own repeat. The
+/// only section of a repeat moves together with the repeat. Returns its new position. Returns nullopt and
+/// changes nothing at the end of the hammer or string.
 std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
 
-/// Returns whether these sections follow one another in the string and are in no repeat.
+/// Returns whether the sections at these positions are neighbours in the string and in no repeat, so that
+/// they can be made a repeat.
 bool canRepeat(const DrillString& drillString, const std::vector<SectionSpot>& spots);
-/// Makes a repeat of them. Requires canRepeat() and a `times` of 1 or more.
+/// Turns neighbouring sections of the string into a repeat of `times` ≥ 1. Requires canRepeat().
 void repeatSections(DrillString& drillString, const std::vector<SectionSpot>& spots, int times);
-/// Sets the count of a repeat; 1 dissolves it into its sections. Requires a part that is a repeat.
+/// Sets how many times a repeat is repeated; 1 replaces the repeat by its sections. Requires a part that is a
+/// repeat.
 void setRepeat(DrillString& drillString, std::size_t part, int times);
 
-// Lengths of sections in common steps, so that few cells make up a string and its waves can be kept.
+// Rounded lengths of sections. A common step of the lengths keeps the number of time steps of the solver
+// small.
 
-/// Returns the nearest multiple of 10 mm of a length [m] from 50 mm on, of 5 mm from 20 mm on, and of 1 mm
-/// below.
+/// Returns a length [m] rounded to a multiple of 10 mm for 50 mm and more, of 5 mm for 20 mm and more, else
+/// of 1 mm.
 double roundedLength(double length);
 
-/// Returns the hammer and string with the rounded lengths of all sections. A changed section is from no
-/// preset.
+/// Returns hammer and string with rounded lengths of all sections. A section that changes loses the name of
+/// its preset.
 DrillString withRoundedLengths(DrillString drillString);
 
 }  // namespace drillwave

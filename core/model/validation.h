@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One pure check of a scenario that returns every problem at once.
+// Check of a scenario that returns all errors at once.
 #pragma once
 
 #include <cstddef>
@@ -14,43 +14,50 @@
 
 namespace drillwave {
 
-/// Problem of a scenario. Line and column are 1-based, 0 if it is not from a file.
+/// Error in a scenario. Line and column count from 1; they are 0 if the scenario is not from a file.
 struct InputProblem {
-    std::string key;  ///< "bit_rock.gamma", may be empty
-    Message text;     ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
+    std::string key;  ///< key of the wrong value, "bit_rock.gamma"; may be empty
+    Message text;     ///< message with key and value: "bit_rock.gamma = 1.3 (must be in (0, 1])"
     int line = 0;
     int column = 0;
-    std::string source = {};  ///< the file it is in, where that is not the scenario file (a pulse table)
-    /// "bit_rock.gamma must be in (0, 1]", without the value: for counts. Set by validate() only.
+    /// File with the error, if that is not the scenario file but a table of the hammer force; else empty.
+    std::string source = {};
+    /// Message without the value, by which equal errors are counted: "bit_rock.gamma must be in (0, 1]". Only
+    /// validate() sets it.
     Message reason = {};
     bool operator==(const InputProblem&) const = default;
 };
 
-/// Returns a problem from a key, its value or none where it has none, and a reason: "must be in (0, 1]".
+/// Returns the error for a key with a wrong value. `value` may be empty; `reason` is such as
+/// "must be in (0, 1]".
 InputProblem valueProblem(std::string_view key, std::string_view value, const Message& reason);
 
-/// Returns every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
-/// increasing, a hammer or string without sections, groups not finite or zero after conversion), physical
-/// parameters first. Empty if the scenario can be solved.
+/// Returns all errors of a scenario, those of physical parameters first; empty if it can be solved. Errors
+/// are values outside their allowed range, and contradictions such as bore ≥ diameter or rise + fall > 1.
+/// Groups that are infinite, NaN or zero after conversion are errors too.
 std::vector<InputProblem> validate(const Scenario& scenario);
 
-/// Returns all problems in one line, as the reason why the scenario is refused; empty if it is valid.
+/// Returns all errors of a scenario as one message, "; " between them; empty if it is valid.
 Message invalidity(const Scenario& scenario);
 
-/// First reason why points are no hammer force, and its point (from 0).
+/// First reason why points of time and force cannot be a hammer force, and the index of that point, from 0.
 struct PointProblem {
     std::size_t index = 0;
-    Message reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
+    /// Reason why the points are refused, "point 3 must be later than the one before it"; empty if they are
+    /// valid.
+    Message reason;
 };
+/// Returns the first error of the points of a tabulated hammer force; `reason` is empty if there is none.
 PointProblem pointProblem(const TablePoints& points);
 
-// Problems of the sections of a hammer and a string.
+// Errors in the sections of a hammer and a drill string.
 
-/// Returns every problem of the sections: none at all, too many, numbers out of range, names that are places,
-/// a bore as wide as the section, derived values that overflow. Keys are by place ("string.3.bore").
+/// Returns all errors of the sections of hammer and string, with keys by position ("string.3.bore"). Errors
+/// are no sections or too many, numbers outside their range, and a bore as wide as the section. Names that
+/// look like positions, and derived values that overflow, are errors too.
 std::vector<InputProblem> sectionProblems(const DrillString& drillString);
 
-/// Returns the message on more than maximumSections of a string or a hammer.
+/// Returns the message that a string or hammer with `count` sections has more than maximumSections.
 Message tooManySections(std::uint64_t count);
 
 }  // namespace drillwave

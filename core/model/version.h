@@ -4,10 +4,10 @@
 
 namespace drillwave {
 
-/// "0.2.0" of a release, "0.2.0+203.ga059c129" of a build 203 commits after it.
+/// Version of the program: "0.2.0" for a release, "0.2.0+203.ga059c129" for a build 203 commits after it.
 extern const char* const versionText;
 
-/// Version of names, units and meanings in files and JSON; it rises where one of them changes.
+/// Version of the names, units and meanings in files and JSON. It increases when any of them changes.
 inline constexpr int outputsVersion = 2;
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many threads this process may keep busy.
+// Number of threads that this process may keep busy.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,19 @@
 
 namespace drillwave {
 
-/// Returns the processors that the groups of a process may use at most, as 1.5; none without a quota. Reads
-/// `cpu.max` (version 2) or `cpu.cfs_quota_us` and `cpu.cfs_period_us` (version 1) of each group and of all
-/// groups above it; the smallest quota counts. `groups` is the text of /proc/self/cgroup, `root` the folder
-/// where the groups are mounted.
+/// Returns the number of processors that the Linux control groups (cgroups) of a process allow, such as 1.5;
+/// nullopt without a quota. The text of /proc/self/cgroup is `groups`, the folder where the groups are
+/// mounted is `root`. The smallest quota of all groups and their parents counts, from `cpu.max` (version 2)
+/// or `cpu.cfs_quota_us` and `cpu.cfs_period_us` (version 1).
 std::optional<double> processorQuota(std::string_view groups, const std::string& root);
 
-/// Returns the number of threads for a number of processors (≥ 1) and a quota: the quota rounded up, at
-/// least 1 and at most the processors.
+/// Returns the number of threads for this many processors (≥ 1) and this quota of processor time, in
+/// processors. It is the quota rounded up, at least 1 and at most the number of processors.
 int threadsWithin(int processors, std::optional<double> quota);
 
-/// Returns the threads that this process may keep busy: the processors that it may run on, within the quota
-/// of its control groups. The library's count of processors is that of the machine, not that of a job.
+/// Returns the number of threads, ≥ 1, that this process may keep busy. It is the number of processors that
+/// the process may run on, within its quota of processor time. The function
+/// std::thread::hardware_concurrency() gives the processors of the machine instead.
 int availableThreads();
 
 }  // namespace drillwave

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Roots and minima of functions of one variable, by Brent's methods. Boost.Math has both: its roots are as
-// good, its minima are known to 4e-8 where these are to 1e-9, and its headers are 140 MB for what is a page
-// here.
+// Roots and minima of functions of one variable, by Brent's methods. Boost.Math offers both, with equally
+// good roots. Its minima are accurate to 4e-8, these to 1e-9, and its headers take 140 MB.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +12,10 @@
 
 namespace drillwave {
 
-/// Where f changes sign between `a` and `b`: f(a) = `fa` and f(b) = `fb` must not have the same sign. Found
-/// to the last digits of x, also for a jump. Inverse quadratic interpolation, secants and bisection (R. P.
-/// Brent, Algorithms for Minimization without Derivatives, 1973, chapter 4).
+/// Returns the x between `a` and `b` at which f changes sign, to the last digits of x, also at a jump.
+/// Requires f(a) = `fa` and f(b) = `fb`, not both positive and not both negative. Uses inverse quadratic
+/// interpolation, secants and bisection (R. P. Brent, Algorithms for Minimization without Derivatives, 1973,
+/// chapter 4).
 template <class Function>
 double brentRoot(const Function& f, double a, double fa, double b, double fb) {
     assert(!(fa > 0 && fb > 0) && !(fa < 0 && fb < 0));
@@ -60,15 +60,15 @@ double brentRoot(const Function& f, double a, double fa, double b, double fb) {
     return b;
 }
 
-/// A local minimum.
+/// Local minimum of a function f: its position x, and the value f(x).
 struct Minimum {
     double x;
     double value;
 };
 
-/// A local minimum of f between `a` and `b`, the only one if f has just one there; x to about the square root
-/// of the accuracy of f, at best `tolerance` (relative to the larger of |a| and |b|). Parabolas and golden
-/// sections (Brent, chapter 5).
+/// Returns a local minimum of f between `a` and `b`, by parabolas and golden sections (Brent, chapter 5). The
+/// relative error of x is about the square root of that of f, and at best `tolerance`, relative to the larger
+/// of |a| and |b|.
 template <class Function>
 Minimum brentMinimum(const Function& f, double a, double b, double tolerance = 1e-9) {
     constexpr double golden = 2 - std::numbers::phi;

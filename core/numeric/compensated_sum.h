@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sum that keeps what rounding drops.
+// Summation without accumulated rounding errors.
 #pragma once
 
 #include <cmath>
 
 namespace drillwave {
 
-/// Neumaier's sum: times and impulses of many thousand pieces stay exact to the last digit.
+/// Sum of floating-point numbers by Neumaier's method, which also adds up the rounding errors. Sums of many
+/// thousand terms are exact to the last digit.
 template <class Real>
 class CompensatedSum {
   public:
@@ -17,7 +18,8 @@ class CompensatedSum {
     }
     CompensatedSum& operator+=(Real term) {
         const Real sum = m_sum + term;
-        const Real added = sum - m_sum;  // no branch for the larger of the two: it would be guessed wrong
+        // no branch for the larger of the two: its prediction would often fail
+        const Real added = sum - m_sum;
         m_lost += (m_sum - (sum - added)) + (term - added);
         m_sum = sum;
         return *this;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number with what is known about its error.
+// Number with a bound on its error.
 #pragma once
 
 namespace drillwave {
 
-/// Number with a bound on its error, as estimated from the accuracy of its computation.
+/// Number with a bound on its absolute error in the same unit, estimated from the accuracy of the
+/// computation.
 struct Estimate {
     double value = 0;
     double error = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a piecewise fit is least and largest, turns by an angle, and crosses a level.
+// Extremes, kinks and crossings of a level of a function that is fitted piece by piece.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace drillwave {
 
-// One function of a piecewise fit, cut where it turns: on each segment every value is taken once.
+// Fitted function, cut at its extremes, so that each segment takes every value only once.
 
-/// A stretch over which a function only rises or only falls.
+/// Interval over which a fitted function only rises or only falls.
 struct MonotoneSegment {
     double start = 0;
     double end = 0;
-    double first = 0;  ///< value at start
-    double last = 0;   ///< value at end
+    double first = 0;  ///< value of the function at `start`
+    double last = 0;   ///< value of the function at `end`
     const FitPiece* piece = nullptr;
     std::size_t output = 0;
 
@@ -27,63 +27,74 @@ struct MonotoneSegment {
     double error() const { return piece->error[output]; }
     double lower() const { return first < last ? first : last; }
     double upper() const { return first < last ? last : first; }
-    /// Returns where a value from lower() to upper() is taken.
+    /// Returns the x at which the function has the value `wanted`. Requires lower() ≤ wanted ≤ upper().
     double placeOf(double wanted) const;
 };
 
-/// Ascending; places without an answer are left out. The pieces must outlive the segments.
+/// Returns the monotone segments of one output of a fit in ascending order, without intervals where the fit
+/// has no values. The segments point to the pieces, which must outlive them.
 std::vector<MonotoneSegment> segmentsOf(std::span<const FitPiece> pieces, std::size_t output);
 
-/// One side of a place where a function may turn: the nearest piece that has a slope, and that slope.
+/// One side of a point where the slope of a fitted function may jump. It has the nearest piece with a
+/// reliable slope, the slope at that end, and the error of the slope.
 struct FitSide {
     const FitPiece* piece = nullptr;
     double slope = 0;
     double error = 0;
 };
 
-/// An angle that counts as a kink: change of slope, relative to the values or to the steeper side.
+/// Smallest change of slope that counts as a kink, relative to the size of the values or to the steeper
+/// slope, whichever is larger.
 inline constexpr double leastAngle = 1e-3;
-/// Shorter pieces are slivers around a kink; several kinks this close are one.
+/// Length below which a piece has no reliable slope, in units of x. Kinks closer than this count as one.
 inline constexpr double leastSlopeWidth = 1e-6;
 
-/// Whether a piece is more than a sliver, and has been resolved.
+/// Returns whether a piece has a reliable slope: it is longer than leastSlopeWidth and within the tolerance
+/// of the fit.
 bool hasSlope(const FitPiece& piece);
 
-/// The sides of a place that `fromLeft` and `fromRight` both name, where the function is periodic as
-/// different numbers; nullopt inside a piece, where nothing turns, and where there is no other side.
+/// Returns the left and right side of a point that may be a kink. Both `fromLeft` and `fromRight` are this
+/// point, but differ by the period for a periodic function. Returns nullopt inside a piece, where the
+/// function is smooth, and where one side is missing.
 std::optional<std::pair<FitSide, FitSide>> sidesAt(std::span<const FitPiece> pieces, std::size_t output,
                                                    double fromLeft, double fromRight);
 
-/// Whether the slope of a function whose values are of the size `scale` jumps, clearly more than by the
-/// errors of the fit.
+/// Returns whether the slope of a function jumps between the two sides of a point, by clearly more than its
+/// errors. The size of the function's values is `scale`.
 bool isAngle(const FitSide& left, const FitSide& right, double scale);
 
-/// The least or largest value, and a place where it is taken.
+/// Least or largest value of a function, and the x at which it is taken.
 struct FitExtreme {
     Estimate value;
-    Estimate place;           ///< its error is how far the value stays within its own error
-    bool everywhere = false;  ///< the function is the same everywhere, within errors
+    /// Position x of the extreme. Its error is the distance within which the value stays within its own
+    /// error.
+    Estimate place;
+    bool everywhere = false;  ///< the function is constant within its errors
 };
 
 enum class Extreme { least, largest };
 
-/// Requires at least one segment.
+/// Returns the least or largest value of a function over all its segments. Requires at least one segment.
 FitExtreme extremeOf(std::span<const MonotoneSegment> segments, Extreme which);
 
-/// The least and largest values of neighbourhoods, further from the values on both sides than by errors; not
-/// those at the ends of where there are values. Ascending.
+/// Local minimum or maximum of a function, which differs from the values on both sides by more than the
+/// errors.
 struct LocalExtreme {
     Extreme which = Extreme::least;
     Estimate value;
-    Estimate place;  ///< as in FitExtreme
+    /// Position x of the extreme. Its error is the distance within which the value stays within its own
+    /// error.
+    Estimate place;
 };
+/// Returns the local minima and maxima of a function in ascending order of x, without those at its two ends.
 std::vector<LocalExtreme> localExtremesOf(std::span<const MonotoneSegment> segments);
 
-/// A place where a function passes from clearly below a level to clearly above, or back.
+/// Point at which a function changes from clearly below a level to clearly above (`rising`), or the reverse.
 struct FitCrossing {
     Estimate place;
     bool rising = false;
 };
+/// Returns the points at which a function crosses `level`, in ascending order of x.
 std::vector<FitCrossing> crossingsOf(std::span<const MonotoneSegment> segments, double level);
 
 }  // namespace drillwave

@@ -7,7 +7,8 @@
 
 namespace drillwave {
 
-/// Gauss–Legendre rule on [0, 1]: ∫f ≈ Σ weights·f(nodes), exact for polynomials up to degree 31.
+/// Gauss–Legendre rule for integration over [0, 1]: ∫f ≈ Σ weights·f(nodes), with 16 nodes, exact for
+/// polynomials up to degree 31.
 struct GaussRule {
     static constexpr std::size_t count = 16;
     std::array<double, count> nodes;

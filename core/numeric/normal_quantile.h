@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The normal distribution: share below a value, and back.
+// Normal distribution: cumulative distribution function and its inverse.
 #pragma once
 
 namespace drillwave {
 
-/// Share of the standard normal distribution below x, 0 … 1, to 1e-16.
+/// Returns the cumulative standard normal distribution at x, 0 … 1, with an absolute error of 1e-16.
 double normalShare(double x);
 
-/// The x below which the share u of the standard normal distribution lies, 0 < u < 1, to 1e-14 of max(1,
-/// |x|).
+/// Returns the x below which the share u of the standard normal distribution lies, 0 < u < 1. The error is
+/// 1e-14 of max(1, |x|).
 double normalQuantile(double u);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chunks of rows worked on by several threads and handed over in their order, in bounded memory.
+// Processing of blocks of rows by several threads, with results delivered in order and in bounded memory.
 #pragma once
 
 #include <cassert>
@@ -15,24 +15,24 @@
 
 namespace drillwave {
 
-/// Reason why a run over rows ended.
+/// Reason why processInOrder() returned.
 enum class WorkEnd {
     finished,  ///< every chunk was delivered
-    stopped,   ///< on the stop token, or because `deliver` returned false
+    stopped,   ///< a stop was requested, or `deliver` returned false
 };
 
-/// Calls `fill(chunk)` for one chunk after another until it returns false, works on the chunks with one
-/// worker per thread, and calls `deliver(chunk)` in the order in which they were filled. Delivered chunks do
-/// not depend on the number of threads.
+/// Calls `fill(chunk)` for one chunk after another until it returns false, processes the chunks with one
+/// worker per thread, and calls `deliver(chunk)` in the order of filling. Returns whether all chunks were
+/// delivered. The results do not depend on the number of threads.
 ///
 /// - `fill(Chunk&) -> bool` runs on any thread, one call at a time.
-/// - `makeWorker()` runs once on each thread; the result is called as `worker(Chunk&, std::stop_token)`.
-///   Once a stop is requested it may leave its chunk unfinished: such a chunk is not delivered.
+/// - `makeWorker()` runs once on each thread; its result is called as `worker(Chunk&, std::stop_token)`.
+///   After a stop request the worker may leave its chunk unfinished: such a chunk is not delivered.
 /// - `deliver(Chunk&) -> bool` runs on the calling thread; false stops the run.
 ///
-/// Chunks are reused; at most four per thread are in work at once. An exception of any of the three ends the
-/// run and leaves this function. If the system provides fewer threads, these do all the work; if it provides
-/// none, the calling thread does.
+/// Chunks are reused; at most four per thread are in memory. An exception of any of these functions stops the
+/// run and is thrown again here. If the system provides fewer threads than `jobs`, these do all the work; if
+/// it provides none, the calling thread does.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
     jobs = std::max(jobs, 1);
@@ -43,11 +43,11 @@ WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
     std::mutex mutex;
     std::condition_variable_any changed;
     std::vector<Place> places(static_cast<std::size_t>(jobs) * 4);
-    std::size_t filled = 0;     // chunks handed to workers so far
-    std::size_t delivered = 0;  // of these, chunks delivered
+    std::size_t filled = 0;     // chunks filled so far
+    std::size_t delivered = 0;  // chunks delivered so far
     bool exhausted = false;
     std::exception_ptr failure;
-    std::stop_source ending;  // of the threads, on `stop` or on any early end
+    std::stop_source ending;  // stop of the threads, because of `stop` or of an early end
 
     const auto workOnChunks = [&] {
         auto worker = makeWorker();
@@ -113,7 +113,8 @@ WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
     {
         std::vector<std::jthread> threads;
         const std::stop_callback relay(stop, [&ending] { ending.request_stop(); });
-        // Declared after the threads, to make them stop before they are joined, also on an exception.
+        // Declared after the threads, so that they are asked to stop before they are joined, also on an
+        // exception.
         struct EndThreads {
             std::stop_source& ending;
             ~EndThreads() { ending.request_stop(); }
@@ -122,7 +123,7 @@ WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
             try {
                 threads.emplace_back(runThread);
             } catch (const std::system_error&) {
-                break;  // fewer will do
+                break;  // fewer threads are sufficient
             }
         }
         end = threads.empty() ? workAlone() : deliverChunks();

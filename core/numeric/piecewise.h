@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A contiguous piecewise polynomial of one variable: how histories are kept.
+// Contiguous piecewise polynomial of one variable, the form in which histories over time are stored.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,22 @@
 
 namespace drillwave {
 
-/// f(s) on [start, end): contiguous pieces, each Σ c_k u^k with u = (s − start of the piece)/scale of the
-/// piece. Jumps between pieces are allowed; evaluation is right-continuous. Outside [start, end) the value is
-/// 0.
+/// Function f(s) on [start, end), made of contiguous polynomials Σ c_k u^k with u = (s − start of the
+/// piece)/scale. Jumps between pieces are allowed; at a jump f has the value on the right. Outside [start,
+/// end) f is 0.
 class PiecewisePolynomial {
   public:
     struct Piece {
-        double start;         ///< where the piece begins
-        double length;        ///< ≥ 0; the next piece begins at start + length
-        double scale;         ///< u = (s − start)/scale, > 0
-        std::uint32_t first;  ///< index of its first coefficient
-        std::uint32_t count;  ///< number of coefficients, 0 for an exactly zero piece
+        double start;  ///< value of the variable s at which the piece begins
+        /// Length of the piece in the variable s, ≥ 0; the next piece begins at start + length.
+        double length;
+        double scale;         ///< scale of the local coordinate u = (s − start)/scale, > 0
+        std::uint32_t first;  ///< index of the first coefficient of the piece in the common list
+        std::uint32_t count;  ///< number of coefficients; 0 for a piece that is exactly zero
     };
 
-    /// Appends a piece behind the last one; the first piece begins at `origin`.
+    /// Adds a piece at the end; the first piece begins at the origin set by clear(). The piece is Σ c_k u^k
+    /// with c_k from `coefficients`, u = x/scale, and x the distance from its start.
     void append(double length, double scale, std::span<const double> coefficients);
     void clear(double origin = 0);
 
@@ -35,11 +37,11 @@ class PiecewisePolynomial {
     std::span<const double> coefficients(const Piece& piece) const;
 
     double operator()(double s) const;
-    /// Value of one piece at local distance x from its start, 0 ≤ x ≤ length.
+    /// Returns the value of one piece at the distance x from its start, 0 ≤ x ≤ length.
     double value(const Piece& piece, double x) const;
-    /// ∫ of one piece from its start to local distance x.
+    /// Returns the integral of one piece from its start to the distance x, 0 ≤ x ≤ length.
     double integral(const Piece& piece, double x) const;
-    /// ∫ from start() to s.
+    /// Returns the integral of the function from start() to s.
     double integral(double s) const;
 
   private:
@@ -47,9 +49,10 @@ class PiecewisePolynomial {
 
     std::vector<Piece> m_pieces;
     std::vector<double> m_coefficients;
-    std::vector<double> m_integrals;  // up to the start of each piece
+    std::vector<double> m_integrals;  // integral up to the start of each piece
     double m_origin = 0;
-    CompensatedSum<double> m_end;  ///< of many lengths: a look-up is as sharp as a time can be
+    /// Sum of all lengths, exact to the last digit so that look-ups by time are exact as well.
+    CompensatedSum<double> m_end;
 };
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth pieces of functions that are costly to evaluate and have kinks, to a known accuracy and with bounded
-// work.
+// Fit of smooth pieces to functions that are costly to evaluate and have kinks, with a known error and a
+// limited number of evaluations.
 #pragma once
 
 #include <array>
@@ -14,26 +14,28 @@
 
 namespace drillwave {
 
-// A smooth function on an interval as a sum of Chebyshev polynomials through its values.
+// Smooth function on an interval, interpolated by Chebyshev polynomials.
 
-/// p(x) = Σ c_k T_k(u), u = (2x − a − b)/(b − a), on [a, b].
+/// Polynomial p(x) = Σ c_k T_k(u) on [a, b], where T_k are Chebyshev polynomials of u = (2x − a − b)/(b − a).
 class Chebyshev {
   public:
     static constexpr std::size_t mostNodes = 17;
 
     Chebyshev() = default;
-    /// Through `values` at node(a, b, j, values.size()); 2 to mostNodes of them.
+    /// Interpolates `values` at the nodes node(a, b, j, values.size()). The number of values is 2 …
+    /// mostNodes.
     Chebyshev(double a, double b, std::span<const double> values);
 
-    /// The j-th of `count` nodes in [a, b]: extrema of a Chebyshev polynomial, the first is a, the last b.
-    /// Every second one of 17 is one of 9.
+    /// Returns the j-th of `count` nodes in [a, b], ascending from a to b, at the extremes of a Chebyshev
+    /// polynomial. The nodes for 9 are every second of the nodes for 17.
     static double node(double a, double b, std::size_t j, std::size_t count);
 
     double operator()(double x) const;
     double slope(double x) const;
-    /// Size of the last coefficients: for a smooth function about the error of p.
+    /// Returns the largest of the last three |c_k|. For a smooth function this is about the error of the
+    /// interpolation.
     double tail() const;
-    /// Returns where p' changes sign inside the interval, ascending.
+    /// Returns the points inside the interval at which p' changes sign, ascending.
     std::vector<double> stationaryPoints() const;
 
   private:
@@ -43,88 +45,99 @@ class Chebyshev {
     double m_end = 1;
     std::size_t m_count = 0;
     std::array<double, mostNodes> m_coefficients{};
-    std::array<double, mostNodes> m_slopes{};  // coefficients of p'
+    std::array<double, mostNodes> m_slopes{};  // Chebyshev coefficients of p'
 };
 
-/// Maximum number of functions that are fitted together, on the same pieces.
+/// Largest number of functions that are fitted together, on the same pieces.
 inline constexpr std::size_t mostFitFunctions = 3;
 
-/// The functions at one place.
+/// Values at one x of all functions that are fitted together.
 struct FitSample {
     double x = 0;
     std::array<double, mostFitFunctions> values{};
-    double error = 0;         ///< bound on the error of the values
-    std::uint64_t order = 0;  ///< the functions are smooth while it stays the same
-    int label = 0;            ///< distinguishes pieces in any way the caller likes
-    bool solved = false;      ///< false: no values here
-    long effort = 0;          ///< cost, in the units of mostEffort and mostFailedEffort
+    double error = 0;  ///< bound on the absolute error of the values
+    /// Number that stays the same while the functions are smooth; it differs on the two sides of a kink.
+    std::uint64_t order = 0;
+    int label = 0;        ///< any number by which the caller distinguishes pieces
+    bool solved = false;  ///< whether the functions have values at this x
+    long effort = 0;      ///< cost of the evaluation, in the unit of mostEffort and mostFailedEffort
 };
 
-/// A stretch over which all functions are smooth.
+/// Interval over which all fitted functions are smooth.
 struct FitPiece {
     double start = 0;
     double end = 0;
-    std::vector<Chebyshev> outputs;  ///< of the functions; empty where there is no answer
-    std::vector<double> error;       ///< bound of |outputs − exact| as estimated, in units of the functions
-    int label = 0;                   ///< that of a sample inside
-    bool resolved = true;  ///< the error is within the tolerance; else this is a sliver around a kink,
-                           ///< or more work than was permitted
-    bool solved = true;    ///< false: no result here, and no numbers
+    /// Interpolation of each function; empty if the functions have no values in this piece.
+    std::vector<Chebyshev> outputs;
+    std::vector<double> error;  ///< estimated bound of |output − exact value|, one for each function
+    int label = 0;              ///< label of the sample nearest to the middle of the piece
+    /// Whether the error is within the tolerance. False for a very short piece around a kink, or if the limit
+    /// of work was reached.
+    bool resolved = true;
+    bool solved = true;  ///< whether the functions have values in this piece
 };
 
-/// Functions to fit, accuracy, and limits of the work.
+/// Accuracy of a piecewise fit, number of functions, and limits on the work.
 struct FitSettings {
-    std::size_t count = 1;  ///< of functions, 1 … mostFitFunctions
-    /// Size that the tolerance is relative to, for each function.
+    std::size_t count = 1;  ///< number of functions, 1 … mostFitFunctions
+    /// Size of the values of each function; the tolerance is relative to it.
     std::array<double, mostFitFunctions> scale{1, 1, 1};
-    /// Whether larger values replace `scale` when seen.
+    /// Whether `scale` of each function is raised to the largest |value| found so far.
     std::array<bool, mostFitFunctions> scaleGrows{};
     double tolerance = 1e-10;
-    double kinkWidth = 1e-12;   ///< of the bracket around a change of the order
-    double leastWidth = 1e-11;  ///< of a piece that is still halved
-    // Limits on the work for functions that never become smooth, for each cell and what earlier cells left
-    // over.
+    double kinkWidth = 1e-12;   ///< length of the bracket around a kink, in units of x
+    double leastWidth = 1e-11;  ///< length below which a piece is not halved any more, in units of x
+    // Limits on the work per interval between two cuts, for functions that never become smooth. Unused work
+    // is available for later intervals.
     std::uint64_t solvesOfCell = 2'000;
     std::uint64_t kinksOfCell = 100;
-    std::uint64_t failuresOfCell = 20;  ///< places without values, not left over to later cells
-    /// In all. Beyond, nothing is halved or bracketed any more: what is left is not resolved.
+    /// Limit on the number of samples without values in an interval between two cuts. The limit is not
+    /// carried over to later intervals.
+    std::uint64_t failuresOfCell = 20;
+    /// Limit on the total effort of all evaluations. Beyond it pieces are not refined, and count as not
+    /// resolved.
     long mostEffort = std::numeric_limits<long>::max();
-    long mostFailedEffort = std::numeric_limits<long>::max();  ///< in all, of places without values
-    /// Where values end: halved towards, as any rough place, or bracketed as a kink is.
+    /// Limit on the total effort of evaluations that gave no values.
+    long mostFailedEffort = std::numeric_limits<long>::max();
+    /// Treatment of a point where values end: the pieces next to it are halved, or it is bracketed like a
+    /// kink.
     enum class Ends { halved, bracketed } ends = Ends::halved;
 };
 
-/// The functions from the first of the cuts to the last.
+/// Piecewise fit of the functions from the first cut to the last.
 struct PiecewiseFit {
-    std::vector<FitPiece> pieces;  ///< ascending, contiguous but for slivers of kinkWidth
-    std::vector<double> borders;   ///< places at which the order changes
-    std::uint64_t solves = 0;      ///< samples taken
-    double largestError = 0;       ///< of the samples
-    double unsolved = 0;           ///< length without values
+    /// Pieces in ascending order without gaps, with very short ones of length kinkWidth around kinks.
+    std::vector<FitPiece> pieces;
+    std::vector<double> borders;  ///< x of the kinks, where the order of the samples changes
+    std::uint64_t solves = 0;     ///< number of evaluations of the functions
+    double largestError = 0;      ///< largest error of a sample
+    double unsolved = 0;          ///< total length, in units of x, over which there are no values
 };
 
-/// Takes a sample at x. Results after a stop are not used.
+/// Function that is fitted: returns the sample at x. Results after a stop request are not used.
 using FitFunction = std::function<FitSample(double x)>;
-/// Called from time to time with the x up to which there are pieces.
+/// Function called during the fit with the x up to which pieces are complete.
 using FitProgress = std::function<void(double x)>;
 
-/// Interpolates over the cells between ascending `cuts` (at least two). Pieces end where the order of samples
-/// changes, found by bracketing, and are halved until polynomials through samples agree with others, to
-/// `tolerance` of `scale` and eight times the error of samples. Stops early, incomplete, on the stop token.
+/// Fits the functions between ascending `cuts`, at least two, and returns the pieces. Pieces end where the
+/// order of the samples changes; this x is found by bisection. Other pieces are halved until the
+/// interpolation agrees with further samples. The error allowed is `tolerance` times `scale` plus eight times
+/// the error of the samples. A stop request ends the fit early and incomplete.
 PiecewiseFit fitPiecewise(const FitSettings& settings, std::span<const double> cuts,
                           const FitFunction& function, const std::stop_token& stop = {},
                           const FitProgress& progress = {});
 
-/// Does the same for functions that do not depend on x: one sample, at `start`.
+/// Returns a fit of one piece for functions that do not depend on x, from a single sample at `start`.
 PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, const FitFunction& function,
                          const std::stop_token& stop = {});
 
-/// The piece to look up x in: the one that x is in, or before the first the first, or where there is no
-/// answer the last before that has one. Requires a solved piece at or before x.
+/// Returns the piece in which to evaluate the functions at x: the piece that contains x, or the first piece
+/// if x is before it. If that piece has no values, it is the last one before it that has. Requires a piece
+/// with values at or before x.
 const FitPiece& pieceAt(std::span<const FitPiece> pieces, double x);
 
-/// Places at which to draw: the ends of solved pieces, except very short ones, and no more than `farthest`
-/// apart.
+/// Returns ascending x at which to draw a fit: the ends of the pieces with values, and points between them at
+/// most `farthest` apart. Points closer than 1e-9 are merged.
 std::vector<double> samplePlaces(std::span<const FitPiece> pieces, double farthest);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A truncated power series on a short interval: the robust representation of the exact solver.
+// Truncated power series on a short interval, by which the exact solver represents every function of time.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Σ c_k u^k with c_k = coefficient(k), by two Horner schemes in u², of the even and of the odd powers: they
-/// do not wait for each other.
+/// Returns Σ c_k u^k with c_k = coefficient(k), 0 ≤ k < count. Even and odd powers have separate Horner
+/// schemes in u², so that the processor computes them in parallel.
 template <class Real, class Coefficient>
 Real polynomialOf(int count, Real u, Coefficient coefficient) {
     const Real square = u * u;
@@ -25,13 +25,13 @@ Real polynomialOf(int count, Real u, Coefficient coefficient) {
     return even + u * odd;
 }
 
-/// Σ c_k u^k.
+/// Returns the polynomial Σ c_k u^k with 0 ≤ k < count.
 template <class Real>
 Real polynomialValue(const Real* c, int count, Real u) {
     return polynomialOf(count, u, [c](int k) { return c[k]; });
 }
 
-/// Σ term(k) over first ≤ k < count, in two sums that do not wait for each other.
+/// Returns Σ term(k) over first ≤ k < count, as two sums that the processor computes in parallel.
 template <class Real, class Term>
 Real sumOf(int first, int count, Term term) {
     Real sum = 0, other = 0;
@@ -44,8 +44,8 @@ Real sumOf(int first, int count, Term term) {
     return sum + other;
 }
 
-/// The next `passes` of the synthetic divisions of moveBy(), from the coefficient `first` on, in one go: each
-/// waits for the one before it only, not for its whole run.
+/// Performs `passes` synthetic divisions of the Taylor shift moveBy() at once, starting with coefficient
+/// `first`. Each division depends only on the current value of the one before, so that they run in parallel.
 template <int passes, class Real>
 void divide(Real* c, int count, int first, Real u) {
     std::array<Real, passes> s;
@@ -56,14 +56,14 @@ void divide(Real* c, int count, int first, Real u) {
         for (int m = 1; m < passes; ++m) s[m] = s[m - 1] + u * s[m];
         c[k] = s[passes - 1];
     }
-    for (; k >= first; --k) {  // the last divisions have ended
+    for (; k >= first; --k) {  // the last of the divisions have ended
         s[0] = c[k] + u * s[0];
         for (int m = 1; m <= k - first; ++m) s[m] = s[m - 1] + u * s[m];
         c[k] = s[k - first];
     }
 }
 
-/// Shifts the polynomial to start from u (Taylor shift).
+/// Replaces the coefficients of p(u) by those of p(u + shift), where `u` is the shift (Taylor shift).
 template <class Real>
 void moveBy(Real* c, int count, Real u) {
     constexpr int atOnce = 4;
@@ -72,7 +72,8 @@ void moveBy(Real* c, int count, Real u) {
     for (; first + 1 < count; ++first) divide<1>(c, count, first, u);
 }
 
-/// f(x) = Σ c_k u^k, u = x/scale, on 0 ≤ x ≤ length ≤ scale. No coefficients: exactly zero.
+/// Function f(x) = Σ c_k u^k with u = x/scale, on 0 ≤ x ≤ length ≤ scale. Without coefficients f is exactly
+/// zero.
 template <class Real>
 struct PowerSeries {
     static constexpr int capacity = 30;
@@ -84,8 +85,8 @@ struct PowerSeries {
 
     PowerSeries() {}
     PowerSeries(const PowerSeries& other) { *this = other; }
-    /// Copies the coefficients in use only, most pieces are short, in blocks: copies of unknown length are
-    /// calls.
+    /// Copies only the coefficients in use, as most series are short. They are copied in blocks, because
+    /// copies of unknown length become function calls.
     PowerSeries& operator=(const PowerSeries& other) {
         length = other.length;
         scale = other.scale;
@@ -96,7 +97,7 @@ struct PowerSeries {
         return *this;
     }
 
-    /// 1/k, 0 < k ≤ capacity + 1: divisions would be half of an integral.
+    /// Returns 1/k from a table, 0 < k ≤ capacity + 1. Divisions would take half the time of an integral.
     static Real inverse(int k) {
         static constexpr auto table = [] {
             std::array<Real, capacity + 2> t{};
@@ -118,36 +119,38 @@ struct PowerSeries {
 
     Real value(Real x) const { return polynomialValue(c.data(), count, x / scale); }
 
-    /// ∫ from 0 to x.
+    /// Returns the integral of f from 0 to x, 0 ≤ x ≤ length.
     Real integral(Real x) const {
         return polynomialOf(count, x / scale, [this](int k) { return c[k] * inverse(k + 1); }) * x;
     }
 
-    /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
+    /// Returns an upper bound of the integrals of f from 0 to x, for every x up to `length`. The bound is at
+    /// least 0.
     Real mostIntegral() const {
         return sumOf<Real>(0, count, [this](int k) { return std::max(c[k], Real(0)) * inverse(k + 1); }) *
                length;
     }
 
-    /// Σ|c_k| ≥ max|f|, the size that rounding errors are relative to.
+    /// Returns Σ|c_k|, which is at least max|f|. Rounding errors of f are relative to it.
     Real magnitude() const {
         return sumOf<Real>(0, count, [this](int k) { return std::abs(c[k]); });
     }
 
-    /// ≥ ∫|f|, the size that the rounding of the integral is relative to.
+    /// Returns an upper bound of ∫|f| over [0, length]. Rounding errors of the integral of f are relative to
+    /// it.
     Real integralOfSizes() const { return magnitude() * length; }
 
-    /// An upper bound of f.
+    /// Returns an upper bound of f over 0 ≤ x ≤ length.
     Real mostValue() const {
         return startValue() + sumOf<Real>(1, count, [this](int k) { return std::max(c[k], Real(0)); });
     }
 
-    /// Drops trailing coefficients of at most `negligible`.
+    /// Drops trailing coefficients whose absolute value is at most `negligible`.
     void trim(Real negligible) {
         while (count > 0 && std::abs(c[count - 1]) <= negligible) --count;
     }
 
-    /// Changes the scale of the same function to u = x/newScale.
+    /// Changes the scale to `newScale` without changing the function: u = x/newScale.
     void rescale(Real newScale) {
         const Real ratio = newScale / scale;
         Real power = 1;
@@ -155,22 +158,23 @@ struct PowerSeries {
         scale = newScale;
     }
 
-    /// Drops the part before x: the same function on the interval [x, length].
+    /// Drops the part of f before x, so that the function starts at x and its length decreases by x.
     void dropFront(Real x) {
         moveBy(c.data(), count, x / scale);
         length -= x;
     }
 
-    /// Returns ∫ f·g over [0, x]; both must have the same scale.
+    /// Returns the integral of f·g from 0 to x. Requires that both have the same scale.
     static Real productIntegral(const PowerSeries& f, const PowerSeries& g, Real x) {
         assert(f.scale == g.scale);
         if (f.isZero() || g.isZero()) return 0;
-        // all coefficients of the product at once: sums that do not wait for each other
+        // all coefficients of the product at once, as sums that the processor computes in parallel
         std::array<Real, 2 * capacity - 1> product;
         const int count = f.count + g.count - 1;
         std::fill_n(product.begin(), count, Real(0));
         int k = 0;
-        for (; k + 1 < f.count; k += 2) {  // two at a time: half of the time goes by reading and writing sums
+        // two at a time: half of the time is spent reading and writing sums
+        for (; k + 1 < f.count; k += 2) {
             const Real first = f.c[k], second = f.c[k + 1];
             product[k] += first * g.c[0];
             for (int j = 1; j < g.count; ++j)
@@ -187,23 +191,24 @@ struct PowerSeries {
     }
 };
 
-// Moments of a power series that are kept when another takes its place.
+// Preservation of the moments of a power series when another one replaces it.
 
-/// Number of moments kept: ∫ f xʲ for j = 0 … 3.
+/// Number of moments that a replaced series preserves: ∫ f xʲ dx for j = 0 … 3.
 inline constexpr int keptMoments = 4;
 
-/// Adds to `f`, given on the scale of its length, the polynomial of third degree that has the moments of
-/// `deviation`: a function on the part [from, from + share] of that interval, both in lengths of f. It is the
-/// expansion of the deviation in Legendre polynomials of the whole interval, cut off behind the kept moments.
+/// Adds to `f` the polynomial of third degree that has the same moments ∫ d uʲ du, j = 0 … 3, as the function
+/// `deviation`. Requires f.scale = f.length. The deviation acts on the interval [from, from + share] of u,
+/// 0 ≤ u ≤ 1. The polynomial is the expansion of the deviation in Legendre polynomials over the entire
+/// interval, cut off after the third degree.
 template <class Real>
 void addMoments(PowerSeries<Real>& f, const PowerSeries<Real>& deviation, Real from, Real share) {
-    std::array<Real, keptMoments> own;  // ∫ d vʲ dv over the part itself, 0 ≤ v ≤ 1
+    std::array<Real, keptMoments> own;  // ∫ d vʲ dv over the interval of the deviation, 0 ≤ v ≤ 1
     for (int j = 0; j < keptMoments; ++j) {
         Real sum = 0;
         for (int k = deviation.count - 1; k >= 0; --k) sum += deviation.c[k] / Real(k + j + 1);
         own[j] = sum;
     }
-    // ∫ d uʲ du over the whole interval, u = from + share v
+    // ∫ d uʲ du over the entire interval, u = from + share v
     const std::array<Real, keptMoments> moments{
         share * own[0], share * (from * own[0] + share * own[1]),
         share * (from * from * own[0] + 2 * from * share * own[1] + share * share * own[2]),

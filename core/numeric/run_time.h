@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long something takes, measured so that the number means something.
+// Measurement of the run time of a function, little disturbed by other work on the machine.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Wall clock time since it was made.
+/// Wall clock time in seconds since this object was made.
 class Stopwatch {
   public:
     double seconds() const {
@@ -21,25 +21,26 @@ class Stopwatch {
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// Seconds of one run, over several runs after a warm-up: processor time of the thread, so that other work on
-/// the machine counts as little as possible.
+/// Processor time of one run in seconds, as median and minimum of several runs after a warm-up. It is the
+/// time of the thread, so that other work on the machine has little effect.
 struct RunTime {
     double median = 0;
     double least = 0;
-    int runs = 0;  ///< 11, fewer where one takes over a second
+    int runs = 0;  ///< number of runs: 11, fewer if one takes over a second
 };
 
 inline constexpr int wantedRuns = 11;
 
-/// Processor time that this thread has used, s.
+/// Returns the processor time that this thread has used so far, in seconds.
 inline double threadSeconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Times work(), which has been run once already and took about `estimate` seconds. Quick work is repeated
-/// within a run until the clock can resolve it. onRun() is called after each run; a stop ends it early.
+/// Measures the processor time of work(), which has already run once and took about `estimate` seconds. Short
+/// work is repeated within a run until a run takes 1 ms. Calls onRun() after each run. A stop request ends
+/// the measurement early.
 template <class Work, class OnRun>
 RunTime measureRunTime(Work work, double estimate, const std::stop_token& stop, OnRun onRun) {
     constexpr double resolved = 1e-3;  // s

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds a piece among many, starting from one that is likely to be near.
+// Search for an index in an ordered sequence, starting from one that is likely to be near.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace drillwave {
 
-/// The last index below `count` of which `begins(index)` is true, 0 where there is none; true ones come
-/// before the others. Strides of 1, 2, 4 … from `near`, then bisection of the last one: next to nothing for a
-/// neighbour, and no more than a search however many lie between. Requires near < count.
+/// Returns the last index below `count` for which `begins(index)` is true, or 0 if there is none. Requires
+/// near < count, and true results before false ones. Strides of 1, 2, 4, … from `near` and then bisection
+/// make it fast for a near index, and logarithmic for any other.
 template <class Begins>
 std::size_t strideSearch(std::size_t near, std::size_t count, const Begins& begins) {
-    std::size_t first = near, stride = 1;  // what is sought is in [first, end)
+    std::size_t first = near, stride = 1;  // the index sought is in [first, end)
     std::size_t end = count;
     if (begins(near)) {
         while (first + stride < count && begins(first + stride)) {

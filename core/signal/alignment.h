@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured signal beside a computed one: put where it fits, as a recorder begins when it likes, and how far
-// it is from it.
+// Comparison of a measured signal with a computed one: the time shift at which they agree best, since
+// recorders start at any time, and their difference.
 #pragma once
 
 #include <functional>
@@ -11,43 +11,45 @@
 
 namespace drillwave {
 
-// A measured force over time, to be laid over a computed one.
+// Measured force over time, to be drawn over a computed one.
 
 enum class MeasuredQuantity {
-    normalForce,  ///< N in a section of the rod or string, tension positive
-    impactForce,  ///< F on the rock, compression positive
+    normalForce,  ///< normal force N in a section of the rod or string [N], tension positive
+    impactForce,  ///< impact force F on the rock [N], compression positive
 };
 
 struct MeasuredSignal {
     std::string name;
     MeasuredQuantity quantity = MeasuredQuantity::normalForce;
-    double place = 0;      ///< x from the struck end [m], below 0 in a hammer; of a normal force
-    double timeShift = 0;  ///< [s] that is added to the times of the points
+    double place = 0;      ///< position x of a normal force from the struck end [m], negative in a hammer
+    double timeShift = 0;  ///< shift that is added to the times of the points [s]
     TablePoints points;    ///< time [s], increasing, and force [N]
-    double deviation = 0;  ///< of the samples from the lines between the points, at most [N]
+    double deviation = 0;  ///< largest distance of the recorded samples from the lines between the points [N]
     bool operator==(const MeasuredSignal&) const = default;
 };
 
-// Measured points are at least two of increasing times [s], joined by straight lines. The computed force is a
-// function of time [s], looked at from 0 to `end` > 0.
+// Measured points are at least two, with increasing times [s], joined by straight lines. The computed force
+// is a function of time [s] from 0 to `end` > 0.
 
-/// Returns the shift of the times of the measured points [s] for which their product with the computed force,
-/// integrated over time, is largest; either counts as 0 outside its own times. To a 2000th of the longer of
-/// both, and between by a parabola. Nothing if the product never is positive.
+/// Returns the time shift of the measured points [s] at which measured and computed force agree best: the
+/// integral of their product is largest. Each force counts as 0 outside its own times. The resolution is a
+/// 2000th of the longer one, refined by a parabola. Returns nullopt if the integral is never positive.
 std::optional<double> bestShift(const TablePoints& measured,
                                 const std::function<double(double time)>& computed, double end);
 
-/// Difference of a measured force from a computed one over the time that both have.
+/// Difference between a measured and a computed force over their common time.
 struct Misfit {
-    double rms = 0;             ///< root of the mean square of their difference [N]
-    double computedPeak = 0;    ///< size of the largest computed force, be it tension or compression [N]
-    double peakDifference = 0;  ///< that of the measured one less that [N]
-    std::optional<double>
-        lag;  ///< how much later the measured one comes [s]: what bestShift() would take off
+    double rms = 0;           ///< root mean square of the difference [N]
+    double computedPeak = 0;  ///< largest absolute value of the computed force, tension or compression [N]
+    /// Largest absolute value of the measured force less that of the computed one [N].
+    double peakDifference = 0;
+    /// Delay of the measured force [s]: the given shift less that of bestShift(); nullopt without a best
+    /// shift.
+    std::optional<double> lag;
 };
 
-/// With `shift` [s] added to the times of the measured points; both are read at 2001 even times. Nothing
-/// where they have no time in common.
+/// Returns the difference between a measured and a computed force at 2001 equally spaced times. Adds
+/// `shift` [s] to the times of the measured points. Returns nullopt if they have no time in common.
 std::optional<Misfit> misfitOf(const TablePoints& measured, double shift,
                                const std::function<double(double time)>& computed, double end);
 

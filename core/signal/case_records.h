@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of cases and draws, whose header names parameters: records of text cells in bounded memory, whatever
-// encoding, line ends, separator and decimal sign the file has.
+// Tables of cases and samples whose header names parameters. They are read as records of text in bounded
+// memory, with any encoding, line ends, separator and decimal sign.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@
 
 namespace drillwave {
 
-/// Separator and decimal sign of a table of cases, from its beginning: those under which most rows have as
-/// many cells as the header. Comma and point where nothing speaks against them.
+/// Returns separator and decimal sign of a table of cases, detected from its beginning: those with which most
+/// rows have as many cells as the header. Comma and point if nothing indicates others.
 RowFormat caseFormat(std::string_view beginning);
 
-/// The lines of a text as UTF-8 with LF between them, as a stream.
+/// Stream of the lines of a text, converted to UTF-8 with LF as line end.
 class DecodedText : public std::streambuf {
   public:
     explicit DecodedText(std::istream& in) : m_lines(in) {}
     std::string_view beginning() { return m_lines.beginning(); }
-    /// TextLines::problem().
+    /// Returns why reading stopped before the end of the text, see TextLines::problem(); empty if it did not.
     const std::string& problem() const { return m_lines.problem(); }
 
   protected:
@@ -36,18 +36,20 @@ class DecodedText : public std::streambuf {
     std::string m_block;
 };
 
-/// Reads records one at a time. Numbers with a decimal comma, with U+2212 or with groups of thousands come as
-/// numbers in C notation, so that "3,66 m" is "3.66 m". Rows of empty cells end the table; between cases a
-/// run of them is one record with a problem.
+/// Reader of the records of a table, one at a time. It converts numbers with a decimal comma, U+2212 as
+/// minus, or groups of thousands to C notation: "3,66 m" becomes "3.66 m". Rows of empty cells end the table;
+/// if cases follow them, they are one record with a problem.
 class CaseRecords {
   public:
     explicit CaseRecords(std::istream& in) : m_text(in), m_in(&m_text) {}
 
-    /// Reads the next record, as CsvReader::next() does.
+    /// Reads the next record into `record` and returns true, or returns false at the end. Skips empty lines,
+    /// and lines that begin with '#' before the header.
     bool next(CsvRecord& record);
-    /// Skips the next `most` records, and returns how many there were.
+    /// Skips at most `most` records, and returns the number of records skipped.
     std::uint64_t skip(std::uint64_t most);
-    int line() const { return m_line; }  ///< line on which the last record began, from 1
+    /// Returns the line of the file on which the last record began, counted from 1.
+    int line() const { return m_line; }
 
   private:
     void begin();
@@ -60,8 +62,9 @@ class CaseRecords {
     std::istream m_in;
     std::unique_ptr<CsvReader> m_reader;
     RowFormat m_format;
-    bool m_isPlain = true;             ///< commas and points: only characters beyond ASCII are put right
-    std::optional<CsvRecord> m_ahead;  ///< the record behind empty rows
+    /// Separator is a comma and decimal sign a point: only characters beyond ASCII are converted.
+    bool m_isPlain = true;
+    std::optional<CsvRecord> m_ahead;  ///< record after empty rows, already read
     int m_aheadLine = 0;
     int m_line = 0;
     bool m_isFirst = true;

@@ -15,32 +15,37 @@ namespace drillwave {
 
 struct DetectedTable {
     RowFormat format;
-    std::size_t firstLine = 1;  ///< with samples, from 1; behind all lines where none has
+    /// First line with samples, counted from 1; after the last line if there are none.
+    std::size_t firstLine = 1;
     std::vector<TableColumn> columns;
-    char groups = 0;             ///< sign between groups of three digits, where one was seen
-    bool isDecimalOpen = false;  ///< each number with a sign could also be a whole one with groups: "1,234"
-    bool hasRows = false;        ///< each channel is a row, its name first: the table is to be turned
-    std::optional<double> rate;  ///< stated above or beside the samples [Hz], with its unit
-    std::string rateText;        ///< the words that state it, or that state a rate without a unit
-    std::optional<double> bareRate;  ///< stated without a unit: taken in Hz, or for an interval in s [Hz]
+    char groups = 0;  ///< sign between groups of three digits in the table, or 0 if none was seen
+    /// Whether the decimal sign is ambiguous: each number may also be a whole one with groups, "1,234".
+    bool isDecimalOpen = false;
+    /// Whether each channel is a row that begins with its name, so that the table must be transposed.
+    bool hasRows = false;
+    std::optional<double> rate;  ///< sampling rate with its unit, stated above or beside the samples [Hz]
+    std::string rateText;        ///< text in the table that states the sampling rate, with or without a unit
+    /// Sampling rate stated without a unit [Hz]; Hz is assumed, or s for a sampling interval.
+    std::optional<double> bareRate;
     bool operator==(const DetectedTable&) const = default;
 
     bool hasSamples() const { return !columns.empty(); }
 };
 
-/// Separator and decimal sign under which most cells are numbers; the first line from where they stay so; the
-/// header before it.
+/// Returns the format of a table from its first lines. Separator and decimal sign are those with which most
+/// cells are numbers. The samples begin at the first line from which this holds; the line before is the
+/// header.
 DetectedTable detectTable(std::span<const std::string> lines);
 
-/// Does the same with a given format.
+/// Returns the format of a table from its first lines, with separator and decimal sign given.
 DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
 
-/// The columns of a table whose samples begin at that line; samples before it that are left out do not hide
-/// the header.
+/// Returns the format of a table whose samples begin at `firstLine`, counted from 1. Lines of samples before
+/// it are ignored, so that the header above them is found.
 DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine);
 
-/// Returns the place of a column by its number from 1, its name with or without the unit, or the beginning of
-/// a name that no other has; case does not count.
+/// Returns the index of a column, from 0, or nullopt. The column `wanted` is given by its number from 1, its
+/// name with or without the unit, or a unique beginning of its name. Capitals are ignored.
 std::optional<std::size_t> columnNamed(std::span<const TableColumn> columns, const std::string& wanted);
 
 }  // namespace drillwave

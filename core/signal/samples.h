@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The samples of one signal, read from a table of text.
+// Samples of one signal, read from a table of text.
 #pragma once
 
 #include <cstddef>
@@ -18,84 +18,94 @@
 
 namespace drillwave {
 
-/// Treatment of rows whose cells are no numbers.
+/// Treatment of rows with cells that are not numbers: the table is refused, or the rows are skipped.
 enum class WrongRows { refused, skipped };
 
-/// Place of the samples in a table.
+/// Columns and format of a signal in a table of text.
 struct SampleSource {
     RowFormat format;
-    std::size_t firstLine = 1;               ///< with samples, from 1
-    std::optional<std::size_t> timeColumn;   ///< from 0; without one the samples are evenly spaced
-    double timeUnit = 1;                     ///< of the time column [s]; of stamps it is not asked
-    double interval = 1e-6;                  ///< between samples without a time column [s], > 0
-    double start = 0;                        ///< time of the first of these [s]
-    std::size_t valueColumn = 0;             ///< from 0
-    std::optional<std::size_t> secondGauge;  ///< the mean of both is taken: bending cancels
+    std::size_t firstLine = 1;  ///< first line with samples, counted from 1
+    /// Index of the column of times, from 0; nullopt for evenly spaced samples.
+    std::optional<std::size_t> timeColumn;
+    double timeUnit = 1;          ///< unit of the column of times [s]; not used for times of day
+    double interval = 1e-6;       ///< interval between samples, if there is no column of times [s], > 0
+    double start = 0;             ///< time of the first sample, if there is no column of times [s]
+    std::size_t valueColumn = 0;  ///< index of the column of the signal, from 0
+    /// Index of the column of an opposite gauge, if any; the mean of both cancels bending.
+    std::optional<std::size_t> secondGauge;
     WrongRows wrongRows = WrongRows::refused;
     TextEncoding encoding = TextEncoding::found;
     bool operator==(const SampleSource&) const = default;
 };
 
-/// The signal as recorded, or why it could not be read.
+/// Samples of a signal as recorded, or the reason why they could not be read.
 struct Samples {
-    std::vector<double> time;      ///< [s], increasing; from 0 where samples are evenly spaced
-    std::vector<double> value;     ///< as in the table, one for each time
-    std::size_t jumps = 0;         ///< times with two values: the second is the next double later
-    std::size_t skipped = 0;       ///< rows
-    std::size_t firstSkipped = 0;  ///< line of the first of them
-    double skippedTime = 0;        ///< longest time between two samples that skipped rows have opened [s]
-    double skippedAt = 0;          ///< where it begins [s]
-    std::size_t overloads = 0;     ///< of the skipped rows, those with a word or a number for "too large"
-    bool hasNulTail = false;       ///< NUL bytes stood at the end
-    std::vector<double> halfDifference;  ///< of the first and the second gauge, where there are two
-    std::size_t problemLine = 0;         ///< 0 where the problem is of no line
-    std::string problem;                 ///< why not; then there are no samples
-    /// Estimated rate of times that are too coarse, from the first, the last and their number, rounded as far
-    /// as their steps allow [Hz], and the first time [s].
+    /// Times of the samples [s], increasing. Without a column of times they have equal steps from
+    /// SampleSource::start.
+    std::vector<double> time;
+    std::vector<double> value;  ///< values in the unit of the table, one for each time
+    /// Number of times with two values; the second one is stored at the next larger double.
+    std::size_t jumps = 0;
+    std::size_t skipped = 0;       ///< number of skipped rows
+    std::size_t firstSkipped = 0;  ///< line of the first skipped row, counted from 1
+    double skippedTime = 0;        ///< longest time between two samples with skipped rows between them [s]
+    double skippedAt = 0;          ///< time at which that longest time without samples begins [s]
+    /// Number of skipped rows that are marked as overload, by a word or a number.
+    std::size_t overloads = 0;
+    bool hasNulTail = false;             ///< whether the text ended with NUL bytes
+    std::vector<double> halfDifference;  ///< (first − second gauge)/2 for each time; empty with one gauge
+    std::size_t problemLine = 0;         ///< line of the problem, counted from 1; 0 if it concerns no line
+    std::string problem;                 ///< reason why the samples could not be read; then there are none
+    /// Sampling rate [Hz] estimated from first time, last time and number of samples, if the times in the
+    /// table are rounded too coarsely. In this case `firstTime` is the first time [s].
     std::optional<double> estimatedRate = {};
     double firstTime = 0;
 };
 
-/// More are refused: 160 MB.
+/// Largest number of samples, 160 MB; a table with more is refused.
 inline constexpr std::size_t mostSamples = 10'000'000;
 
-/// Returns the rate that follows from the first time, the last and the number of samples, to as few digits as
-/// the steps of the clock leave open: `firstStep` and `lastStep` are how far it jumps there [s].
+/// Returns the sampling rate [Hz] that follows from the first and last time [s] and the number of samples. It
+/// is rounded to as few digits as the resolution of the times allows: `firstStep` and `lastStep` are the
+/// steps [s] of the rounded times.
 double estimatedRate(double first, double last, std::size_t samples, double firstStep, double lastStep);
 
-/// Reads all rows from the first line with samples to the end, blank lines and comments passed over. A row
-/// with other cells than numbers where they are needed is refused with its line, or skipped and counted; a
-/// time that is not later than the one before is refused, but for two values at one time, a jump; of a time
-/// that occurs more often the first line is named and a rate estimated. `tell` gets the bytes read so far.
-/// Stopped, it ends with the problem "stopped".
+/// Reads all rows of the samples, without blank lines and comments. Rows whose cells are not numbers are
+/// refused with their line, or skipped and counted. Times must increase, except for two values at one time,
+/// which are a jump. If a time occurs more often, the result has the line of the first one and an estimated
+/// rate. Calls `tell` with the number of bytes read. After a stop request the problem is "stopped".
 Samples readSamples(std::istream& in, const SampleSource& source, const std::stop_token& stop = {},
                     const std::function<void(std::uint64_t bytes)>& tell = {});
 
-// Probable contents of the columns of a table, as a start.
+// Probable contents of the columns of a table, as a proposal.
 
 struct SampleGuess {
-    SampleSource source;                  ///< times in s where their unit is not stated
-    std::optional<NamedSignalUnit> unit;  ///< statedUnit() of the signal
-    bool hasTimeUnit = false;             ///< the table states it, or the times are stamps
-    bool hasRate = false;                 ///< without a column of times: the table states it with its unit
-    std::size_t rivals = 0;               ///< further columns that could as well be the signal
+    SampleSource source;                  ///< proposed columns; times are in s if their unit is not stated
+    std::optional<NamedSignalUnit> unit;  ///< unit of the signal as stated in its heading, see statedUnit()
+    bool hasTimeUnit = false;             ///< whether the table states the unit of times, or has times of day
+    /// Whether the table states the sampling rate with its unit; only for a table without a column of times.
+    bool hasRate = false;
+    /// Number of other columns that are equally likely to be the signal.
+    std::size_t rivals = 0;
     bool operator==(const SampleGuess&) const = default;
 };
 
-/// Time is the first column of stamps or numbers whose unit or name says so, else the first of several; the
-/// signal is the first other one whose unit is one of a signal, else one whose name is a force's or a
-/// strain's, else the first other one. Columns that count the rows come last. A single column is evenly
-/// spaced.
+/// Returns the probable columns of time and signal. Time is the first column of times of day, or of numbers
+/// with a unit or name of time, else the first of several columns. The signal is the first other column with
+/// a unit of a signal, else with the name of a force or strain, else the first other one. Columns that count
+/// rows come last. A single column is evenly spaced.
 SampleGuess guessedSource(const DetectedTable& table);
 
-/// The kind and unit that the heading of a column states; nothing where it states none, or one that is not
-/// known.
+/// Returns the kind of signal and unit that the heading of a column states; nullopt if it states no known
+/// unit of a signal.
 std::optional<NamedSignalUnit> statedUnit(const TableColumn& column);
 
-/// The unit of a column of times [s], 1 of stamps; nothing where the heading states none that is known.
+/// Returns the unit of a column of times [s], 1 for times of day; nullopt if the heading states no known
+/// unit.
 std::optional<double> statedTimeUnit(const TableColumn& column);
 
-/// Returns the likely kind of a signal whose heading has no unit: a strain by its name, else a force.
+/// Returns the probable kind of a signal whose heading has no unit: a strain if its name says so, else a
+/// force.
 SignalKind likelyKind(const TableColumn& column);
 
 }  // namespace drillwave

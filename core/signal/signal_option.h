@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options by which a record is read, as words: of the command line, and of the settings of a recorder.
+// Options for reading a record, as words: for the command line and for the settings of a recorder.
 #pragma once
 
 #include <span>
@@ -14,24 +14,25 @@
 namespace drillwave {
 
 struct SignalOption {
-    std::string_view name;   ///< "time-unit"
-    std::string_view value;  ///< what it takes, for the help; empty for a switch
-    std::string_view help;   ///< one line
-    /// Returns why the text cannot be taken; empty when it was.
+    std::string_view name;   ///< name without dashes, "time-unit"
+    std::string_view value;  ///< name of the value in the help, "UNIT"; empty for a switch
+    std::string_view help;   ///< description in one line for the help
+    /// Sets the option from text. Returns an empty message when done, else why the text is wrong.
     Message (*set)(SignalOptions& options, std::string_view text);
 };
 
-/// Returns all options, in the order of the manual.
+/// Returns all options for reading a record, in the order of the manual.
 std::span<const SignalOption> signalOptions();
 
-/// The one of that name, or nullptr.
+/// Returns the option with this name, such as "time-unit", or nullptr.
 const SignalOption* findSignalOption(std::string_view name);
 
-/// Returns names and values of the options that are given and belong to a recorder, not to one record: all
-/// but zero, range and sign. Setting them again gives the same options.
+/// Returns names and values of the given options that belong to a recorder, not to a single record: all
+/// except zero line, time range and sign. Setting them again gives the same options.
 std::vector<std::pair<std::string, std::string>> recorderSettings(const SignalOptions& options);
 
-/// The option that answers a question of a reading: "unit" is answered by "--unit".
+/// Returns the option that answers an open question about a record, "--unit" for "unit"; empty for an unknown
+/// question.
 std::string_view answerTo(std::string_view question);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quality of a record: flat tops, offset, drift, steps, jitter, several blows, opposite gauges.
+// Quality of a record: clipping, offset, drift, resolution, jitter, several blows, differing gauges.
 #pragma once
 
 #include <cstddef>
@@ -11,35 +11,49 @@
 
 namespace drillwave {
 
-/// Shares are those of the largest value over the zero line, in size.
+/// Quality of a record. A share is relative to the largest absolute value above the zero line.
 struct SignalQuality {
-    double zero = 0;                    ///< mean before the front, as in the table
-    double peak = 0;                    ///< largest value less that, as in the table, with its sign
-    std::optional<double> offset = {};  ///< share; nothing where fewer than 50 samples are quiet before it
-    std::optional<double> drift = {};   ///< share in a millisecond, where it is more than noise
-    double noise = 0;                   ///< deviation before the front, share
-    double step = 0;                    ///< of the recorder, share; 0 where none is seen
-    bool isQuantised = false;           ///< the noise does not carry the value between the steps
-    std::size_t flatSamples = 0;        ///< equal ones in a row at the largest value
-    double flatTop = 0;                 ///< that value as in the table
-    bool isClipped = false;             ///< more of them than the noise leaves equal
-    double jitter = 0;       ///< largest difference of a step of time from the usual one, share of it
-    bool hasJitter = false;  ///< times are those of a clock and not even to 2 %
-    double gap = 0;          ///< longest pause in the clock [s]; 0 where there is none
-    std::size_t blows = 1;   ///< fronts after a quiet millisecond
-    std::optional<double> gaugeDifference = {};  ///< rms of half the difference of opposite gauges, share
+    /// Zero line, the mean value before the blow, in the unit of the table; 0 with fewer than 50 quiet
+    /// samples.
+    double zero = 0;
+    /// Largest deviation from the zero line, in the unit of the table, with its sign.
+    double peak = 0;
+    /// Zero line, the mean value before the blow, as a share of the peak; nullopt with fewer than 50 quiet
+    /// samples before the blow.
+    std::optional<double> offset = {};
+    /// Drift: change of the mean value without load in 1 ms as a share of the peak; nullopt if it does not
+    /// exceed the noise.
+    std::optional<double> drift = {};
+    double noise = 0;  ///< standard deviation before the blow, as a share of the peak
+    /// Resolution of the recorder as a share of the peak; 0 if no steps are found.
+    double step = 0;
+    /// Whether the resolution is coarser than the noise, so that averaging cannot improve it.
+    bool isQuantised = false;
+    std::size_t flatSamples = 0;  ///< number of equal samples in a row at the largest value
+    double flatTop = 0;           ///< value at which these equal samples are, in the unit of the table
+    /// Whether the record is probably clipped: more samples are equal at the largest value than noise allows.
+    bool isClipped = false;
+    /// Largest deviation of a time step from the usual step, as a share of that step.
+    double jitter = 0;
+    bool hasJitter = false;  ///< whether the times are from a clock whose steps vary by more than 2 %
+    double gap = 0;          ///< longest pause in the times [s]; 0 if there is none
+    std::size_t blows = 1;   ///< number of blows: steep rises after at least 1 ms without a signal
+    /// Root mean square of half the difference of opposite gauges, as a share of the peak.
+    std::optional<double> gaugeDifference = {};
 };
 
-/// Requires samples without a problem. Thresholds: theory of identification, section 2.
+/// Returns the quality of a record. Requires samples without a problem. The limits are in the theory of
+/// identification, section 2.
 SignalQuality signalQuality(const Samples& samples);
 
-/// A remark by its code ("clipped") and as a sentence.
+/// Remark on the quality of a record: its code ("clipped") and a sentence.
 struct SignalRemark {
     std::string code;
     Message text;
 };
 
-/// Remarks on quality in the order of `SignalQuality`; the sentences name times of the table.
+/// Returns the remarks on the quality of a record, in the order of the members of SignalQuality. The
+/// sentences give times of the table.
 std::vector<SignalRemark> qualityRemarks(const SignalQuality& quality, const Samples& samples);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A record as it is understood: what its table states, what is assumed, what must be asked, and the force
-// that follows when nothing is open.
+// Interpretation of a record: what its table states, what is assumed, what the user must answer, and the
+// force that follows once nothing is open.
 #pragma once
 
 #include <istream>
@@ -21,43 +21,49 @@
 
 namespace drillwave {
 
-/// Scale of the numbers of a table, given by hand: a factor of a force, or newtons per volt.
+/// Scale of the numbers of a table, given by the user: a factor, or a force per unit of the signal.
 struct SignalScale {
-    double factor = 1;       ///< as typed
-    bool isPerUnit = false;  ///< in N for one V, m/s or m/m of the column: "50 kN/V"
+    double factor = 1;       ///< factor, or force per unit of the signal [N per V, m/s or m/m]
+    bool isPerUnit = false;  ///< whether `factor` is a force per unit of the signal, as in "50 kN/V"
     bool operator==(const SignalScale&) const = default;
 };
 
-/// Facts about a record that its table does not state, or states wrongly. Empty ones are taken from the
-/// table.
+/// Information about a record from the user, which the table does not give or gives wrongly. Empty members
+/// are taken from the table.
 struct SignalOptions {
     std::optional<char> separator = {};
     std::optional<DecimalSign> decimal = {};
     std::optional<std::size_t> firstLine = {};
     TextEncoding encoding = TextEncoding::found;
-    std::string timeColumn = {};          ///< name, or number from 1
-    std::string signalColumn = {};        ///< by name or number; two with a plus sign between are averaged
-    std::optional<double> timeUnit = {};  ///< [s]
+    std::string timeColumn = {};  ///< column of times: its name, or its number from 1
+    /// Column of the signal: its name, or its number from 1; two with "+" between them are averaged.
+    std::string signalColumn = {};
+    std::optional<double> timeUnit = {};  ///< unit of the column of times [s]
     std::optional<NamedSignalUnit> unit = {};
-    std::optional<double> rate = {};  ///< [Hz]
+    std::optional<double> rate = {};  ///< sampling rate [Hz], which replaces a column of times
     std::optional<SignalScale> scale = {};
-    std::optional<double> gain = {}, excitation = {}, bridge = {}, gaugeFactor = {};  ///< excitation in V
-    std::optional<double> area = {}, modulus = {};                                    ///< [m²], [Pa]
-    std::optional<std::pair<double, double>> zero = {};  ///< times of the table whose mean is zero [s]
-    std::optional<double> from = {}, to = {};            ///< times of the table [s]
+    /// Amplifier gain, supply of the bridge [V], bridge factor, gauge factor.
+    std::optional<double> gain = {}, excitation = {}, bridge = {}, gaugeFactor = {};
+    /// Cross-section of the bar [m²] and its Young's modulus [Pa].
+    std::optional<double> area = {}, modulus = {};
+    /// Times of the table [s] between which the mean is the zero line.
+    std::optional<std::pair<double, double>> zero = {};
+    /// Times of the table [s] between which samples are used.
+    std::optional<double> from = {}, to = {};
     bool invert = false;
     WrongRows wrongRows = WrongRows::refused;
     bool operator==(const SignalOptions&) const = default;
 };
 
-/// The bar that a gauge is on, where a scenario tells it: an option goes first.
+/// Bar with the gauge, according to the scenario. The same data in SignalOptions take precedence.
 struct SignalBar {
-    std::optional<double> area = {};       ///< [m²]
-    std::optional<double> modulus = {};    ///< [Pa]
-    std::optional<double> impedance = {};  ///< [N s/m]
+    std::optional<double> area = {};       ///< cross-section A [m²]
+    std::optional<double> modulus = {};    ///< Young's modulus E [Pa]
+    std::optional<double> impedance = {};  ///< characteristic impedance Z [N s/m]
 };
 
-/// Source of a fact about a record. Assumed or estimated facts are also questions.
+/// Source of a fact about a record: heading of the table, option of the user, estimate or assumption.
+/// Estimates and assumptions must be confirmed by the user.
 enum class FactSource { header, option, estimated, assumed };
 std::string_view name(FactSource source);
 
@@ -65,41 +71,47 @@ struct SignalReading {
     DetectedTable table;
     TextEncoding encoding = TextEncoding::utf8;
     SampleSource source;
-    std::string timeUnitText;  ///< as the table or the option has it, empty where it is not known
-    FactSource timeFrom = FactSource::header;  ///< of the unit of time, or of the rate
-    std::optional<double> rate = {};           ///< without a column of times [Hz]
+    std::string timeUnitText;  ///< unit of time as in the table or the option; empty if unknown
+    FactSource timeFrom = FactSource::header;  ///< source of the unit of time, or of the sampling rate
+    std::optional<double> rate = {};           ///< sampling rate [Hz], if there is no column of times
     std::optional<NamedSignalUnit> unit = {};
     FactSource unitFrom = FactSource::header;
-    Samples samples;  ///< in s where time is known, else in the unit of the table
+    Samples samples;  ///< samples with times in s; in the unit of the table if that is unknown
     SignalQuality quality;
-    SignalRecipe recipe;  ///< by which the blow was made; fewer points make a shorter one
-    ShapedSignal blow;    ///< what is taken of it [N], all points kept; empty while a question bears on it
-    double forcePerNumber = 0;  ///< N, with the sign; 0 where it is not known
-    double zero = 0;            ///< taken off, as in the table
-    RecordSpan range;           ///< [s]
-    std::vector<std::string>
-        questions;  ///< "unit", "rate", "time_unit", "column", "decimal", "area", "modulus"
+    SignalRecipe recipe;  ///< steps by which `blow` was made; with fewer points they give a thinned one
+    ShapedSignal blow;    ///< hammer force of the record [N], with all points; empty while a question is open
+    double forcePerNumber = 0;  ///< force for the number 1 in the table [N], with its sign; 0 if unknown
+    double zero = 0;            ///< zero line subtracted from all samples, in the unit of the table
+    RecordSpan range;           ///< times of the table [s] between which the blow is
+    /// Open questions: "unit", "rate", "time_unit", "column", "decimal", "area", "modulus", "bridge",
+    /// "gauge_factor", "impedance".
+    std::vector<std::string> questions;
     std::vector<SignalRemark> remarks;
-    Message problem;             ///< why it is no table of samples; then nothing else holds
-    bool isWrongOption = false;  ///< the problem is one of an option: a column that is not there
+    /// Reason why the text is not a table of samples; then all other members are invalid.
+    Message problem;
+    /// Whether the problem is a wrong option, such as a column that does not exist.
+    bool isWrongOption = false;
 
     bool isTimeKnown() const;
     bool hasForce() const { return forcePerNumber != 0; }
     bool isOpen() const { return !questions.empty(); }
-    /// "kN" where the force is known, else the unit of the table, empty where that is not known either.
+    /// Returns the unit of peak(): "kN" if the force is known, else the unit of the table; empty if that is
+    /// unknown too.
     std::string_view peakUnit() const;
-    double peak() const;  ///< largest value over the zero line in peakUnit(), positive where it presses
+    /// Returns the largest value above the zero line in the unit peakUnit(), positive for compression.
+    double peak() const;
 };
 
-/// Reads a record that can be rewound. Signs and ranges are proposed as in the window: the largest value
-/// presses; of a gauge, and of a force with noise, the stretch around the peak is the blow.
+/// Reads a record from a stream that can be rewound. The sign is chosen so that the largest value is
+/// compression. The time range of a strain or other gauge signal, or of a force with noise, is the stretch
+/// around the peak.
 SignalReading readSignal(std::istream& in, const SignalOptions& options, const SignalBar& bar = {},
                          const std::stop_token& stop = {});
 
-/// The text of a table whose channels are rows, turned: one column for each.
+/// Returns a table whose channels are rows in transposed form, with one column per channel.
 std::string turnedTable(std::istream& in, const RowFormat& format, TextEncoding encoding);
 
-/// "50", "50 kN/V", "18 kN s/m", or nothing.
+/// Returns the scale that a text gives, "50", "50 kN/V" or "18 kN s/m"; nullopt for any other text.
 std::optional<SignalScale> parseScale(std::string_view text);
 
 }  // namespace drillwave

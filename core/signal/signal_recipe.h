@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recipe from recorded samples to a force over time, for a blow of the hammer or a curve to compare with.
+// Steps from recorded samples to a force over time, used as a hammer force or as a curve for comparison.
 #pragma once
 
 #include <cstddef>
@@ -14,78 +14,83 @@
 
 namespace drillwave {
 
-// Some of the samples of a curve, so chosen that the straight lines between them stay close to all of it.
+// Selection of samples of a curve, so that straight lines between them stay close to all samples.
 
-/// At most `most` (≥ 2) of the samples, the first and the last among them, such that the lines between them
-/// are, to a fraction of a percent, as close to all samples as this search can have them: for a deviation it
-/// goes along the samples once, each line as long as it may be, and the deviation is bisected. Times
-/// increase. The indices in order; all where there are no more than `most`. Ends early when it is stopped.
+/// Returns the ascending indices of at most `most` ≥ 2 samples, including the first and the last. Straight
+/// lines between them deviate from all samples as little as this search can achieve, to a fraction of a
+/// percent. For a given deviation each line is made as long as possible; the deviation is found by bisection.
+/// Requires increasing times. A stop request ends the search early.
 std::vector<std::size_t> thinnedCurve(std::span<const double> time, std::span<const double> value,
                                       std::size_t most, const std::stop_token& stop = {});
 
-/// A blow begins at time 0, pushes only, and keeps its impulse when it is thinned, unless its forces would
-/// have to be moved by more than twice the deviation for it; a curve keeps its times.
+/// Purpose of the force. A blow starts at time 0 and has only compression; a curve keeps its times. A thinned
+/// blow also keeps its impulse, unless this would move its forces by more than twice the deviation.
 enum class SignalUse { blow, curve };
 
-/// Value subtracted from all samples.
+/// Choice of the zero line: the value of the signal without load, which is subtracted from all samples.
 enum class ZeroLine {
-    asRecorded,      ///< nothing
-    ofFirstSamples,  ///< their mean over the first `zeroSpan`
-    chosen,          ///< `zeroValue`
+    asRecorded,      ///< zero line 0: samples are used as recorded
+    ofFirstSamples,  ///< zero line is the mean of the first samples, over the time `zeroSpan`
+    chosen,          ///< zero line is the given `zeroValue`
 };
 
 enum class Negatives { kept, clipped };
 enum class Scaling { none, byFactor, toImpulse };
 
-/// The steps in the order of their members.
+/// Steps from samples to a force over time. They are performed in the order of the members.
 struct SignalRecipe {
     SignalUse use = SignalUse::curve;
     ZeroLine zeroLine = ZeroLine::asRecorded;
-    double zeroSpan = 0;              ///< of the record, from its beginning [s]
-    double zeroValue = 0;             ///< as in the table
-    double forcePerNumber = 1;        ///< N; negative where the table has the other sign
-    std::optional<double> from = {};  ///< [s] as in the table: earlier samples are left out
-    std::optional<double> to = {};    ///< [s] as in the table: later samples are left out
+    /// Time from the start of the record over which the samples are averaged to find the zero line [s].
+    double zeroSpan = 0;
+    double zeroValue = 0;  ///< given zero line, in the unit of the table
+    /// Force for the number 1 in the table [N]; negative if the table has the opposite sign.
+    double forcePerNumber = 1;
+    std::optional<double> from = {};  ///< time of the table [s] before which samples are left out
+    std::optional<double> to = {};    ///< time of the table [s] after which samples are left out
     Negatives negatives = Negatives::kept;
     Scaling scaling = Scaling::none;
-    double factor = 1;          ///< of Scaling::byFactor
-    double impulse = 0;         ///< of Scaling::toImpulse [N s]
-    std::size_t points = 1000;  ///< that are kept at most, ≥ 2
+    double factor = 1;          ///< factor of the forces for Scaling::byFactor
+    double impulse = 0;         ///< impulse to which the forces are scaled for Scaling::toImpulse [N s]
+    std::size_t points = 1000;  ///< largest number of points of the result, ≥ 2
     bool operator==(const SignalRecipe&) const = default;
 };
 
-/// Force over time, and the changes made to get it.
+/// Force over time made from samples, and the changes made on the way.
 struct ShapedSignal {
-    TablePoints points;         ///< time [s], force [N]; of a blow without rounding noise in their digits
+    TablePoints points;         ///< time [s] and force [N]; those of a blow are rounded to nine digits
     double start = 0;           ///< time of the table at which the points begin [s]
-    std::size_t samples = 0;    ///< between `from` and `to`
-    double zero = 0;            ///< what was taken off, as in the table
-    std::size_t clipped = 0;    ///< samples that were negative
-    double clippedImpulse = 0;  ///< what clipping has added to the impulse [N s], ≥ 0
-    double impulse = 0;         ///< of the points [N s]
-    double impulseChange = 0;   ///< that less the impulse of all samples [N s]
-    double peak = 0;            ///< the largest force in size of the samples taken, with its sign [N]
-    double peakTime = 0;        ///< its time in the table [s]
+    std::size_t samples = 0;    ///< number of samples between `from` and `to`
+    double zero = 0;            ///< zero line that was subtracted, in the unit of the table
+    std::size_t clipped = 0;    ///< number of negative samples that were set to zero
+    double clippedImpulse = 0;  ///< impulse that clipping added [N s], ≥ 0
+    double impulse = 0;         ///< impulse of the force given by the points [N s]
+    double impulseChange = 0;   ///< impulse of the points less that of all samples [N s]
+    double peak = 0;            ///< largest force in size of all samples used, with its sign [N]
+    double peakTime = 0;        ///< time of that largest force in the table [s]
     double deviation = 0;       ///< largest distance of a sample from the lines between the points [N]
-    std::string problem;        ///< why there is none; then there are no points
+    std::string problem;        ///< reason why there is no force; then there are no points
 };
 
-/// Requires samples without a problem. Impulses are those of the straight lines between samples.
+/// Returns the force over time that these steps make of the samples. Requires samples without a problem.
+/// Impulses are integrated along straight lines between samples.
 ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
                           const std::stop_token& stop = {});
 
-/// Returns the value subtracted from all samples, as in the table.
+/// Returns the zero line, the value without load that is subtracted from all samples, in the unit of the
+/// table.
 double zeroOf(const Samples& samples, const SignalRecipe& recipe);
 
-/// From the beginning to the end of the stretch around the largest value: where the signal has fallen to 2 %
-/// of it on either side. Nothing where all values are the same.
+/// Times of the record at the start and the end of the stretch around its largest value in size.
 struct RecordSpan {
-    double from = 0;  ///< [s]
-    double to = 0;    ///< [s]
+    double from = 0;  ///< time of the record at the start of the stretch [s]
+    double to = 0;    ///< time of the record at the end of the stretch [s]
 };
+/// Returns the times around the largest value in size at which the signal has fallen to 2 % of it on either
+/// side. Returns nullopt if that value equals the zero line.
 std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
 
-/// +1 or −1: the sign, after the zero line, of the largest value in size.
+/// Returns the sign, +1 or −1, of the largest value in size after subtraction of the zero line.
 double signOfPeak(const Samples& samples, const SignalRecipe& recipe);
 
 }  // namespace drillwave

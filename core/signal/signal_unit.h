@@ -11,78 +11,86 @@
 namespace drillwave {
 
 enum class SignalKind {
-    force,     ///< in N
-    strain,    ///< in m/m
-    bridge,    ///< output over supply of a Wheatstone bridge, V/V
-    voltage,   ///< output of an amplifier or a bridge in V: gain and excitation make V/V of it
-    stress,    ///< in Pa
-    velocity,  ///< of a particle, in m/s: the impedance of the bar makes a force of it
+    force,     ///< force [N]
+    strain,    ///< strain [m/m]
+    bridge,    ///< output of a Wheatstone bridge relative to its supply [V/V]
+    voltage,   ///< output of an amplifier or bridge [V]; gain and excitation convert it to V/V
+    stress,    ///< stress [Pa]
+    velocity,  ///< particle velocity [m/s]; the impedance of the bar converts it to a force
 };
 
-/// Value of the number 1 in a file, in N, m/m, V/V, V, Pa or m/s.
+/// Unit of a signal: `factor` is the value of the number 1 in N, m/m, V/V, V, Pa or m/s.
 struct SignalUnit {
-    std::string_view name;  ///< "kN", "microstrain", "mV/V"
+    std::string_view name;  ///< name, "kN", "microstrain", "mV/V"
     double factor = 1;
     bool operator==(const SignalUnit&) const = default;
 };
 
-/// The units of a kind, the commonest first.
+/// Returns the units of one kind of signal, the most common first.
 std::vector<SignalUnit> signalUnits(SignalKind kind);
 
-/// The unit of that name of whatever kind; case counts.
+/// Unit of a signal together with the kind of signal that it belongs to.
 struct NamedSignalUnit {
     SignalKind kind = SignalKind::force;
     SignalUnit unit;
     bool operator==(const NamedSignalUnit&) const = default;
 };
+/// Returns the unit with this name, of any kind of signal, or nullopt. Names are case-sensitive.
 std::optional<NamedSignalUnit> findSignalUnit(std::string_view name);
 
-/// The unit of time that a word is, "us", "µsec", "Mikrosekunden", in s.
+/// Returns the unit of time that a word stands for, in s: "us", "µsec", "Mikrosekunden"; nullopt for any
+/// other word.
 std::optional<double> findTimeUnit(std::string_view name);
 
-/// The sampling rates that a text can be in, "MHz", "kS/s", "samples/s", in Hz.
+/// Returns the unit of sampling rate that a word stands for, in Hz: "MHz", "kS/s", "samples/s"; nullopt for
+/// any other word.
 std::optional<double> findRateUnit(std::string_view name);
 
-/// A sampling rate [Hz] for people: "5 MHz".
+/// Returns a sampling rate [Hz] as text with a suitable unit: "5 MHz".
 std::string rateText(double rate);
 
-/// Where strain gauges sit, and how a bridge tells their strain: N = E A ε, ε = 4 r/(k n), r = U/(g V).
+/// Bar with strain gauges, and the bridge that measures its strain. Normal force N = E A ε, strain
+/// ε = 4 r/(k·n), bridge output r = U/(g·V).
 struct GaugedBar {
-    double axialStiffness = 0;  ///< E A [N], > 0
-    double gaugeFactor = 2;     ///< k > 0, of the gauges; for bridges and volts
-    double activeGauges = 1;  ///< n: 1 quarter bridge, 2, 4 full bridge that see ±ε, 2.6 full with ν = 0.3
-    double gain = 1;          ///< g > 0 of the amplifier; for volts
-    double excitation = 1;    ///< V > 0 of the bridge [V]; for volts
-    double area = 0;          ///< A [m²], > 0; for stresses
-    double forcePerVolt = 0;  ///< of a calibration [N/V], which goes before the bridge; 0 for none
-    double impedance = 0;     ///< Z = E A/c [N s/m], > 0; for velocities
+    double axialStiffness = 0;  ///< axial stiffness E A [N], > 0
+    double gaugeFactor = 2;     ///< gauge factor k > 0 of the strain gauges; for signals in V/V and V
+    /// Bridge factor n: 1 quarter, 2 half, 4 full bridge with gauges at ±ε, 2.6 full with Poisson gauges
+    /// (ν = 0.3).
+    double activeGauges = 1;
+    double gain = 1;          ///< gain g > 0 of the amplifier; for signals in V
+    double excitation = 1;    ///< supply V > 0 of the bridge [V]; for signals in V
+    double area = 0;          ///< cross-section A [m²], > 0; for stresses
+    double forcePerVolt = 0;  ///< calibration factor [N/V], used instead of the bridge data; 0 for none
+    double impedance = 0;     ///< characteristic impedance Z = E A/c [N s/m], > 0; for velocities
     bool operator==(const GaugedBar&) const = default;
 };
 
-/// Returns the normal force [N] for the number 1 in the file.
+/// Returns the normal force [N] for the number 1 in the file. The value of that number is `unitFactor`, in N,
+/// m/m, V/V, V, Pa or m/s.
 double forcePerNumber(SignalKind kind, double unitFactor, const GaugedBar& bar);
 
 // Headings of columns of samples.
 
-/// One column; name and unit are empty if no header gives them.
+/// Column of a table; name and unit are empty if no header gives them.
 struct TableColumn {
     std::string name;
     std::string unit;
-    bool isNumeric = false;  ///< most of its first cells are numbers
-    bool isStamp = false;    ///< most of its first cells are times of day or dates with one
-    bool isIndex = false;    ///< its first cells count on by one
+    bool isNumeric = false;  ///< whether most of its first cells are numbers
+    bool isStamp = false;    ///< whether most of its first cells are times of day, with or without a date
+    bool isIndex = false;    ///< whether its first cells increase by one
     bool operator==(const TableColumn&) const = default;
 };
 
-/// Splits "time [us]", "Time (us)", "t / us", "t/us", "t in us", "t us", "t, us", "time_us" into their parts,
-/// and "F [kN] filtered", where the last brackets with a known unit are inside. A text in brackets at the
-/// end, after " / " or after " in " is a unit, known or not; the others require a known unit.
+/// Returns the name and unit in a heading such as "time [us]", "Time (us)", "t / us", "t/us", "t in us",
+/// "t us", "t, us" or "time_us". In "F [kN] filtered" the unit is in the last brackets with a known unit.
+/// Text in brackets at the end, after " / " or after " in " is a unit even if unknown; other forms require a
+/// known unit.
 TableColumn columnOf(std::string_view heading);
 
-/// Returns whether a word is a unit of time or of a signal.
+/// Returns whether a word is a known unit of time or of a signal.
 bool isKnownUnit(std::string_view word);
 
-/// Whether a column of this name holds times: "t", "Time", "Zeit".
+/// Returns whether the name of a column stands for time: "t", "Time", "Zeit".
 bool isTimeName(std::string_view name);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row of a table of samples: its cells, and the numbers in them.
+// Row of a table of samples: its cells, and the numbers in them.
 #pragma once
 
 #include <deque>
@@ -12,21 +12,22 @@ namespace drillwave {
 
 enum class DecimalSign { point, comma };
 
-/// Format of the rows of a table.
+/// Separator and decimal sign of the rows of a table.
 struct RowFormat {
     char separator = ',';  ///< ',', ';', '|' or a tab; a blank stands for any number of blanks and tabs
     DecimalSign decimal = DecimalSign::point;
-    /// Whether the other sign may part groups of three digits: only where the decimal sign is known. Blanks
-    /// and apostrophes between groups of three are always read.
+    /// Whether the other of point and comma may separate groups of three digits. It is set only if the
+    /// decimal sign is certain. Blanks and apostrophes between groups are always allowed.
     bool otherSignGroups = false;
     bool operator==(const RowFormat&) const = default;
 };
 
-/// Splits one row after the other. Cells are trimmed; quotes around one are taken off, a separator inside of
-/// them belongs to the cell.
+/// Reader of one row after the other. Cells lose the blanks and the quotes around them. A separator inside
+/// quotes belongs to the cell.
 class TableRow {
   public:
-    /// The cells of a line, at most so many; they point into the line and into this until the next call.
+    /// Returns the cells of a line, at most `most`. They are valid as long as the line, and until the next
+    /// call.
     const std::vector<std::string_view>& split(std::string_view line, char separator,
                                                std::size_t most = mostCells);
     static constexpr std::size_t mostCells = 1000;
@@ -38,35 +39,39 @@ class TableRow {
     std::deque<std::string> m_unquoted;
 };
 
-/// Returns the number in a cell, or nothing. The sign that is not the decimal sign, point or comma, is only
-/// allowed between groups of three digits, if the format says so or if a decimal sign follows: "3,676.8".
-/// Reads U+2212 as minus, no-break spaces as blanks, and exponents with D as Fortran writes them.
+/// Returns the number in a cell, or nullopt. The one of point and comma that is not the decimal sign is
+/// allowed only between groups of three digits. It requires that the format says so, or that a decimal sign
+/// follows ("3,676.8"). U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in
+/// Fortran.
 std::optional<double> cellNumber(std::string_view cell, const RowFormat& format);
 
-/// A cell that begins with a number, with that number in C notation, "3,66 m" as "3.66 m"; every other cell
-/// as it is.
+/// Returns a cell that begins with a number with that number in C notation: "3,66 m" becomes "3.66 m". Any
+/// other cell does not change.
 std::string plainCell(std::string_view cell, const RowFormat& format);
 
-/// Evidence in one cell of the decimal sign and of groups of thousands.
+/// Evidence in one cell for the decimal sign and for groups of thousands.
 struct SignEvidence {
-    bool point = false;      ///< the point must be a decimal sign
-    bool comma = false;      ///< the comma must be
-    bool ambiguous = false;  ///< one sign before three digits: "1,234"
-    char groups = 0;         ///< ',', '.', an apostrophe or ' ' between groups of three
+    bool point = false;  ///< whether the point must be a decimal sign
+    bool comma = false;  ///< whether the comma must be a decimal sign
+    /// Whether a single point or comma precedes three digits, "1,234", and may be either.
+    bool ambiguous = false;
+    /// Sign between groups of three digits: ',', '.', an apostrophe or ' '; 0 for none.
+    char groups = 0;
 };
+/// Returns what a cell shows about the decimal sign and groups of thousands.
 SignEvidence signEvidence(std::string_view cell);
 
-/// Values from here on mean "overload" in files of recorders.
+/// Smallest value that means "overload" in files of recorders.
 inline constexpr double overloadValue = 9.9e37;
 
-/// Whether a cell says that there is no value: empty, "NaN", "#N/A", "-", "OVL", 9.9e37 and the like, as
-/// instruments and spreadsheets write them.
+/// Returns whether a cell says that there is no value, as instruments and spreadsheets write it: empty,
+/// "NaN", "#N/A", "-", "OVL", 9.9e37.
 bool isMissing(std::string_view cell);
-/// Returns whether a cell means that the value was too large for the instrument.
+/// Returns whether a cell says that the value was too large for the instrument.
 bool isOverload(std::string_view cell);
 
-/// Whether a line is blank or a comment: '#' at its beginning, unless the first cell is a spreadsheet's word
-/// for a missing value such as #N/A.
+/// Returns whether a line has no samples because it is blank or a comment, which begins with '#'. A first
+/// cell such as #N/A is a missing value, not a comment.
 bool isPassedOver(std::string_view line, char separator);
 
 }  // namespace drillwave

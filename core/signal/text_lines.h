@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of a text of unknown encoding and any length, one at a time in bounded memory.
+// Lines of a text of unknown encoding and any length, one at a time in bounded memory.
 #pragma once
 
 #include <cstddef>
@@ -12,38 +12,40 @@
 
 namespace drillwave {
 
-/// Encoding of the characters of a text.
+/// Encoding of a text; `found` means that it is detected.
 enum class TextEncoding { found, utf8, windows1252, utf16LittleEndian, utf16BigEndian };
 
-/// "utf-8", "windows-1252" (also "latin-1"), "utf-16le", "utf-16be", or nothing.
+/// Returns the encoding with this name, or nullopt: "utf-8", "windows-1252" (also "latin-1"), "utf-16le",
+/// "utf-16be".
 std::optional<TextEncoding> findEncoding(std::string_view name);
 std::string_view name(TextEncoding encoding);
 
-/// Reads UTF-8 and UTF-16 (with or without byte order mark) and, line by line, what is no UTF-8 as
-/// Windows-1252, which has Latin-1 in it; lines end with LF, any number of CR before LF, or CR throughout.
-/// NUL bytes that go on to the end of the stream end the text.
+/// Reader of the lines of a text in UTF-8 or UTF-16, with or without byte order mark. Lines that are not
+/// UTF-8 are read as Windows-1252, which includes Latin-1. Lines end with LF, with CRs before LF, or with CR
+/// throughout. NUL bytes up to the end of the stream end the text.
 class TextLines {
   public:
     explicit TextLines(std::istream& in, TextEncoding wanted = TextEncoding::found)
         : m_in(in), m_wanted(wanted) {}
 
-    /// The next line as UTF-8 without its end, good until the next call. False at the end, and where the text
-    /// cannot be read on: problem().
+    /// Reads the next line as UTF-8 without its end, valid until the next call. Returns false at the end, and
+    /// if the text cannot be read further, see problem().
     bool next(std::string_view& line);
-    /// Instead of lines: moves all that is read ahead into `block`, where it is ASCII with LF only and so
-    /// needs no decoding. False where next() is to be asked, also at the end. Does not count lines.
+    /// Moves all bytes read ahead into `block`, if they need no decoding because they are ASCII with LF.
+    /// Returns false if next() must be used, also at the end. Does not count lines.
     bool takePlainBlock(std::string& block);
-    /// Returns the number of the last line, from 1.
+    /// Returns the number of the last line read, counted from 1.
     std::size_t number() const { return m_number; }
     /// Returns the number of bytes taken from the stream so far.
     std::uint64_t bytesRead() const { return m_bytesRead; }
-    /// Returns the encoding as far as it was read: UTF-8 until a line is something else.
+    /// Returns the encoding found so far: UTF-8 until a line has another one.
     TextEncoding encoding() const;
-    /// Whether NUL bytes stood where the text ended.
+    /// Returns whether the text ended with NUL bytes.
     bool hasNulTail() const { return m_hasNulTail; }
-    /// The beginning of the text as UTF-8, as much as one block holds, before the first line is taken.
+    /// Returns the beginning of the text as UTF-8, as much as one block contains. Must be called before the
+    /// first line is read.
     std::string_view beginning();
-    /// Why it did not go on to the end: a line too long, or one that is no text; empty when all is well.
+    /// Returns why reading stopped before the end: a line is too long, or is not text. Empty if all is well.
     const std::string& problem() const { return m_problem; }
 
   private:
@@ -60,23 +62,23 @@ class TextLines {
     TextEncoding m_wanted;
     Encoding m_encoding = Encoding::unknown;
     std::string m_raw;        // UTF-16 that is not decoded yet
-    std::string m_text;       // what has been read and not been given away
-    std::size_t m_at = 0;     // where the next line begins in it
-    std::string m_converted;  // a line of Latin-1
+    std::string m_text;       // text that has been read but not returned
+    std::size_t m_at = 0;     // position in m_text at which the next line begins
+    std::string m_converted;  // line converted from Windows-1252
     char m_end = '\n';
-    bool m_isFirst = true;  // block
+    bool m_isFirst = true;  // the next block is the first one
     std::size_t m_number = 0;
     std::uint64_t m_bytesRead = 0;
     bool m_hasNulTail = false;
-    bool m_hasWindows1252 = false;  // in a line that was given
+    bool m_hasWindows1252 = false;  // a line that was returned was in Windows-1252
     std::string m_problem;
 };
 
-/// The first lines of a text, at most so many, whole; fewer where they are long: no more after 4 MiB.
+/// Returns the first complete lines of a text as UTF-8, at most `most`. Stops after 4 MiB.
 std::vector<std::string> firstLines(std::istream& in, std::size_t most,
                                     TextEncoding wanted = TextEncoding::found);
 
-/// Names a file that begins so and is no text: "a zip archive". Empty for what may be a
+/// Returns what a file is that begins like this, if it is not text: "a zip archive". Empty if it may be a
 /// table.
 std::string_view knownFormat(std::string_view beginning);
 

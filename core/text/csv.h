@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSV, RFC 4180: "," and ".", header row, shortest round-trip numbers, whatever the locale.
+// Reading and writing of CSV (RFC 4180) with comma, decimal point and a header row, in any locale. Numbers
+// are the shortest text that reads back as the same double.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +13,23 @@
 
 namespace drillwave {
 
-/// A cell quoted where RFC 4180 needs it.
+/// Returns the text as one cell of CSV: in double quotes if it has a comma, a quote or a line end, else
+/// unchanged.
 std::string csvCell(std::string_view text);
 
-/// Separator and decimal sign: "," and ".", or ";" and "," as spreadsheets of many countries read them.
+/// Separator and decimal sign of a table: comma and point, or semicolon and comma as in spreadsheets of many
+/// countries.
 enum class CsvSigns { pointAndComma, commaAndSemicolon };
 
-/// Rewrites CSV in other signs, piece by piece. Words stay as they are; lines that begin with '#' do so
-/// before the header.
+/// Converter of CSV to another separator and decimal sign, block by block. Only separators and numbers
+/// change; a cell with a semicolon is put in quotes if that is the separator. Lines that begin with '#'
+/// before the header are copied.
 class CsvInSigns {
   public:
     explicit CsvInSigns(CsvSigns signs) : m_signs(signs) {}
 
-    /// Returns whole lines, with ',' and '.', in the signs.
+    /// Returns whole lines of CSV, which have commas and decimal points, with the separator and decimal sign
+    /// of this converter.
     std::string text(std::string_view lines);
 
   private:
@@ -32,29 +37,35 @@ class CsvInSigns {
     bool m_isBehindHeader = false;
 };
 
-/// Record without the line end, split into unquoted cells; empty `problem` if well formed.
+/// Row of a table, split into cells without their quotes and without the line end. If it is malformed,
+/// `problem` says why; else `problem` is empty.
 struct CsvRecord {
     std::vector<std::string> cells;
     Message problem;
 };
 
-/// Reads records one at a time in bounded memory (quotes, CRLF, embedded line ends, UTF-8 BOM skipped).
+/// Reader of CSV records, one at a time in bounded memory. Cells in quotes may contain line ends; lines may
+/// end in CRLF; a UTF-8 byte order mark is skipped.
 class CsvReader {
   public:
     explicit CsvReader(std::istream& in, std::size_t maximumRecordBytes = 1 << 20, char separator = ',');
-    /// Reads the next record that is not empty and, before the header, does not begin with '#'. False at the
-    /// end.
+    /// Reads the next record into `record` and returns true, or returns false at the end of the file. Skips
+    /// empty lines, and lines that begin with '#' before the header.
     bool next(CsvRecord& record);
-    /// Steps over the next record without reading its cells; says whether there was one, and one of several
-    /// cells with nothing but blanks in them.
+    /// Kind of the record that skipNext() passed: `none` at the end of the file, `emptyCells` for several
+    /// cells with only blanks in them, else `record`.
     enum class Skipped { none, record, emptyCells };
+    /// Skips the next record without reading its cells, and returns whether there was one and whether its
+    /// cells are empty.
     Skipped skipNext();
-    /// Skips the next `most` records without reading their cells, and returns how many there were.
+    /// Skips at most `most` records without reading their cells, and returns the number of records skipped.
     std::uint64_t skip(std::uint64_t most);
-    int line() const { return m_line; }  ///< line on which the last record began, 1-based
+    /// Returns the line of the file on which the last record began, counted from 1.
+    int line() const { return m_line; }
 
   private:
-    /// Finds the next record, which may be blank; false at the end.
+    /// Moves to the start of the next line, after '#' lines before the header, and returns false at the end
+    /// of the file. That line may be blank.
     bool findRecord();
 
     std::istream& m_in;

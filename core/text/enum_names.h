@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of the values of an enumeration. That each has one is checked when it is compiled.
+// Names of the values of an enumeration. The compiler checks that every value has a name.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Whether an enumerator has that value: the compiler writes others as a number behind a cast, "(Method)3".
+/// Returns whether an enumeration has an enumerator of this value. Reads how the compiler writes the value:
+/// others appear as a number after a cast, "(Method)3".
 template <auto value>
 consteval bool isEnumerator() {
     constexpr std::string_view before = "value = ";
@@ -30,11 +31,11 @@ consteval std::size_t countValues() {
         return first;
 }
 
-/// Returns the number of values of an enumeration, which count up from 0.
+/// Number of values of an enumeration. The values must count up from 0 without gaps.
 template <class Enum>
 inline constexpr std::size_t valueCount = countValues<Enum>();
 
-/// Returns all values in their order.
+/// Array of all values of an enumeration, ascending from 0.
 template <class Enum>
 inline constexpr std::array<Enum, valueCount<Enum>> allValues = [] {
     std::array<Enum, valueCount<Enum>> values{};
@@ -42,7 +43,7 @@ inline constexpr std::array<Enum, valueCount<Enum>> allValues = [] {
     return values;
 }();
 
-/// A name of each value, as it stands in files or on the command line:
+/// Table of the names of an enumeration, as files and the command line write them:
 /// `constexpr EnumNames<Method> names{{{Method::exact, "exact"}, {Method::lattice, "lattice"}}};`
 template <class Enum>
 class EnumNames {
@@ -52,7 +53,8 @@ class EnumNames {
         std::string_view name;
     };
 
-    /// In the order of the values, none left out.
+    /// Makes the table from one row per value. The rows must be in the order of the values and complete;
+    /// otherwise the code does not compile.
     template <std::size_t count>
     consteval EnumNames(const Row (&rows)[count]) {
         static_assert(count == valueCount<Enum>, "every value of an enumeration has one name");
@@ -67,14 +69,14 @@ class EnumNames {
         return m_names[static_cast<std::size_t>(value)];
     }
 
-    /// The first value of that name.
+    /// Returns the value with this name, the first one if several have it, or nullopt.
     constexpr std::optional<Enum> find(std::string_view name) const {
         const auto found = std::ranges::find(m_names, name);
         if (found == m_names.end()) return std::nullopt;
         return allValues<Enum>[static_cast<std::size_t>(found - m_names.begin())];
     }
 
-    /// Returns all names in the order of the values.
+    /// Returns the names of all values, in the order of the values.
     constexpr std::span<const std::string_view> all() const { return m_names; }
 
   private:

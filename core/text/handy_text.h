@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers and words as people read them, numbers rounded and in a unit that fits: never for files that are
-// read back.
+// Numbers and words as people read them: numbers are rounded and have a unit that suits their size. Not for
+// files that the program reads back.
 #pragma once
 
 #include <charconv>
@@ -14,32 +14,33 @@ namespace drillwave {
 
 // Numbers written as text in the C locale: exactly for files, rounded for people.
 
-/// Appends the shortest text that reads back as the same double, without allocation; nothing, an empty cell,
-/// where there is no finite number.
+/// Appends a number as the shortest text that reads back as the same double, without allocating memory.
+/// Appends nothing for infinity or NaN, which leaves a cell empty.
 void appendNumber(std::string& row, double value);
 
-/// In that format with so many digits: of `scientific` and `fixed` behind the point, of `general` all that
-/// count.
+/// Returns a number in this format, "–" if it is infinite or NaN. `digits` counts decimals for `scientific`
+/// and `fixed`, significant digits for `general`.
 std::string numberText(double value, std::chars_format format, int digits);
 
-/// Returns a number with that many significant digits.
+/// Returns a number as text with this many significant digits, without trailing zeros; "–" if it is infinite
+/// or NaN.
 std::string rounded(double value, int digits = 6);
 
 /// Direction of rounding.
 enum class Rounding { nearest, up, down };
 
-/// With at most so many significant digits, `up` not less than it was and `down` not more but for rounding
-/// noise: 0.3 stays 0.3. `nearest` leaves the rounding to the text.
+/// Returns a number rounded up or down to this many significant digits, but unchanged for `nearest`. Rounding
+/// noise of 1e-12 is ignored: 0.3 remains 0.3.
 double roundedTo(double value, int digits, Rounding rounding);
 
-/// A unit in which a value is read, and its name as it is shown.
+/// Unit in which a value is shown, and the name of the unit on the screen or page.
 struct ReadUnit {
     const Unit* unit = nullptr;
     std::string name;
 };
 
-/// How a reader has sentences and tables written: here in English, in the C locale and in SI, as the commands
-/// do; a window has styles of its own.
+/// Format of numbers, units and sentences for one kind of reader. This class writes English, the C locale and
+/// SI units, as the commands do; windows and pages override it.
 class ReadingStyle {
   public:
     ReadingStyle() = default;
@@ -47,51 +48,56 @@ class ReadingStyle {
     ReadingStyle& operator=(const ReadingStyle&) = delete;
     virtual ~ReadingStyle() = default;
 
-    /// Returns a number with that many significant digits.
+    /// Returns a number as text with this many significant digits and the decimal sign of the reader.
     virtual std::string number(double value, int digits = 6) const { return rounded(value, digits); }
-    /// Returns an error, of which the power of ten matters: "3.2e-16".
+    /// Returns an error as text in scientific notation with two significant digits: "3.2e-16".
     virtual std::string magnitude(double value) const;
-    /// Returns the unit of its usual family that needs the fewest zeros.
+    /// Returns the most readable unit for a value given in SI: the largest common unit of the quantity in
+    /// which the value is at least 1.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;
-    /// Returns the same for a penetration rate, which drillers count per minute.
+    /// Returns the most readable unit for a penetration rate given in m/s: m/min here, as drillers count it.
     virtual ReadUnit rateUnit(double si) const;
-    /// Returns whether texts are only for people, in a window or on a page: with the signs of print, and with
-    /// pages of the window instead of commands.
+    /// Returns whether texts are for a window or a page. Such texts have typographic signs (−, µ, ≥) and
+    /// refer to pages of the window instead of commands.
     virtual bool isPrinted() const { return false; }
-    /// Returns whether tables show values as a file gives them.
+    /// Returns whether tables show an input in the unit that the scenario file gives it in.
     virtual bool keepsUnitsOfFile() const { return true; }
-    /// Returns the title of a column of values with their units.
+    /// Returns the title of a table column that shows values with their units: "in SI".
     virtual Message unitsTitle() const { return translatable("in SI"); }
-    /// Returns the pattern of a Message in the language of the reader.
+    /// Returns the translation of an English sentence pattern of a Message ("%1: cannot be written"); here
+    /// the same text.
     virtual std::string patternFor(const std::string& english) const { return english; }
-    /// Returns that language, ISO 639.
+    /// Returns the language of the texts as its ISO 639 code, such as "en".
     virtual std::string language() const { return "en"; }
 
-    /// Returns the sentence in the language of the reader.
+    /// Returns a message as a sentence in the language of the reader.
     std::string said(const Message& message) const;
-    /// Returns an SI value in the unit that suits it, rounded: "71.7 kN", "3.2 mm", "105 MN/m"; a ratio as
-    /// the bare number.
+    /// Returns a value given in SI as rounded text with a suitable unit: "71.7 kN", "3.2 mm", "105 MN/m". A
+    /// ratio has no unit.
     std::string quantity(double si, Quantity quantity, int digits = 6,
                          Rounding rounding = Rounding::nearest) const;
-    /// Returns a penetration rate in the same way.
+    /// Returns a penetration rate, given in m/s, as rounded text with its unit: "1.25 m/min".
     std::string rate(double si, int digits = 6) const;
-    /// Returns a bound in two digits, not below its value.
+    /// Returns an upper bound of an error as text with two digits. The bound is enlarged by 5 %, so that
+    /// rounding cannot make it too small.
     std::string bound(double bound) const;
-    /// Returns numbers written in the C locale with the decimal sign of the reader.
+    /// Returns the text with each decimal point, as in the C locale, replaced by the decimal sign of the
+    /// reader.
     std::string withDecimalSign(std::string cText) const;
-    /// A share as "+10.3 %" or "-5 %".
+    /// Returns a share, such as 0.103, in per cent with its sign: "+10.3 %", "-5 %".
     std::string signedPercent(double share) const;
-    /// The name of a value of an enumeration, "half_sine", in the words of the reader: "half sine" in print.
+    /// Returns the name of a value of an enumeration in the language of the reader: "half_sine" becomes
+    /// "half sine" in print.
     std::string name(std::string_view name) const;
 
   private:
     std::string inUnit(double si, const ReadUnit& read, int digits, Rounding rounding) const;
 };
 
-/// Returns the style of the commands.
+/// Returns the format of the commands: English, the C locale and SI units.
 const ReadingStyle& plainStyle();
 
-/// Returns an SI value in that style.
+/// Returns a value given in SI as the commands print it, rounded and with a suitable unit: "71.7 kN".
 std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
 
 }  // namespace drillwave

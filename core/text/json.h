@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of a JSON document, and the text of it.
+// Values of a JSON document, and their text.
 #pragma once
 
 #include <concepts>
@@ -18,13 +18,13 @@ class Json;
 struct JsonMember;
 using JsonArray = std::vector<Json>;
 
-/// Members in the order of their keys (bytes), each key once.
+/// JSON object: its members in ascending order of the bytes of their keys, each key once.
 class JsonObject {
   public:
     JsonObject() = default;
     JsonObject(std::initializer_list<std::pair<std::string_view, Json>> members);
 
-    /// The value of a key, null where it is new.
+    /// Returns the value of a key. A new key is added with the value null.
     Json& operator[](std::string_view key);
     const std::vector<JsonMember>& members() const { return m_members; }
 
@@ -32,8 +32,8 @@ class JsonObject {
     std::vector<JsonMember> m_members;
 };
 
-/// A value: null, true or false, a number, a text (UTF-8), an array, an object. Numbers that are not finite
-/// and options without a value are null.
+/// JSON value: null, true or false, a number, a text (UTF-8), an array or an object. Infinite and NaN numbers
+/// and empty optionals become null.
 class Json {
   public:
     Json() = default;
@@ -48,8 +48,8 @@ class Json {
     Json(JsonArray array) : m_value(std::move(array)) {}
     Json(JsonObject object) : m_value(std::move(object)) {}
 
-    /// The document: four blanks a level, a line for each value, keys in order, numbers as the shortest text
-    /// that reads back as the same double, whole numbers without an exponent; ends with a line feed.
+    /// Returns the JSON text: four blanks per level, one value per line, ending with a line feed. Doubles are
+    /// the shortest text that reads back as the same value; whole numbers have no exponent.
     std::string text() const;
 
   private:
@@ -58,7 +58,7 @@ class Json {
     std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, JsonArray, JsonObject> m_value;
 };
 
-/// Member of an object.
+/// Key and value of one member of a JSON object.
 struct JsonMember {
     std::string key;
     Json value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The languages that the window speaks.
+// Languages of the program.
 #pragma once
 
 #include <algorithm>
@@ -14,37 +14,40 @@
 namespace drillwave {
 
 struct Language {
-    std::string_view code;  ///< ISO 639, as for `--language` and in resources/languages
-    std::string_view name;  ///< as its speakers call it
+    /// ISO 639 code ("de"), as for the option `--language` and in resources/languages
+    std::string_view code;
+    std::string_view name;  ///< name of the language in that language ("Deutsch")
 };
 
-/// English, which the texts are written in, and those with a whole catalogue.
+/// Languages of the program: English, in which all texts are written, and those with a complete catalogue of
+/// translations.
 inline constexpr Language languages[] = {{"en", "English"}, {"de", "Deutsch"}, {"sv", "Svenska"}};
 
-/// Whether it is the first of them, which needs no catalogue.
+/// Returns whether a language is English, which needs no catalogue. Requires an element of `languages`.
 constexpr bool isEnglish(const Language& language) {
     return &language == &languages[0];
 }
 
-/// The language of that code, or nullptr.
+/// Returns the language with this ISO 639 code, or nullptr.
 constexpr const Language* findLanguage(std::string_view code) {
     const auto* const found = std::ranges::find(languages, code, &Language::code);
     return found == std::end(languages) ? nullptr : found;
 }
 
-// Texts of the core and the commands in the languages of the program, without Qt.
+// Translations of the texts of core and commands, without Qt.
 
-/// Returns the translation of an English text in the catalogue of the language; the text itself for English
-/// or without a translation. The first text of a language reads its catalogue in some 40 ms. Not thread-safe.
+/// Returns the translation of an English text; the English text itself if there is no translation. The first
+/// call for a language takes about 40 ms, as it reads the catalogue. Not thread-safe.
 std::string inLanguage(const Language& language, const std::string& english);
 
-/// Returns all English texts of that catalogue with their translations; none for English. Not thread-safe.
+/// Returns all translations into a language: the English text and its translation; empty for English. Not
+/// thread-safe.
 const std::map<std::string, std::string, std::less<>>& textsOf(const Language& language);
 
-// The style of the commands in each of the languages.
+// Format of the commands' output in each language.
 
-/// Returns the style of a language: sentences from its catalogue, numbers with its decimal sign, units in SI;
-/// for English, plainStyle(). Not thread-safe.
+/// Returns the format of output in a language: translated sentences, its decimal sign, SI units. For English
+/// it is plainStyle(). Not thread-safe.
 const ReadingStyle& styleOf(const Language& language);
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that people read in one line of a list, a message or a file.
+// Names of one line, as in lists, messages and files: rules for their characters, and suggestions for
+// mistyped ones.
 #pragma once
 
 #include <span>
@@ -10,42 +11,45 @@
 
 namespace drillwave {
 
-// Words that are alike but for capitals.
+// Comparison that ignores capitals.
 
-/// Returns A to Z as small letters, in any locale; other characters stay.
+/// Returns the text with A to Z as small letters, in any locale; other characters do not change.
 inline std::string lowerCase(std::string text) {
     for (char& c : text)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return text;
 }
 
-/// Why a text cannot stand in one line: "must be one line", "must be UTF-8". It must be UTF-8 without control
-/// characters and without those that turn the direction in which others are read. Empty when it can.
+/// Returns why a text is not allowed in one line: "must be one line", "must be UTF-8"; empty if it is
+/// allowed. Control characters and characters that change the reading direction are not allowed.
 Message lineProblem(std::string_view text);
 
-/// Why a text cannot be a name or the source of a value: lineProblem(), or "must have a letter". Empty when
-/// it can.
+/// Returns why a text is not allowed as a name or as the source of a value; empty if it is allowed. It must
+/// pass lineProblem() and have a letter.
 Message nameProblem(std::string_view text);
 
-/// The text as it can be printed in a message: what is not UTF-8, control characters and those that turn the
-/// direction of reading are written as "\xE9" and "\u202E".
+/// Returns the text with everything unprintable escaped, as "\xE9" or "\u202E", for messages. This concerns
+/// bytes that are not UTF-8, control characters and characters that change the reading direction.
 std::string printable(std::string_view text);
 
-/// Returns the same for a text of several lines: line feeds and tabs stay.
+/// Returns a text of several lines with everything unprintable escaped, as "\xE9"; line feeds and tabs
+/// remain.
 std::string printableLines(std::string_view text);
 
-/// Returns the same for a title, which is one line: line feeds and tabs become blanks.
+/// Returns a title as one line with everything unprintable escaped, as "\xE9"; line feeds and tabs become
+/// blanks.
 std::string printableLine(std::string_view text);
 
-// "Did you mean …?" for mistyped names.
+// Suggestions for mistyped names: "Did you mean …?"
 
-/// The candidate within a few typing errors of `name` (insertions, deletions, replacements, swapped
-/// neighbours; about one in three characters), or empty when none is that close. Also finds "stiffness" for
-/// "bit_rock.stiffness".
+/// Returns the candidate with the fewest typing errors against `name`, at most one per three characters;
+/// empty if there is none. Errors are inserted, missing, replaced and swapped characters. "stiffness" also
+/// finds "bit_rock.stiffness".
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
-/// The shortest candidate that has all words of `name`, "drill_penetration_rate" for "drilling_rate", or
-/// empty. Words are the parts between underscores; the longer of two may go on.
+/// Returns the shortest candidate that has all words of `name`, or empty: "drilling_rate" finds
+/// "drill_penetration_rate". Words are the parts between underscores; two match if one begins with the other,
+/// from four letters.
 std::string_view nameWithWords(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace drillwave

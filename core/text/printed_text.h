@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signs of print, which a terminal and the scripts that read its bytes do without.
+// Typographic signs (−, µ, ≥) for windows and pages. Terminals and scripts get ASCII instead.
 #pragma once
 
 #include <string>
@@ -9,19 +9,22 @@
 
 namespace drillwave {
 
-/// "µs", "µm", "mm²" and "kg/m³" for the name of a unit, or for a value with its unit.
+/// Returns the name of a unit, or a value with its unit, in typographic signs: "µs", "mm²" and "kg/m³" for
+/// "us", "mm^2" and "kg/m^3".
 std::string printedUnit(std::string_view text);
 
-/// A number with a minus, and with its power of ten: "−0.4", "3.4·10⁻¹⁴" for "3.4e-14".
+/// Returns the text of a number with a minus sign and a written power of ten: "−0.4" for "-0.4", "3.4·10⁻¹⁴"
+/// for "3.4e-14".
 std::string printedNumber(std::string_view text);
 
-/// Words with "…", "±", "≥" and "d₀" for "...", "+-", ">=" and "d0", and with Greek letters for "tau".
+/// Returns a sentence in typographic signs: "…", "±", "≥" and "d₀" for "...", "+-", ">=" and "d0", and "τ"
+/// for "tau".
 std::string printedWords(std::string_view text);
 
-/// The style of a reader with the signs of print, and so in the words of a page: isPrinted().
+/// Format of texts in windows and on pages: as another format, but with typographic signs (−, µ, ≥).
 class PrintedStyle : public ReadingStyle {
   public:
-    /// Must not outlive the style of the reader.
+    /// Takes the format whose texts get typographic signs. It must outlive this object.
     explicit PrintedStyle(const ReadingStyle& reader) : m_reader(reader) {}
 
     std::string number(double value, int digits = 6) const override;

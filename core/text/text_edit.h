@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replacements of parts of a text, made all at once.
+// Replacement of several parts of a text at once.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,16 @@
 
 namespace drillwave {
 
-/// `length` bytes at `offset` are replaced; insertions at the same place keep their order.
+/// Replacement of `length` bytes of a text from the byte `offset`; an insertion if `length` is 0. Insertions
+/// at the same offset keep their order.
 struct TextEdit {
     std::size_t offset = 0;
     std::size_t length = 0;
     std::string replacement;
 };
 
-/// The text with the edits made. Where two overlap, what either removes is removed, and both replacements
-/// stand, that of the earlier offset first.
+/// Returns the text with all edits made; offsets refer to the original text. If two edits overlap, the bytes
+/// of both are removed, and both replacements are written, that of the lower offset first.
 std::string edited(std::string_view text, std::vector<TextEdit> edits);
 
 }  // namespace drillwave

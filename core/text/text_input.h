@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text as it is checked before anything interprets it: UTF-8, and where a byte of it is.
+// Checks of text before it is parsed: whether it is UTF-8, and the line and column of a byte.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,32 @@
 
 namespace drillwave {
 
-/// The first byte at which the text is not UTF-8 text (NUL, control characters, malformed sequences, lone
-/// CR).
+/// First fault of a text, at the byte `offset`: not UTF-8, NUL, a control character, or a carriage return
+/// without a line feed.
 struct TextProblem {
     std::size_t offset = 0;
-    std::string reason;  ///< empty when the text is fine
+    std::string reason;  ///< description of the fault, "a NUL byte"; empty if the text has none
 };
+/// Returns the first byte that is not allowed in a text file; an empty `reason` if there is none.
 TextProblem checkText(std::string_view text);
 
-/// How many of the first bytes are UTF-8, control characters included.
+/// Returns the number of bytes at the beginning that are valid UTF-8, including control characters.
 std::size_t utf8Length(std::string_view text);
-/// Whether all bytes are.
+/// Returns whether the entire text is valid UTF-8; control characters are allowed.
 bool isUtf8(std::string_view text);
 
-/// 3 for a text that begins with the UTF-8 byte order mark, else 0.
+/// Returns the length of the UTF-8 byte order mark at the beginning of the text: 3 bytes, or 0 if there is
+/// none.
 std::size_t byteOrderMarkLength(std::string_view text);
 
-/// Line and column of a byte, both from 1; a column is a character.
+/// Line and column of a byte of a text, both counted from 1. Columns count characters, not bytes.
 struct TextPosition {
     int line = 1;
     int column = 1;
 };
 
-/// Returns the position of a byte of the text. Walks through the text: only for messages.
+/// Returns line and column of the byte at `offset`, not counting a byte order mark. Reads the text from its
+/// start, so it is only for messages.
 TextPosition positionOf(std::string_view text, std::size_t offset);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a text stands in a terminal: its columns are characters, not bytes.
+// Alignment and indentation of text in a terminal, where columns are characters, not bytes.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,19 @@
 
 namespace drillwave {
 
-/// Characters of a text in UTF-8: columns of a terminal.
+/// Returns the number of characters of a text in UTF-8, which is its width in columns of a terminal.
 std::size_t columnsOf(std::string_view text);
 
-/// The byte at which the character of that number begins, from 0; the length of a text that is not longer.
+/// Returns the byte offset at which the character with this number, counted from 0, begins. Returns the
+/// length in bytes if the text has fewer characters.
 std::size_t byteOfColumn(std::string_view text, std::size_t column);
 
-/// With blanks behind or before it up to so many columns; a wider one stays as it is.
+/// Returns the text with blanks after it, or before it for rightAligned(), to fill this many columns. A text
+/// that is wider does not change.
 std::string leftAligned(std::string_view text, std::size_t columns);
 std::string rightAligned(std::string_view text, std::size_t columns);
 
-/// Each line behind so many blanks, with a line feed at the end.
+/// Returns the lines, each with this many blanks before it and a line feed at its end.
 std::string indented(std::string_view lines, std::size_t blanks);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Physical quantities, their units, and text with a unit read into SI and written back.
+// Physical quantities, their units, and the conversion between SI values and text with a unit.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Physical quantity of a number; `ratio` is dimensionless.
+/// Physical quantity that a number measures; `ratio` has no dimension.
 enum class Quantity {
     ratio,
     length,
@@ -27,70 +27,78 @@ enum class Quantity {
     energy,
     power,
     mass,
-    angle,        ///< in degrees, which go with the SI: a right angle is 90, exactly
-    share,        ///< part of a whole: a bare number, or per cent
-    attenuation,  ///< decay per length
-    damping,      ///< force per velocity
+    angle,        ///< in degrees, also where others are in SI: a right angle is exactly 90
+    share,        ///< part of a whole: a bare number (0.02) or per cent (2 %)
+    attenuation,  ///< decay of the amplitude of a wave per length, 1/m
+    damping,      ///< force per velocity, N s/m
 };
 
-/// A unit of one quantity: value in SI = factor × value in this unit.
+/// Unit of one physical quantity. SI value = factor × value in this unit, with
+/// factor = numerator/denominator.
 struct Unit {
     std::string_view name;
-    double numerator = 1;                     ///< factor = numerator/denominator, both exact for most units,
-    double denominator = 1;                   ///< so that 1.5 in is the double nearest to 0.0381
-    std::optional<int> decimalExponent = {};  ///< the factor is exactly 10 to this power ("mm": −3)
+    /// Numerator of the factor to SI. Numerator and denominator are exact for most units, so that 1.5 in is
+    /// the double nearest to 0.0381.
+    double numerator = 1;
+    double denominator = 1;                   ///< denominator of the factor to SI, > 0
+    std::optional<int> decimalExponent = {};  ///< n if the factor is exactly 10^n ("mm": −3), else empty
 
     double factor() const { return numerator / denominator; }
     double toSi(double value) const { return value * numerator / denominator; }
     double fromSi(double si) const { return si * denominator / numerator; }
 };
 
-/// The units of a quantity, the SI unit first; for `ratio` one unit with an empty name, which is also the
-/// first one of `share`.
+/// Returns the units of a quantity, the SI unit first. `ratio` has one unit, with an empty name; it is also
+/// the first unit of `share`.
 std::span<const Unit> unitsOf(Quantity quantity);
 
-/// The unit of that name, or nullptr. Names are case sensitive ("mm", "MN/m", "N s", "us" and "µs").
+/// Returns the unit with this name, or nullptr if the quantity has none. Names are case-sensitive: "mm",
+/// "MN/m", "N s", "us" and "µs".
 const Unit* findUnit(Quantity quantity, std::string_view name);
 
-/// "m, mm, cm, km, in, ft": the units that would do, for messages.
+/// Returns the names of all units of a quantity for messages: "m, mm, cm, km, in, ft".
 std::string unitList(Quantity quantity);
 
-/// A finite C-locale number filling the whole text (surrounding blanks allowed), whatever the user's locale.
+/// Returns the finite number, in the C locale, that fills the entire text; blanks around it are allowed.
+/// Returns nullopt for anything else.
 std::optional<double> parseNumber(std::string_view text);
 
-/// Returns the shortest text that reads back as the same double ("0.1", "1e-07"), C locale.
+/// Returns the shortest text in the C locale that reads back as the same double: "0.1", "1e-07".
 std::string formatNumber(double value);
 
-/// A number with its unit as typed.
+/// Value and unit read from a text such as "38 mm", or the reason why it was refused.
 struct TypedQuantity {
-    double si = 0;               ///< the value in SI
-    const Unit* unit = nullptr;  ///< the unit that was typed, never nullptr when valid
-    Message problem;             ///< why the text was refused; empty when it was read
+    double si = 0;               ///< value in SI, 38 mm as 0.038
+    const Unit* unit = nullptr;  ///< unit in the text, never nullptr if the text was valid
+    Message problem;             ///< reason why the text was refused; empty if it was valid
     bool valid() const { return problem.isEmpty(); }
 };
 
-/// Whether a number without a unit is refused (files) or taken in the given default unit (form fields).
+/// Treatment of a number without a unit: refused, as in files, or in a given default unit, as in form fields.
 enum class BareNumber { refused, inDefaultUnit };
 
-/// Reads "38 mm", "1.5in", "255 kN", "200 us", "51 N s". For `ratio` a bare number, for `share` "0.02" or "2
-/// %". A decimal comma is not accepted here: the form turns the user's locale into C text first.
+/// Returns the value and unit of a text such as "38 mm", "1.5in", "255 kN", "200 us" or "51 N s". A `ratio`
+/// is a bare number, a `share` "0.02" or "2 %". Decimal commas are refused: the form converts numbers to the
+/// C locale first.
 TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber bare = BareNumber::refused,
                             const Unit* defaultUnit = nullptr);
 
-/// The value in that unit as the shortest text that reads back as exactly the same SI double ("38 mm");
-/// falls back to the SI unit where no decimal text in `unit` would.
+/// Returns a value given in SI as the shortest text in `unit` that reads back as exactly the same double:
+/// "38 mm". If no decimal number in that unit does so, the text is in the SI unit.
 std::string formatQuantity(double si, Quantity quantity, const Unit& unit);
 
 // Headings of columns with their unit in brackets: "rod.length [mm]".
 
-/// Returns "rod.length [mm]"; only the name without a unit, or with one that has no name.
+/// Returns the heading of a column, "rod.length [mm]"; only the name if `unit` is nullptr or has no name.
 std::string withUnit(std::string_view name, const Unit* unit);
 
-/// A heading in its parts, without blanks around them; `unit` is empty without brackets at the end.
+/// Heading of a column split into name and unit, without blanks around them. `unit` is empty if the heading
+/// does not end in brackets.
 struct UnitHeading {
     std::string_view name;
     std::string_view unit;
 };
+/// Splits the heading of a column, "rod.length [mm]", into the name "rod.length" and the unit "mm".
 UnitHeading splitHeading(std::string_view heading);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The block `design` of a scenario file (files §1.5): read and written.
+// Reading and writing of the block `design` of a scenario file (files §1.5).
 #pragma once
 
 #include <string>
@@ -13,20 +13,21 @@
 
 namespace drillwave {
 
-/// Key of the block.
+/// Key of the settings of a design study in a scenario file.
 inline constexpr std::string_view designKey = "design";
 
-/// Reads the block; reports what is no list of texts, no truth value and no number. An absent block gives an
-/// empty set-up. The study checks the meaning of the texts.
+/// Returns the settings in the block `design` of a file; empty settings if it is absent. Reports values of
+/// the wrong kind (text, truth value or number). The study checks the meaning of the texts.
 DesignSetup readDesignSetup(SectionReader& reader, const YamlEntries& file);
 
-/// Returns the values of the block that are no lists, as the values of a scenario are saved.
+/// Returns the values of the block `design` that are not lists, in the form of other values of a scenario
+/// file.
 std::vector<SavedValue> savedDesignValues(const DesignSetup& setup);
 
-/// Returns the keys of the lists of the block with their items as YAML; lists without items are among them.
+/// Returns the keys of all lists of the block `design`, also of empty ones, with their items as YAML.
 std::vector<std::pair<std::string_view, std::vector<std::string>>> designLists(const DesignSetup& setup);
 
-/// Returns the block in its customary form, "design:\n  uncertain:\n …"; empty for an empty set-up.
+/// Returns the block `design` as in a new file, "design:\n  uncertain:\n …"; empty for empty settings.
 std::string designSetupText(const DesignSetup& setup);
 
 }  // namespace drillwave

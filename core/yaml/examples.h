@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scenarios of resources/examples, built into the program.
+// Scenarios of resources/examples, which are built into the program.
 #pragma once
 
 #include <span>
@@ -8,22 +8,23 @@
 
 namespace drillwave {
 
-/// Built-in scenario file.
+/// Scenario file that is built into the program.
 struct Example {
     std::string name;         ///< file name without ".yaml", e.g. "paper_fig4a"
-    std::string title;        ///< the scenario's title
-    std::string explanation;  ///< its first comment as one paragraph: what to look at
-    std::string_view text;    ///< the file, byte for byte
-    bool ofString = false;    ///< a hammer and a string of sections, no uniform rod
+    std::string title;        ///< title of the scenario
+    std::string explanation;  ///< first comment of the file as one paragraph: what to look at
+    std::string_view text;    ///< contents of the file, byte for byte
+    /// Whether it has a hammer and a drill string of sections instead of a uniform rod.
+    bool ofString = false;
 };
 
-/// Returns all examples: the paper's figures first, then the drilling cases, drill strings last.
+/// Returns all examples: first the figures of the paper, then the drilling cases, drill strings last.
 std::span<const Example> builtInExamples();
 
-/// The example of that name, or nullptr.
+/// Returns the example with this name, such as "paper_fig4a", or nullptr.
 const Example* findExample(std::string_view name);
 
-/// The case that the window opens with: a T38 rod in medium rock.
+/// Returns the example with which the window opens: a T38 rod in medium rock.
 const Example& defaultExample();
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of bit and rock in scenario files (files §1.4): its kind and its corners.
+// Reading of the loading curve of the rock from scenario files (files §1.4): its form and its corners.
 #pragma once
 
 #include <string_view>
@@ -8,13 +8,15 @@
 
 namespace drillwave {
 
-/// The keys of `bit_rock` that are no numbers.
+/// Keys of the section `bit_rock` whose values are not numbers.
 inline constexpr std::string_view lawKey = "law", cornersKey = "corners";
 
-/// The kind of the law, bilinear where nothing is said. False where it is no such word, which is reported.
+/// Reads the form of the loading curve into the scenario; if absent, it stays bilinear. Returns false and
+/// reports the value if it is not a known word.
 bool readLaw(SectionReader& reader, const YamlEntries& entries);
 
-/// The corners of a law that has them; reports those that another law is given, and what a corner lacks.
+/// Reads the corners of a loading curve into the scenario. Reports corners for another form of the curve,
+/// missing corners, and corners without a force or slope.
 void readCorners(SectionReader& reader, const YamlEntries& entries);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which items of a list that was edited are the items of the list before.
+// Pairing of the items of a list before and after an edit.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace drillwave {
 
-/// How much of an item before is in an item after.
+/// Similarity of an item of a list before the edit and an item after it.
 struct Likeness {
-    int shared = 0;  ///< values that both have
+    int shared = 0;  ///< number of values that both items have
     bool isEqual = false;
 };
 
-/// Returns for each of `before` items the item after that it became, in rising order; nothing for an item
-/// that was removed. Items at both ends that are equal are paired first. Between them, the pairs share the
-/// most values; lists with too many changes for that are paired in order.
+/// Returns for each of the `before` items the index of the item after the edit that it became, ascending;
+/// nullopt for a removed item. Equal items at both ends are paired first. Between them the pairs share as
+/// many values as possible; if there are too many items to compare, they are paired in order.
 std::vector<std::optional<std::size_t>> listPairs(
     std::size_t before, std::size_t after,
     const std::function<Likeness(std::size_t before, std::size_t after)>& likeness);

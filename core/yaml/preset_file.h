@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of presets: YAML read as strictly as scenarios. The format is explained in resources/presets.
+// Files of presets: YAML, read as strictly as scenario files. The files in resources/presets explain the
+// format.
 #pragma once
 
 #include <cstddef>
@@ -14,41 +15,42 @@
 
 namespace drillwave {
 
-/// The newest format number of preset files that this program reads.
+/// Newest format number of preset files that this program reads.
 inline constexpr int presetFormat = 1;
 
-/// A file that is larger is none.
+/// Largest size of a preset file in bytes; a larger file is refused.
 inline constexpr std::size_t maximumPresetBytes = std::size_t{1} << 20;
 
-/// The first key of such a file.
+/// First key of a preset file.
 inline constexpr std::string_view presetKey = "drillwave_presets:";
 
-/// Contents of such a file, each kind in the order of the file.
+/// Contents of a preset file, in the order of the file.
 struct PresetFile {
-    std::vector<Preset> presets;                ///< of rods, hammers and rocks
-    std::vector<SectionPreset> sectionPresets;  ///< of pieces of drill strings
+    std::vector<Preset> presets;                ///< presets of rods, hammers and rocks
+    std::vector<SectionPreset> sectionPresets;  ///< presets of sections of drill strings
 };
 
-/// `source` names the text in messages. Throws ScenarioError with every problem and its place: unknown keys,
-/// values without a unit or a source, hammers, rods and sections that could not be.
+/// Returns the presets in a text; `source` names it in messages. Throws ScenarioError with all errors and
+/// their positions: unknown keys, values without a unit or a source, and invalid hammers, rods or sections.
 PresetFile parsePresets(std::string_view text, const std::string& source);
 
-/// Does the same for a file of at most 1 MiB.
+/// Returns the presets in a file of at most 1 MiB. Throws ScenarioError with all errors and their positions.
 PresetFile loadPresets(const std::string& path);
 
-/// The presets of resources/presets, built into the program.
+/// Returns the presets of resources/presets, which are built into the program.
 const PresetFile& builtInPresetFile();
 std::span<const Preset> builtInPresets();
 std::span<const SectionPreset> builtInSectionPresets();
 
-// Source of the values of a preset, in the file that uses it.
+// Source of the values of a preset, written into the scenario file that uses them.
 
-/// Returns the source of a value according to the preset; empty for values that are not of it.
+/// Returns the source that a preset gives for a saved value; empty for values that the preset does not set.
 std::string presetSource(const Preset& preset, const SavedValue& saved);
 
-/// The file of a scenario that has just taken the preset, as writeScenario() writes it, with that remark as a
-/// comment behind each value of the preset. A comment that is there stays in its place; values in braces, of
-/// which one comment would be about all, get none. Throws ScenarioError as writeScenario() does.
+/// Returns the text of a scenario file, see writeScenario(), with the source of each value of the preset as a
+/// comment after it. Existing comments remain. Values in braces get none, as it would apply to all of them.
+/// Throws ScenarioError if the text would be larger than 1 MiB. Requires a scenario to which the preset was
+/// just applied.
 std::string writeWithPreset(const ScenarioDocument& document, const Preset& preset);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the tree of a YAML text to presets, with every problem and its place.
+// Conversion of parsed YAML to presets, with all errors and their positions.
 #pragma once
 
 #include <functional>
@@ -15,20 +15,21 @@
 
 namespace drillwave {
 
-// Common part of all lists of a file of presets: items that are maps, each with a name of its own.
+// Common part of all lists of a preset file. Their items are maps with different names.
 
-/// One list while it is read; problems go to the reader, which must outlive it.
+/// Reader of one list of presets. Errors go to `reader`, which must outlive it.
 class PresetList {
   public:
-    /// `key` is that of the list, "rods".
+    /// Takes the reader for errors, and the key of the list, "rods".
     PresetList(SectionReader& reader, std::string_view key) : m_reader(reader), m_key(key) {}
 
-    /// Calls `read` with every item that can be a preset. No list at all is an empty one.
+    /// Calls `read` for every item that is a map, and reports other items. An absent list counts as empty.
     void readItems(const YamlNode& list, const std::function<void(const YamlNode&)>& read);
-    /// The text of a key that an item must have; empty where it is none that can be shown.
+    /// Returns the text of a required key of an item. Reports a missing or invalid text, and returns an empty
+    /// one then.
     std::string textOf(const YamlEntries& entries, const YamlNode& item, std::string_view key,
                        const char* missing = translatable("is missing"));
-    /// Its name, which no item before has.
+    /// Returns the name of an item. Reports a missing name, or one that an earlier item already has.
     std::string nameOf(const YamlEntries& entries, const YamlNode& item);
 
   private:
@@ -37,21 +38,22 @@ class PresetList {
     std::set<std::string> m_names;
 };
 
-// Pistons, adapters, couplings and bits of a file of presets.
+// Pistons, adapters, couplings and bits of a preset file.
 
-/// The keys of their lists: "pistons" and so on.
+/// Returns the keys of the lists of sections: "pistons", "adapters", "couplings", "bits".
 std::span<const std::string_view> sectionPresetLists();
 
-/// Reads those lists. `file` are the entries of the whole file; problems go to the reader.
+/// Returns the presets of sections in a file. `file` has the entries of the entire file; errors go to
+/// `reader`.
 std::vector<SectionPreset> readSectionPresets(SectionReader& reader, const YamlEntries& file);
 
 class PresetReader {
   public:
     explicit PresetReader(std::string_view text) : m_reader(text) {}
 
-    /// Good for nothing if there are problems.
+    /// Returns the presets of rods, hammers and rocks. The result is invalid if there are errors.
     std::vector<Preset> read(const YamlNode& root);
-    /// Returns the presets of sections; after read().
+    /// Returns the presets of sections that read() has found.
     std::vector<SectionPreset> takeSectionPresets() { return std::move(m_sectionPresets); }
     std::vector<InputProblem> takeProblems() { return m_reader.problems().take(); }
 

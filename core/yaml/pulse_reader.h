@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hammer blow of a scenario file: its shape, what that shape needs, and the points of a table.
+// Reading of the hammer force from a scenario file: its shape, the values for that shape, and the points of a
+// table.
 #pragma once
 
 #include <string>
@@ -11,29 +12,29 @@
 
 namespace drillwave {
 
-/// Where the points of a table file come from: beside `source`, or given already.
+/// Source of the points of a table file: the file itself, next to the scenario file `source`, or given
+/// points.
 struct TableSource {
     const std::string& source;
     const TablePoints* points = nullptr;
 };
 
-/// Reads the section `pulse` into the reader's scenario, whose form is known. True when the only problem of a
-/// scenario without others is that its table file cannot be read.
+/// Reads the section `pulse` into the scenario of the reader, whose form is already known. Returns whether a
+/// table file cannot be read; if there is no other error, the scenario is unreadable instead of invalid.
 bool readPulse(SectionReader& reader, const YamlEntries& file, const TableSource& tables);
 
-// The table file of a tabulated pulse: time and force, with their units in the header.
+// Table file of a tabulated hammer force: time and force, with their units in the header.
 
-/// The points of the file, or what is wrong with it.
+/// Points of a table file, or its errors.
 struct PulseTable {
     std::vector<TablePoint> points;
-    std::vector<InputProblem> problems;  ///< with `source` and line
-    bool unreadable = false;             ///< the file could not be opened or is no text
+    std::vector<InputProblem> problems;  ///< errors with their file (`source`) and line
+    bool unreadable = false;             ///< whether the file cannot be opened, or is not text
 };
 
-/// Reads what the import of records reads: a column of times and one of forces with their units in the
-/// heading, whatever the separator, the decimal sign and the encoding ("time,force" without units in a
-/// dimensionless scenario). `path` is
-/// the file as opened, `source` how messages name it. At most 16 MiB.
+/// Reads the points of a table file of at most 16 MiB: a column of times and one of forces, with their units
+/// in the headings. Separator, decimal sign and encoding are detected. In a dimensionless scenario the header
+/// is "time,force" without units. `path` is the file, `source` its name in messages.
 PulseTable readPulseTable(const std::string& path, const std::string& source, ScenarioForm form);
 
 }  // namespace drillwave

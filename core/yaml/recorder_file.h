@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings of recorders by name, in recorders.yaml: the options by which their records are read, as words.
+// Settings of recorders in recorders.yaml: a name, and the options for reading records of this recorder.
 #pragma once
 
 #include <string>
@@ -12,48 +12,50 @@
 
 namespace drillwave {
 
-/// The first key of such a file, and the newest format number that this program reads.
+/// First key of recorders.yaml, and the newest format number that this program reads.
 inline constexpr std::string_view recorderKey = "drillwave_recorders";
 inline constexpr int recorderFormat = 1;
 
-/// A file that is larger is none.
+/// Largest size of recorders.yaml in bytes; a larger file is refused.
 inline constexpr std::size_t maximumRecorderBytes = std::size_t{1} << 20;
 
 struct Recorder {
     std::string name;
-    std::vector<std::pair<std::string, std::string>> settings;  ///< names of signalOptions() and their values
+    /// Names and values of options for reading records, see signalOptions().
+    std::vector<std::pair<std::string, std::string>> settings;
     bool operator==(const Recorder&) const = default;
 };
 
-/// The recorders of a file in its order, or what is wrong with it: "recorders.yaml:4:5: …".
+/// Recorders in the order of their file, or its errors: "recorders.yaml:4:5: …".
 struct RecorderFile {
     std::vector<Recorder> recorders;
     std::vector<Message> problems;
-    bool isUnreadable = false;  ///< the problem is one of the disk
+    bool isUnreadable = false;  ///< whether the file could not be read from the disk
 };
 
-/// `source` names the text in messages.
+/// Returns the recorders in a text, or its errors; `source` names the text in messages.
 RecorderFile parseRecorders(std::string_view text, const std::string& source);
 
-/// The recorder of that name, or nullptr.
+/// Returns the recorder with this name, or nullptr.
 const Recorder* findRecorder(const std::vector<Recorder>& recorders, std::string_view name);
 
-/// The recorders with one more, or with that one changed; the others keep their order.
+/// Returns the recorders with one more, or with the one of the same name replaced; the order does not change.
 std::vector<Recorder> withRecorder(std::vector<Recorder> recorders, Recorder recorder);
 
-/// The text of such a file; parseRecorders() reads the same recorders from it.
+/// Returns the text of recorders.yaml for these recorders, which parseRecorders() reads back.
 std::string recorderText(const std::vector<Recorder>& recorders);
 
-/// recorders.yaml beside the user's presets.yaml.
+/// Returns the path of recorders.yaml, in the folder of the user's presets.yaml.
 std::string recordersPath();
 
-/// Reads such a file; where there is none it has no recorders.
+/// Returns the recorders in a file, or its errors; no recorders and no error if the file does not exist.
 RecorderFile loadRecorders(const std::string& path);
 
-/// Writes such a file, with its folder. Returns why it could not; empty when it was written.
+/// Writes recorders.yaml, and makes its folder. Returns an empty message when done, else why it failed.
 Message saveRecorders(const std::string& path, const std::vector<Recorder>& recorders);
 
-/// Sets the options that the settings name, and no others. Returns a problem of one of them.
+/// Sets the options that a recorder has settings for, and no others. Returns an empty message when done, else
+/// what is wrong with a setting.
 Message applyRecorder(const Recorder& recorder, SignalOptions& options);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changed values put into the text of a scenario file, everything else in it left where it is.
+// Change of values in the text of a scenario file, which leaves everything else in place.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,10 @@
 
 namespace drillwave {
 
-/// The text with the values of the scenario and its design: changed ones in the unit the file used and
-/// without the comment behind them, which was about the value before, new ones on new lines, those that went
-/// taken out. A list of points or of corners that changes is put in as lines of its own. nullopt where that
-/// takes more than exchanging values, lines and such lists (another form, values that span lines). The caller
-/// checks that the result says the scenario.
+/// Returns the text of a scenario file with the values of another scenario and design. Changed values keep
+/// the unit of the file but lose the comment after them. New values get new lines; absent ones are removed; a
+/// changed list of points or corners is replaced. Returns nullopt if this is not enough, as for another form
+/// of the scenario or values over several lines. The caller must check that the result gives the scenario.
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario,
                                        const DesignSetup& design);
 

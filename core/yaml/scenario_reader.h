@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the tree of a YAML text to a scenario, with every problem and its place.
+// Conversion of parsed YAML to a scenario, with all errors and their positions.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,26 @@
 
 namespace drillwave {
 
-/// Format number of a file of a uniform rod, and of a hammer and a string.
+/// Format numbers of scenario files: `rodFormat` for a uniform rod, `stringFormat` for a hammer and a drill
+/// string.
 inline constexpr int rodFormat = 1;
 inline constexpr int stringFormat = 2;
-/// The newest format number that this program reads.
+/// Newest format number of scenario files that this program reads.
 inline constexpr int newestFormat = stringFormat;
 
-/// Most bytes of a scenario file.
+/// Largest size of a scenario file in bytes.
 inline constexpr std::size_t maximumScenarioBytes = std::size_t{1} << 20;
 
-/// A scenario, valid if there are no problems, and the set-up of its design study.
+/// Scenario that was read, valid if there are no errors, and the settings of its design study.
 struct ReadScenario {
     Scenario scenario;
     DesignSetup design;
     std::vector<InputProblem> problems;
-    bool unreadable = false;  ///< what is wrong is that the text, or a file it names, cannot be read
+    bool unreadable = false;  ///< whether the text, or a file that it names, cannot be read
 };
 
-/// Reads and validates. `source` names the text, and a table file is looked for beside it; with `tablePoints`
-/// given these are taken for the content of that file, which is then not opened.
+/// Reads and validates a scenario. `source` names the text in messages; a table file is searched relative to
+/// it. If `tablePoints` is given, it replaces the contents of the table file, which is not opened then.
 ReadScenario readScenario(std::string_view text, const std::string& source,
                           const TablePoints* tablePoints = nullptr);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of a scenario that a file keeps, and writing such a file.
+// Values of a scenario as its file stores them, and the text of such a file.
 #pragma once
 
 #include <optional>
@@ -12,55 +12,59 @@
 
 namespace drillwave {
 
-/// Unit of a saved number.
+/// Quantity and default unit of a number in a scenario file.
 struct SavedUnit {
     Quantity quantity = Quantity::ratio;
     const Unit* customary = nullptr;
 };
 
-/// Line of a scenario file: a number, or a text (title, shape, file of a table, name of a section).
+/// Value in a scenario file: a number, or a text (title, shape, table file, name of a section).
 struct SavedValue {
-    std::string section;   ///< path of the map it is in: "rod", "hammer.sections.0", "string.2.of.1", …;
-                           ///< empty at the top level. Items of lists are counted from 0.
-    std::string_view key;  ///< inside the section
-    std::optional<SavedUnit> unit;         ///< nothing for a text
-    double number = 0;                     ///< SI
-    std::string text;                      ///< of a text, as it is
-    bool isDefault = false;                ///< an absent key has the same meaning
-    bool isUnusual = false;                ///< written to a new file only if it is not the default
-    const Parameter* parameter = nullptr;  ///< of the table of parameters, or nullptr
+    /// Path of the map that contains it: "rod", "hammer.sections.0", "string.2.of.1"; empty at the top level.
+    /// Items of lists are counted from 0.
+    std::string section;
+    std::string_view key;           ///< key of the value within its map, "length"
+    std::optional<SavedUnit> unit;  ///< quantity and default unit of a number; nullopt for a text
+    double number = 0;              ///< value in SI, if it is a number
+    std::string text;               ///< value, if it is a text
+    bool isDefault = false;         ///< whether an absent key has the same meaning
+    bool isUnusual = false;         ///< whether a new file omits the value if it is the default
+    /// Parameter that the value belongs to; nullptr if it is not in the table of parameters.
+    const Parameter* parameter = nullptr;
 };
 
-/// Returns all values of a file, in its order. The points of an inline table are not among them.
+/// Returns all values of a scenario file, in the order of the file, except the points of a table within it.
 std::vector<SavedValue> savedValues(const Scenario& scenario);
 
-/// Returns the scenario without values that its form and shape do not use, which no file keeps.
+/// Returns the scenario with default values for everything that its form and shape do not use. Files do not
+/// store these values.
 Scenario withoutUnusedValues(const Scenario& scenario);
 
-/// Returns the value as it stands after its key, in the default unit or the given one.
+/// Returns a value as it is written after its key, "3660 mm", in its default unit or the given one.
 std::string valueText(const SavedValue& value, const Unit* unit = nullptr);
 
 /// Returns a text as a YAML scalar, quoted if necessary.
 std::string yamlScalar(std::string_view text);
 
-/// Returns the whole file in its default form.
+/// Returns the text of a new scenario file.
 std::string scenarioText(const Scenario& scenario);
 
-/// Paths of the lists of a file, beside "string" and the groups in it.
+/// Paths of the lists in a scenario file, besides "string" and its repeats.
 inline constexpr std::string_view pointsPath = "pulse.points", cornersPath = "bit_rock.corners",
                                   hammerSectionsPath = "hammer.sections";
 
-/// Returns the items of one of these lists as a new file has them, without dashes; an item of several lines
-/// has no indentation of its own. Empty where the scenario has no such list.
+/// Returns the items of one of the lists, such as "bit_rock.corners", as a new file has them, without dashes.
+/// The lines of a longer item are not indented. Empty if the scenario has no such list.
 std::vector<std::string> listItems(const Scenario& scenario, std::string_view list);
 
-/// Returns the values of one path in braces, an item of a list.
+/// Returns the values that have this path as a YAML map in braces, "{length: 3660 mm, …}", for an item of a
+/// list.
 std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path);
 
-/// Returns items as a list, one line or more each, behind that many blanks.
+/// Returns items as a YAML list, each on one or more lines, indented by this number of blanks.
 std::string listText(const std::vector<std::string>& items, std::size_t indentation);
 
-/// Returns a section of it: "drill:\n  thrust: 8 kN\n".
+/// Returns one section of a new file: "drill:\n  thrust: 8 kN\n".
 std::string sectionText(const Scenario& scenario, std::string_view section);
 
 }  // namespace drillwave

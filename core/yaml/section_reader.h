@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sections of a scenario file: their keys checked, their values read through the parameter table.
+// Reading of the sections of a scenario file: their keys are checked, their values are read by the table of
+// parameters.
 #pragma once
 
 #include <cstddef>
@@ -18,28 +19,29 @@
 
 namespace drillwave {
 
-// Problems of a scenario text, collected with their places.
+// Errors in the text of a scenario, with their positions.
 
-/// Collects the problems of one text, up to a limit that a person would still read, in the order of the text.
+/// Collector of the errors in one text, at most 100, which it returns in the order of the text.
 class ProblemList {
   public:
     explicit ProblemList(std::string_view text) : m_text(text) {}
 
-    /// "key = value (reason)" at a byte of the text.
+    /// Reports the error "key = value (reason)" at this byte of the text.
     void reportValue(std::size_t offset, std::string_view key, std::string_view value, const Message& reason);
-    /// "key (reason)" at a byte of the text.
+    /// Reports the error "key (reason)" at this byte of the text.
     void reportKey(std::size_t offset, std::string_view key, const Message& reason);
-    /// A problem as it is, its place being known already.
+    /// Reports an error that already has its position.
     void report(InputProblem problem);
-    /// Reports a problem at a byte of the text.
+    /// Reports an error and sets its position to this byte of the text.
     void reportAt(std::size_t offset, InputProblem problem);
 
     bool empty() const { return m_problems.empty(); }
-    /// Line and column of a byte of the text.
+    /// Returns line and column of a byte of the text, counted from 1.
     TextPosition position(std::size_t offset) const { return positionOf(m_text, offset); }
-    /// Whether something was reported about that key.
+    /// Returns whether an error was reported for this key.
     bool concerns(std::string_view key) const { return m_keys.contains(std::string(key)); }
-    /// Returns the problems by line and column; the last one gives the number of those left out.
+    /// Returns the errors in order of line and column. If some were left out, the last one gives their
+    /// number.
     std::vector<InputProblem> take();
 
   private:
@@ -49,19 +51,20 @@ class ProblemList {
     std::size_t m_leftOut = 0;
 };
 
-/// Key of a map and its value.
+/// Key of a YAML map and its value.
 struct YamlEntry {
     const YamlNode* key = nullptr;
     const YamlNode* value = nullptr;
-    /// Returns the place to point at: the value, or the key of an absent one.
+    /// Returns the byte at which to report an error: that of the value, or that of the key if the value is
+    /// absent.
     std::size_t place() const;
 };
 using YamlEntries = std::map<std::string, YamlEntry, std::less<>>;
 
-/// "rod" and "length" are "rod.length".
+/// Returns the key of a number in a section: "rod.length" for "rod" and "length".
 std::string joinedKey(std::string_view section, std::string_view key);
 
-/// Reads sections into a scenario, collecting problems.
+/// Reader of sections of a scenario file into a scenario. It collects errors.
 class SectionReader {
   public:
     explicit SectionReader(std::string_view text) : m_problems(text) {}
@@ -70,46 +73,48 @@ class SectionReader {
     ProblemList& problems() { return m_problems; }
     bool dimensional() const { return m_scenario.form == ScenarioForm::dimensional; }
 
-    /// The entries of a map with known keys; reports the others, and keys that come twice.
+    /// Returns the entries of a map that have known keys. Reports unknown keys, and keys that occur twice.
     YamlEntries entriesOf(const YamlNode& map, std::string_view section,
                           const std::vector<std::string_view>& known);
-    /// The entries of a section whose keys are those parameters of `group` and some more; nullopt if it is
-    /// missing or no map, which is reported.
+    /// Returns the entries of the section `name` of a file. Known keys are those of the parameters of the
+    /// section `group`, and `moreKeys`. Returns nullopt and reports an error if the section is missing or is
+    /// not a map.
     std::optional<YamlEntries> section(const YamlEntries& file, std::string_view name, std::string_view group,
                                        std::vector<std::string_view> moreKeys = {});
 
-    /// Whether a parameter that does not apply to the scenario is reported as such.
+    /// Treatment of parameters that do not apply to the scenario: reported as errors, or not.
     enum class Applicability { checked, ignored };
-    /// Assigns every parameter of the group that is there, in the order of the table (a force needs its
-    /// duration).
+    /// Sets every parameter of the section `group` that is present in the file, in the order of the table of
+    /// parameters, as a mean force needs the duration.
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
-    /// Reports parameters that are missing from a section, among those of the group that apply to the
-    /// scenario, and those beside their rival.
+    /// Reports required parameters of the section `group` that are missing, and pairs of which both or
+    /// neither is given. Parameters that do not apply to the scenario are ignored.
     void requireParameters(const YamlEntries& entries, std::string_view group);
     /// Reports the parameter if it is missing from its section.
     void require(const YamlEntries& entries, const Parameter& parameter);
-    /// Reports the shape of the pulse if it is missing.
+    /// Reports the shape of the hammer force if it is missing.
     void requireShape(const YamlEntries& entries);
-    /// Reports it unless exactly one of the two keys is present.
+    /// Reports an error unless exactly one of the two keys is present.
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
     void reportMissing(std::string_view section, std::string_view key, const Message& reason);
-    /// Given, or mistyped, which is reported already.
+    /// Returns whether a key is present, or a mistyped form of it, which is reported already.
     bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 
-    /// Remembers the place of a key of the scenario, for later problems.
+    /// Stores the byte at which a key of the scenario stands, for errors that are found later.
     void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
     std::optional<std::size_t> placeOf(std::string_view key) const;
 
-    /// Assigns one number; `path` is how messages call it, by default as its key stands in a file.
+    /// Sets one numeric parameter, or reports why the value is wrong. `path` is its name in messages
+    /// (default: its key in the file).
     void readNumber(const Parameter& parameter, const YamlEntry& entry, std::string path = {});
 
   private:
     ProblemList m_problems;
     Scenario m_scenario;
     std::map<std::string, std::size_t, std::less<>> m_places;
-    std::set<std::string, std::less<>> m_mistyped;  // keys that an unknown one is likely to mean
+    std::set<std::string, std::less<>> m_mistyped;  // keys that an unknown key is probably meant to be
 };
 
 }  // namespace drillwave

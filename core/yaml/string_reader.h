@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammer, string and their material, as a file of format 2 has them (files §1.3).
+// Reading of hammer, drill string and their material from a scenario file of format 2 (files §1.3).
 #pragma once
 
 #include "core/yaml/section_reader.h"
 
 namespace drillwave {
 
-/// Reads `material`, `hammer`, `string` and `end_time` into the reader's scenario, which is one of a string.
+/// Reads `material`, `hammer`, `string` and `end_time` of a file into the scenario of the reader, which must
+/// have the form of a drill string.
 void readDrillString(SectionReader& reader, const YamlEntries& file);
 
-/// Sections that stand in a list elsewhere; `key` names it in messages.
+/// Returns the sections in a list outside a scenario, as in a preset file; `key` names the list in messages.
 std::vector<Section> readSectionList(SectionReader& reader, const YamlNode& list, const std::string& key);
 
 }  // namespace drillwave

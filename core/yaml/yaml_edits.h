@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits of a text at the places of its YAML: values, entries of maps, items of lists.
+// Edits of YAML text in place: of values, entries of maps and items of lists.
 #pragma once
 
 #include <cstddef>
@@ -14,48 +14,55 @@
 
 namespace drillwave {
 
-/// Thrown by edits that cannot be made in place: something has to be written again.
+/// Exception of edits that cannot be made in place, so that a part must be rewritten.
 struct NotPatchable {};
 
-/// Collects edits of a text. Lines that no edit names stay byte for byte; lines that are only comments stay
-/// also where their item or entry goes. Edits throw NotPatchable.
+/// Collector of edits of a YAML text. Lines without an edit remain byte for byte. Comment lines remain even
+/// if their item or entry is removed. Edits throw NotPatchable if they cannot be made.
 class YamlEdits {
   public:
-    /// The text must outlive the edits.
+    /// Takes the text, which must outlive this object.
     explicit YamlEdits(std::string_view text);
 
     /// Returns the text with all edits.
     std::string edited() &&;
-    /// Makes the edits of `patch`; without effect and false if it throws NotPatchable.
+    /// Makes the edits of `patch` and returns true. If it throws NotPatchable, undoes them and returns false.
     bool attempt(const std::function<void()>& patch);
 
-    /// Adds lines at the end of the text, as all texts with "\n" at their ends.
+    /// Adds lines at the end of the text. They end with "\n", which is converted to the line ends of the
+    /// text.
     void append(const std::string& lines) { insertLines(m_text.size(), inLines(lines)); }
-    /// Replaces a value. A comment after it described the value that was there, and goes.
+    /// Replaces the value of a key, and removes the comment after it, which described the old value.
     void replaceValue(const YamlNode& key, const YamlNode& value, std::string text);
-    /// Replaces the lines of the entry of that number (even) of a map by lines.
+    /// Replaces the lines of a map entry by other lines. The index of its key in the children of the map is
+    /// `at`.
     void replaceEntry(const YamlNode& map, std::size_t at, const std::string& lines);
-    /// Removes the entry of that number from a map.
+    /// Removes an entry from a map. The index of its key in the children of the map is `at`.
     void removeEntry(const YamlNode& map, std::size_t at);
-    /// Adds the entry "KEY: VALUE" after that with the key `before`, or before all of them.
+    /// Adds the entry "KEY: VALUE" to a map, after the entry with the key `before`, or before all entries if
+    /// that is nullptr.
     void addEntry(const YamlNode& map, const YamlNode* before, const std::string& entry);
-    /// Adds a list after the last entry of a map, one item per line.
+    /// Adds a list with this key after the last entry of a map, one item per line.
     void addList(const YamlNode& map, std::string_view key, const std::vector<std::string>& items);
-    /// Replaces the list of that entry; no items: removes the entry.
+    /// Replaces the list of a map entry, or removes the entry if there are no items. The index of its key in
+    /// the children of the map is `at`.
     void replaceList(const YamlNode& map, std::size_t at, const std::vector<std::string>& items);
-    /// Writes a list in brackets into a map in braces, as the entry of that number or after all others.
+    /// Writes a list in brackets into a map in braces. The index of its key in the children of the map is
+    /// `at`; if there is none, the list is added at the end.
     void writeFlowList(const YamlNode& map, std::size_t at, std::string_view key,
                        const std::vector<std::string>& items);
 
-    // Items of a list with a line or more for each:
+    // Items of a list on one or more lines each:
 
-    /// Returns the lines of an item, which begin with its dash.
+    /// Returns the lines of a list item, of which the first begins with its dash.
     TextExtent itemLines(const YamlNode& item) const;
-    /// Returns the column of the dash of lines.
+    /// Returns the column of the dash in the lines of a list item, from 0.
     std::size_t dashColumn(TextExtent lines) const { return m_text.find('-', lines.begin) - lines.begin; }
-    /// Adds items before a place at which a line begins.
+    /// Adds list items before the line that begins at the byte `place`. `column` is the column of their
+    /// dashes.
     void addItems(std::size_t place, const std::vector<std::string>& items, std::size_t column);
-    /// Replaces the lines of an item by items, or by nothing.
+    /// Replaces the lines of a list item by other items, or removes them if there are none. `column` is the
+    /// column of their dashes.
     void replaceItem(TextExtent lines, const std::vector<std::string>& items, std::size_t column);
 
   private:

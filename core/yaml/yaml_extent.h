@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the values of a YAML text stand in it.
+// Positions of values in a YAML text.
 #pragma once
 
 #include <cstddef>
@@ -16,17 +16,18 @@ struct TextExtent {
     std::size_t end = 0;
 };
 
-/// Returns the extent of a scalar, with its quotes; nothing if it is not on one line.
+/// Returns the bytes of a scalar including its quotes; nullopt if it is not on one line.
 std::optional<TextExtent> extentOf(std::string_view text, const YamlNode& scalar);
 
-/// The byte behind a value with the brackets that close it; nothing where its last scalar has no extent, and
-/// for an absent value.
+/// Returns the byte after a value, including the brackets that close it. Returns nullopt if the value is
+/// absent, or if its last scalar is not on one line.
 std::optional<std::size_t> endOf(std::string_view text, const YamlNode& value);
 
-/// Returns the lines of an extent, from the first byte to after the line end.
+/// Returns the complete lines that contain these bytes, including the last line end.
 TextExtent linesOf(std::string_view text, TextExtent extent);
 
-/// The comment that follows behind blanks, from its `#` to the end of the line; empty extent without.
+/// Returns the comment after `place` on the same line, from its `#` to the end of the line. The result is
+/// empty if anything but blanks precedes it, or there is none.
 TextExtent commentBehind(std::string_view text, std::size_t place);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A YAML text as a plain tree with byte positions: what is needed of YAML, and nothing that surprises.
+// YAML text as a simple tree with byte positions. Only the part of YAML that files of this program need.
 #pragma once
 
 #include <cstdint>
@@ -13,37 +13,37 @@ namespace drillwave {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
-/// Value of a YAML text.
+/// Value in a YAML text: absent, a scalar, a sequence or a map.
 struct YamlNode {
     YamlKind kind = YamlKind::null;
-    bool flow = false;         ///< written with brackets or braces
-    std::uint32_t offset = 0;  ///< first byte in the text
-    std::string text;          ///< of a scalar, unquoted
-    /// Items of a sequence; key, value, key, value … of a map.
+    bool flow = false;         ///< whether it is written in brackets or braces
+    std::uint32_t offset = 0;  ///< position of its first byte in the text
+    std::string text;          ///< text of a scalar, without quotes
+    /// Items of a sequence; for a map its keys and values in turn.
     std::vector<YamlNode> children;
 
-    /// Returns the value of a key of a map, of the first one if it is given more than once; nullptr if there
-    /// is none.
+    /// Returns the value of a key of a map, of the first one if it occurs more than once; nullptr if there is
+    /// none.
     const YamlNode* valueOf(std::string_view key) const;
-    /// Returns the text of that value, if it is a scalar.
+    /// Returns the text of the value of a key, or nullptr if there is none or it is not a scalar.
     const std::string* textOf(std::string_view key) const;
 };
 
-/// Something in the text that is not accepted although it may be YAML, and where.
+/// First thing in a text that is not accepted, which may still be YAML, and its byte position.
 struct YamlProblem {
     std::size_t offset = 0;
-    Message text;        ///< empty when nothing is wrong
-    bool isYaml = true;  ///< false: the text is not YAML at all
+    Message text;        ///< description of the problem; empty if there is none
+    bool isYaml = true;  ///< whether the text is YAML at all
 };
 
-/// A tree, or the first thing that is wrong with the text.
+/// Parsed YAML text, or the first thing that is wrong with it.
 struct YamlTree {
-    YamlNode root;  ///< of kind null when the document is empty
+    YamlNode root;  ///< root of the tree; of the kind `null` for an empty document
     YamlProblem problem;
 };
 
-/// Parses one document. Refused: anchors, aliases, tags, more than one document, more than 32 levels of
-/// nesting, more values than a megabyte of sensible text holds, keys that are not plain text.
+/// Parses one YAML document. Refuses anchors, aliases, tags, several documents, more than 32 levels of
+/// nesting, unreasonably many values, and keys that are not plain text.
 YamlTree parseYaml(std::string_view text);
 
 }  // namespace drillwave
