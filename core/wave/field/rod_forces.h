@@ -52,8 +52,8 @@ RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const 
 RodForce meetingInRod(const Impact& impact, double size, double incident, double delay);
 
 /// Returns a force of the given size, with the section and time at which two residual waves meet. The waves
-/// repeat with 2τ; the time is that of their first meeting at or after `begin`, in units of t0 since the start of
-/// the blow. `incident` and `delay` are the arguments of meetingInRod().
+/// repeat with 2τ; the time is that of their first meeting at or after `begin`, in units of t0 since the
+/// start of the blow. `incident` and `delay` are the arguments of meetingInRod().
 RodForce laterMeetingInRod(const Impact& impact, double size, double incident, double delay, double begin);
 
 /// Returns the time t/t0 since the start of the blow from which only residual waves run through the rod. This
