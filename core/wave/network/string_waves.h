@@ -157,9 +157,7 @@ class StringWaves {
 
     /// Returns the force between hammer and string, or the prescribed force, in units of F0; compression
     /// positive.
-    const PiecewisePolynomial& faceForce() const {
-        return m_faceForce;
-    }  ///< of hammer, or given force, and string
+    const PiecewisePolynomial& faceForce() const { return m_faceForce; }
     /// Returns the damper force on the rear end of the string, in units of F0; empty if there is none.
     const PiecewisePolynomial& damperForce() const { return m_damperForce; }
     /// Returns the impact force F/F0 of bit and rock; ≥ 0.
