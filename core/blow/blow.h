@@ -30,9 +30,9 @@ struct MarchedStart {
 
 /// Blow with all values that are shown, written or reported about it.
 struct Blow {
-    /// Scenario that was solved.
+    /// Scenario (all input values) of the blow.
     Scenario scenario;
-    /// Method and its settings.
+    /// Method by which the blow was solved, with its settings.
     MethodChoice method;
     /// Dimensionless groups β, γ, τ, δ of the scenario.
     Groups groups;
@@ -59,8 +59,8 @@ struct Blow {
     bool isSolved() const { return impact.isSolved(); }
     /// Returns whether the scenario is a drill string, which is solved with polynomial cells.
     bool isOfString() const { return isString(scenario); }
-    /// Returns the reference of energy shares, in units of W0: the energy of the hammer, or the work of the
-    /// prescribed force.
+    /// Returns the energy that energy shares refer to, in units of W0 = m v0²/2: the energy of the hammer, or
+    /// the work of the prescribed force.
     double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
     /// Returns (effective feed force)/(largest of the four required feed forces) − 1; nullopt if one of them
     /// is unknown.
@@ -71,7 +71,7 @@ struct Blow {
 enum class Stresses {
     /// Only if alerts need them, because the rod has a strength.
     asNeeded,
-    /// Always, if they can be computed.
+    /// Largest forces whenever they can be computed.
     wanted,
 };
 

@@ -20,11 +20,11 @@ struct DrillNumbers {
     /// Mean, standard deviation and 5, 50 and 95 % quantiles of the gap between bit and crater at the blow; ≥
     /// 0.
     Number gapMean, gapDeviation, gap05, gap50, gap95;
-    /// Mean penetration per blow.
+    /// Mean penetration of the bit per blow, in units of d0.
     Number penetration;
     /// 95 % error of the mean penetration per blow.
     Number penetrationError;
-    /// Penetration rate, in m/s.
+    /// Mean penetration rate (length drilled per time), in m/s.
     Number penetrationRate;
     /// Mean impulse on the rock per blow.
     Number rockImpulse;

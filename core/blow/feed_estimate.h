@@ -23,7 +23,7 @@ enum class ThrustCase {
     scenario,
     /// 95 % of all gaps within a period, in the rock of the scenario.
     gapQuantile,
-    /// Rigid rock, e = 1; the usual estimate.
+    /// Rigid rock, with the coefficient of restitution e = 1; the usual estimate.
     rigidRock,
     /// Elastic rock (γ = 1) of the same stiffness, with the worst of all gaps.
     elasticWorst,
@@ -85,10 +85,11 @@ Message frequencyProblem(const Scenario& scenario, const char* what);
 
 // Motion of a rod between blows if its rebound is not damped
 
-/// Steady motion of a rigid rod that is struck f times per second, is pressed by a constant force and
-/// rebounds with e (theory §10). φ = Fe/(f I0) is the ratio of that force to the mean force of the blows.
+/// Steady motion of a rigid rod that is struck f times per second, is pressed by a constant force Fe and
+/// rebounds with the coefficient of restitution e (theory §10). φ = Fe/(f I0) is the ratio of that force to
+/// the mean force of the blows.
 struct UndampedMotion {
-    /// Kind of steady motion.
+    /// Kind of steady motion, by the force ratio φ = Fe/(f I0) and the coefficient of restitution e.
     enum class Kind {
         /// φ ≤ 1: the blows push the machine back, and there is no steady motion.
         pushedBack,
@@ -104,8 +105,8 @@ struct UndampedMotion {
     double delay = 0;
     /// Gap y between bit and rock when the hammer strikes, in units of v0/f (T36); ≥ 0.
     double gap = 0;
-    /// Whether the motion returns to this one after a disturbance; false if it bounces with e ≥ 1 or is
-    /// pushed back.
+    /// Whether the motion returns to this one after a disturbance. It is false if the rod bounces with a
+    /// coefficient of restitution e ≥ 1, or if the machine is pushed back.
     bool stable = false;
     bool operator==(const UndampedMotion&) const = default;
 };
@@ -114,7 +115,7 @@ struct UndampedMotion {
 UndampedMotion undampedMotion(double feed, double cor);
 
 /// Returns φ = (1+e)/(1−e), the lowest ratio Fe/(f I0) at which the rod rests before every blow; infinite for
-/// e ≥ 1.
+/// e ≥ 1. e is the coefficient of restitution `cor`.
 double restingFeed(double cor);
 
 /// Gap between bit and rock when the hammer strikes, if nothing damps the rebound.
@@ -137,15 +138,16 @@ struct GapAtBlow {
 /// if thrustProblem() gives a reason.
 std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
 
-/// Required feed force of one case, computed with the e of that case. Margin and frequency limit refer to
-/// `thrust`.
+/// Required feed force of one case, computed with the coefficient of restitution e of that case. The members
+/// `margin` and `frequencyLimit` refer to the member `thrust`.
 struct ThrustNeed {
-    /// Whether the case was computed. The cases over all gaps are not computed for drill strings, whose e has
-    /// no period over the gap.
+    /// Whether the case was computed. Cases over all gaps are not computed for drill strings, whose
+    /// coefficient of restitution is not periodic over the gap.
     bool known = true;
     /// Coefficient of restitution e of the case, with its error.
     Estimate cor;
-    /// Required feed force f I0 (1+e), in N: the mean force that balances blows from rest.
+    /// Required feed force f I0 (1+e), in N: the mean force that balances blows which start at rest on the
+    /// rock.
     double thrust = 0;
     /// Feed force f I0 (1+2e), in N, with which an undamped rigid rod returns to the rock before the next
     /// blow.
@@ -155,7 +157,8 @@ struct ThrustNeed {
     /// Blow frequency, in Hz, up to which the effective feed force is at least `thrust`; nothing without an
     /// installed feed force.
     std::optional<double> frequencyLimit;
-    /// Gap at the blow with the effective feed force and the e of this case.
+    /// Gap between bit and rock at the blow, for the effective feed force and the coefficient of restitution
+    /// of this case.
     std::optional<GapAtBlow> gapAtBlow;
     bool operator==(const ThrustNeed&) const = default;
 };
@@ -198,8 +201,8 @@ struct FeedEstimate {
     double balance = 0;
     /// Number n_b of round trips of a wave between two blows.
     double roundTrips = 0;
-    /// Whether e is periodic over the gap, as for a uniform rod, so that the cases over all gaps can be
-    /// computed.
+    /// Whether the coefficient of restitution is periodic over the gap, as for a uniform rod; then cases over
+    /// all gaps can be computed.
     bool gapsHavePeriod = true;
     /// Required feed forces of all cases; this blow and rigid rock are always computed.
     ThrustNeeds needs;
@@ -235,15 +238,15 @@ struct FeedEstimate {
 
 /// Coefficients of restitution e over all gaps of a period.
 struct ReboundsOverGaps {
-    /// Value that e does not exceed at 95 % of all gaps.
+    /// Coefficient of restitution that is not exceeded at 95 % of all gaps.
     Estimate quantile;
-    /// Largest e of all gaps on elastic rock (γ = 1).
+    /// Largest coefficient of restitution of all gaps on elastic rock (γ = 1).
     Estimate worst;
 };
 
-/// Returns the estimates of the required feed force from the e of a blow. `transferred` is the share of its
-/// momentum that the hammer of a drill string transfers. `overGaps` adds the cases over all gaps. Returns
-/// nullopt if thrustProblem() gives a reason.
+/// Returns the estimates of the required feed force from the coefficient of restitution `cor` of a blow.
+/// `transferred` is the share of its momentum that the hammer of a drill string transfers. `overGaps` adds
+/// the cases over all gaps. Returns nullopt if thrustProblem() gives a reason.
 std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor,
                                          double transferred = 1,
                                          const std::optional<ReboundsOverGaps>& overGaps = {});

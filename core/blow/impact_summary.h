@@ -35,9 +35,10 @@ EnergyLedger ledgerOf(const Impact& impact, const Problem& problem);
 
 /// Results of one solved blow (files §4), dimensionless.
 struct ImpactSummary {
-    /// Coefficient of restitution e.
+    /// Coefficient of restitution e of rod or string.
     double cor = 0;
-    /// Impulse on the rock, in units of I0, or of p0 for a hammer; 1 + e for a uniform rod.
+    /// Impulse on the rock, in units of I0 (for a hammer, of its momentum p0); 1 + e for a uniform rod with
+    /// the coefficient of restitution e.
     double impulse = 0;
     /// Largest impact force, in units of F0.
     double peakForce = 0;
@@ -53,7 +54,7 @@ struct ImpactSummary {
     double contactDuration = 0;
     /// Work ratio W/W0 [paper (2)]; for a hammer, the share of its energy that it transfers.
     double workRatio = 0;
-    /// Balance of the hammer work.
+    /// Shares of the hammer work in rock, rebound and waves.
     EnergyLedger energy;
     /// Error of the momentum balance, as a share of I0 or p0.
     double momentumResidual = 0;

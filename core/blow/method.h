@@ -21,9 +21,10 @@ namespace drillwave {
 enum class Method {
     /// Exact solution from event to event (ExactSolver).
     exact,
-    /// Lattice algorithm of the paper, with time steps (LatticeSolver).
+    /// Lattice algorithm of the underlying paper, with equal time steps (LatticeSolver).
     lattice,
-    /// Analytical solution of the paper (solveClosedForm()).
+    /// Analytical solution of the underlying paper for elastic rock and a rectangular force
+    /// (solveClosedForm()).
     closedForm,
 };
 

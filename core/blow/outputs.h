@@ -19,7 +19,7 @@ namespace drillwave {
 
 /// Unit of an output, which decides how it is shown and converted to SI.
 enum class Measure {
-    /// Plain number.
+    /// Plain number, without a unit.
     number,
     /// Error; a number of which only the order of magnitude matters.
     error,
@@ -29,23 +29,23 @@ enum class Measure {
     share,
     /// Share of the hammer work W; in SI an energy in J.
     energy,
-    /// Time, in units of t0.
+    /// Time, in units of t0, the duration of the hammer force.
     time,
-    /// Impulse, in units of I0.
+    /// Impulse, in units of I0, the impulse of the hammer force.
     impulse,
-    /// Force, in units of F0.
+    /// Force, in units of F0 = I0/t0, the mean hammer force.
     force,
-    /// Length, in units of d0.
+    /// Length, in units of d0 = 2 I0/Z, which is the advance of a free rod in one round trip of a wave.
     penetration,
-    /// Stress, in units of F0/A.
+    /// Stress, in units of F0/A: mean hammer force over cross-section of the rod.
     stress,
-    /// Velocity, in units of v0.
+    /// Velocity, in units of v0: velocity of the hammer, or I0 over the mass of the rod.
     velocity,
     /// Force in N. This and the following measures have no dimensionless number.
     newton,
-    /// Power in W.
+    /// Power in W; there is no dimensionless number.
     watt,
-    /// Velocity in m/s.
+    /// Velocity in m/s; there is no dimensionless number.
     speed,
 };
 
@@ -74,7 +74,7 @@ enum class EnergyPart {
 
 /// Parts of a Blow from which the values of outputs are computed.
 struct OutputSource {
-    /// Results of the blow.
+    /// Results of the blow, dimensionless.
     const ImpactSummary& summary;
     /// Scenario of the blow.
     const Scenario& scenario;
@@ -86,9 +86,9 @@ struct OutputSource {
 
 /// Output with its name, which is a JSON key, a CSV column, an argument of --outputs and a row of the window.
 struct Output {
-    /// Name, such as "peak_force".
+    /// Name of the output, such as "peak_force".
     std::string_view name;
-    /// Description in one line.
+    /// Meaning of the output in one line.
     std::string_view meaning;
     /// Unit, which decides how the value is shown.
     Measure measure;
@@ -101,7 +101,7 @@ struct Output {
     std::string_view title;
     /// Kind of blow for which the output is defined.
     OutputOf of = OutputOf::anyBlow;
-    /// Heading in the window.
+    /// Heading under which the window lists the output.
     OutputGroup group = OutputGroup::none;
     /// Description in the window, without a full stop.
     std::string_view note = {};
@@ -166,7 +166,7 @@ Message overflowProblem(const OutputSource& source, const Scales& scales, Detail
 Message overflowProblem(const Output& output, double value);
 
 /// Main output of a blow and its error: the efficiency if its error is estimated (drill strings), otherwise
-/// e.
+/// the coefficient of restitution.
 struct MainOutput {
     const Output *value, *error;
 };

@@ -63,7 +63,7 @@ std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
 /// Largest stress of a section compared with one of its strengths.
 struct StrengthUse {
-    /// Kind of strength.
+    /// Kind of strength: yield strength, or fatigue strength for tension.
     enum class Strength { yield, fatigue };
     /// Strength with which the stress is compared.
     Strength of = Strength::fatigue;
@@ -71,7 +71,7 @@ struct StrengthUse {
     bool isTension = true;
     /// Largest stress of the section during the blow.
     StressPeak peak;
-    /// Strength, in Pa.
+    /// Yield or fatigue strength of the section, in Pa; > 0.
     double strength = 0;
     /// Returns stress over strength; above 1 the strength is exceeded.
     double share() const { return peak.stress / strength; }

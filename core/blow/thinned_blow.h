@@ -18,25 +18,27 @@ namespace drillwave {
 /// Maximum number of samples used; also the longest table that a scenario may have.
 inline constexpr std::size_t mostSamplesFollowed = 100'000;
 
-/// Effect on e of using only some of the samples of a measured blow.
+/// Effect on the coefficient of restitution of using only some of the samples of a measured blow.
 struct ThinningEffect {
     /// Coefficient of restitution e with the points that are used.
     double cor = 0;
-    /// Change of e: `cor` less the e with all samples, or with mostSamplesFollowed of them.
+    /// Change of the coefficient of restitution: `cor` less the value with all samples, or with
+    /// mostSamplesFollowed of them.
     double change = 0;
     /// Upper bound of the numerical error of the change.
     double error = 0;
 };
 
-/// Returns the effect of leaving out samples of a measured blow on the e of a scenario's rod and rock.
-/// `recipe` makes the hammer force from the samples; `kept` has the points that are used. Returns nothing if
-/// no sample was left out, for a drill string, if one of the two blows is invalid or not
-/// solved, and after a stop request.
+/// Returns the effect of leaving out samples of a measured blow on the coefficient of restitution, with the
+/// rod and rock of a scenario. `recipe` makes the hammer force from the samples; `kept` has the points that
+/// are used. Returns nothing if no sample was left out, for a drill string, if one of the two blows is
+/// invalid or not solved, and after a stop request.
 std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Samples& samples,
                                              const SignalRecipe& recipe, const ShapedSignal& kept,
                                              const std::stop_token& stop = {});
 
-/// Largest change of e, and largest relative change of the impulse, that leaving out samples may cause.
+/// Largest change of the coefficient of restitution, and largest relative change of the impulse, that leaving
+/// out samples may cause.
 inline constexpr double thinningError = 1e-4;
 
 /// Measured hammer force with reduced points, and the effect of the reduction.
@@ -45,16 +47,17 @@ struct ThinnedBlow {
     ShapedSignal signal;
     /// Magnitude of the relative change of the impulse, compared with all samples.
     double impulseChange = 0;
-    /// Change of e compared with all samples; nothing if e could not be computed. For a drill string, e is
-    /// that of its uniform rod.
+    /// Change of the coefficient of restitution compared with all samples; nothing if it could not be
+    /// computed. For a drill string, it is that of its uniform rod.
     std::optional<double> corChange = {};
-    /// Whether samples were left out.
+    /// Whether samples of the measured force were left out.
     bool isThinned = false;
 };
 
-/// Returns the hammer force made from samples, with as few points as keep impulse and e within
-/// `thinningError`; at most recipe.points. For a drill string, e is that of its uniformRodOf(). The search
-/// takes time, because many blows are solved. Requires samples without a problem.
+/// Returns the hammer force made from samples, with as few points as possible, at most recipe.points. Impulse
+/// and coefficient of restitution stay within `thinningError`; for a drill string, the coefficient is that of
+/// its uniformRodOf(). The search takes time, because many blows are solved. Requires samples without a
+/// problem.
 ThinnedBlow thinnedBlow(const Scenario& scenario, const Samples& samples, const SignalRecipe& recipe,
                         const std::stop_token& stop = {});
 

@@ -95,7 +95,7 @@ struct Impact {
     /// Value of a time for something that does not happen; NaN.
     static constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
-    /// Reason why the computation ended.
+    /// Reason why the computation of the blow ended.
     Outcome outcome = Outcome::notSolved;
     /// Sentence that says why the blow is not solved; empty if it is solved.
     Message reason;
@@ -110,13 +110,14 @@ struct Impact {
     double cor = 0;
     /// Upper bound of the absolute error of `cor`.
     double corError = 0;
-    /// Impulse of the impact force over all contacts, ∫F ds, in units of I0; 1 + e for a uniform rod.
+    /// Impulse of the impact force over all contacts, ∫F ds, in units of I0; 1 + e for a uniform rod with the
+    /// coefficient of restitution e.
     double impulse = 0;
     /// Factor by which later contacts may amplify the rounding errors of earlier ones (T38); ≥ 1.
     double growth = 1;
 
     // The members from here to rockWork require Detail::summary or more.
-    /// Largest impact force F/F0.
+    /// Largest impact force between bit and rock, F/F0.
     double peakForce = 0;
     /// Time t/t0 of the first contact since the start of the blow.
     double firstContactTime = 0;
@@ -135,7 +136,8 @@ struct Impact {
     // The two members finalMomentum and finalEnergy require Detail::ledger or more; with less detail the
     // exact solver leaves NaN.
     /// Momentum of rod or string after the blow, in units of I0, positive towards the rock. It is the
-    /// integral ∫g over the last period, independent of `impulse`, and equals −e for a uniform rod.
+    /// integral ∫g over the last period, independent of `impulse`. For a uniform rod it equals −e, with the
+    /// coefficient of restitution e.
     double finalMomentum = 0;
     /// Energy of rod or string after the blow [I0²/(Z t0)], the integral ∫g² over the last period.
     double finalEnergy = 0;
@@ -180,8 +182,9 @@ struct Impact {
     std::vector<double> jointReflection;
     /// Waves in all sections over time; null unless requested and small enough to be kept.
     std::shared_ptr<const StringWaves> waves;
-    /// Larger of the differences in e and in efficiency between this result and the coarser run that supplied
-    /// `waves`. Set only if the waves of this run are too many to be kept.
+    /// Difference between this result and the coarser run that supplied `waves`: the larger of the
+    /// differences in coefficient of restitution and in efficiency. Set only if the waves of this run are too
+    /// many to be kept.
     std::optional<double> wavesDifference;
 
     /// Replaces `waves` by those of a coarser run of the same blow, and sets wavesDifference.

@@ -16,7 +16,7 @@ namespace drillwave {
 /// Uniform section of hammer or string in dimensionless form; Zr is the reference impedance, t0 the unit of
 /// time.
 struct UniformSection {
-    /// Impedance ratio ζ = Z/Zr; > 0.
+    /// Impedance of the section, ζ = Z/Zr with the reference impedance Zr; > 0.
     double impedance = 1;
     /// Transit time of a wave through the section, one way, τ = T/t0; > 0.
     double transitTime = 1;

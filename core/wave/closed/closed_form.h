@@ -30,10 +30,10 @@ double secondPulseImpulse(double beta);
 /// rounding for every β.
 double closedFormRestitution(double beta);
 
-/// Returns the impulse that the closed form neglects, in units of I0: the tail of the first force pulse after
-/// the end of the second one, (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). If overlapIsSmall(), 0 ≤ closed
-/// form − e ≤ this value. The tail keeps the contact closed a little longer; meanwhile the second pulse by
-/// itself would pull, and the tail pushes more.
+/// Returns the impulse that the closed form of the coefficient of restitution e neglects, in units of I0: the
+/// tail of the first force pulse after the end of the second one, (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1))
+/// (T29). If overlapIsSmall(), 0 ≤ closed form − e ≤ this value. The tail keeps the contact closed a little
+/// longer; meanwhile the second pulse by itself would pull, and the tail pushes more.
 double neglectedOverlap(double beta, double tau);
 
 /// Returns whether the contact ends before the next wave arrives, and no contact follows.

@@ -55,7 +55,7 @@ class ReturnedLoss {
     void setMean(double mean) { m_mean = mean; }
     /// Returns the momentum that is still to be returned, in units of I0.
     double held() const { return (1 - m_passing) * m_mean / m_frequency; }
-    /// Returns the energy of the momentum still to be returned, times the impedance Z.
+    /// Returns the energy of the momentum that is still to be returned to the string, times its impedance Z.
     double square() const { return held() * m_mean; }
     /// Returns the energy lost since the first blow, times the impedance Z.
     double lost() const { return m_lost; }
@@ -215,8 +215,8 @@ class DrillingMarch {
     long m_nextInterval = 1;
     /// Cell of the present interval during which the next blow's time is reached on the bit's clock.
     long m_gapCell = 0;
-    std::size_t m_gapPart = 0;  ///< part of that cell
-    double m_gapShare = 0;      ///< fraction of that part, 0 … 1
+    std::size_t m_gapPart = 0;  ///< part of cell m_gapCell in which that time is reached
+    double m_gapShare = 0;      ///< fraction of part m_gapPart at which that time is reached, 0 … 1
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
     /// Impulse of the rock in the present interval up to the next blow's time.
@@ -229,14 +229,14 @@ class DrillingMarch {
     double m_lastImpulse = 0;
     double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
     double m_storedBefore = 0;
-    /// Energy lost by waves in all hammers so far.
+    /// Energy lost by waves inside all hammers so far [F0² t0/Zr].
     double m_hammerLost = 0;
     double m_lateShare = 0;
     double m_holeDepth = 0;
     double m_rearPlace = 0;  ///< position x_r of the rear end at the blow
     double m_rearMoved = 0;  ///< displacement of the rear end since the blow
     double m_stringTransit = 0;
-    long m_cell = 0;  ///< cell within the present interval
+    long m_cell = 0;  ///< index of the present cell within the interval
     std::string_view m_failureReason;
     DrillingSamples* m_samples = nullptr;
     MarchedWaves* m_kept = nullptr;

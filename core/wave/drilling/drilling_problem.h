@@ -50,7 +50,7 @@ struct DrillingProblem {
     double intervalScatter = 0;
     /// Seed of the random numbers for the scatter of intervals.
     std::uint32_t seed = 1;
-    /// State at the first blow.
+    /// State of rod or string at the first blow: at rest, or moving.
     DrillingStart start = DrillingStart::rest;
     bool operator==(const DrillingProblem&) const = default;
 };
@@ -119,7 +119,7 @@ struct DrillingLedger {
 
 /// Division of time into cells for a sequence of blows.
 struct DrillingGrid {
-    /// Size Δ of a cell, in units of t0.
+    /// Size Δ of a cell (time step), in units of t0.
     double cell = 0;
     /// Round trip 2T of each section in cells; need not be whole numbers.
     std::vector<double> roundTrips;

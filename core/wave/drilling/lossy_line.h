@@ -231,18 +231,18 @@ class LossyLine {
   private:
     DelayLine<WaveCell> m_line;
     CellShift m_shift;          ///< shift by the difference of the stored cells to a round trip
-    double m_oldestSquare = 0;  ///< mean square of the oldest cell
+    double m_oldestSquare = 0;  ///< mean square of the wave in the oldest stored cell
     double m_headAtFilling = 0;
     /// Mean square of the oldest cell less that of the wave that arrived.
     double m_projected = 0;
-    double m_roundTrip = 1;  ///< round trip 2T
+    double m_roundTrip = 1;  ///< round trip 2T of a wave in the section, in units of t0
     double m_ofRoundTrip = 1;
-    double m_kept = 1;  ///< kept share 1 − η of a deviation
-    double m_rate = 0;  ///< rate λ of relaxation
+    double m_kept = 1;  ///< factor 1 − η by which a deviation from the mean is reduced
+    double m_rate = 0;  ///< rate λ at which the wave relaxes to its mean, per t0
     /// Coefficients of the equations (D3) for one part of a cell.
     struct Part {
-        double width;  ///< width Δ
-        double loss;   ///< product 2λΔ
+        double width;  ///< width Δ of the part, in units of t0
+        double loss;   ///< product 2λΔ, relative loss of energy of a deviation
         /// Factor e^−λΔ of A for the next A, with the width of the following part.
         double nextKept;
         /// Factors of B before this part, and of B' over it, for the next A.
@@ -276,8 +276,8 @@ class LossyLine {
     }
 
     std::vector<Part> m_parts;
-    double m_mean = 0, m_next = 0;    ///< A before and after the next part
-    double m_held = 0, m_square = 0;  ///< B and Q
+    double m_mean = 0, m_next = 0;    ///< mean A of the wave before and after the next part
+    double m_held = 0, m_square = 0;  ///< integrals B and Q of the wave and of its square
     double m_lost = 0;
 };
 

@@ -72,7 +72,7 @@ class RearNode {
         double hammerImpedance = 0;
         /// Impedance Z2 of the first section of the string.
         double impedance = 1;
-        /// Contact of hammer and string.
+        /// Contact of hammer and string: stiffness, and whether it may close again.
         HammerFace face;
         /// Machine body with damper; nothing for a constant force.
         std::optional<MachineBody> machine;
@@ -106,7 +106,7 @@ class RearNode {
 
     /// Returns the state after the last step.
     const RearState& state() const { return m_now; }
-    /// Restores a state.
+    /// Restores a state of machine, rear end and hammer.
     void setState(const RearState& state) { m_now = state; }
     /// Returns the sums since the last blow; complete after endCycle().
     const RearSums& sums() const { return m_sums; }
@@ -177,10 +177,10 @@ class RearNode {
     std::vector<PressingMap> m_maps;
     /// Largest rate at which any quantity follows another, in units of 1/t0.
     double m_fastest = 0;
-    double m_mobility = 1;  ///< 1/Z2
-    double m_ofMass = 0;    ///< 1/M
+    double m_mobility = 1;  ///< velocity of the rear end per force, 1/Z2
+    double m_ofMass = 0;    ///< reciprocal mass 1/M of the machine body
     double m_meanForce = 0;
-    RearState m_now, m_before;  ///< now, and at the last blow
+    RearState m_now, m_before;  ///< present state, and that at the last blow
     RearSums m_sums;
     std::string_view m_failureReason;
 };

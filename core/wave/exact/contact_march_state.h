@@ -100,7 +100,7 @@ class WaveQueue {
 
 /// Limits of the work of an exact solution, and what it records.
 struct MarchLimits {
-    /// Maximum number of smooth pieces.
+    /// Maximum number of smooth pieces into which the waves are divided.
     long pieces = 30'000'000;
     /// Source of stop requests; null if there is none.
     const std::stop_token* stop = nullptr;
@@ -112,7 +112,7 @@ struct MarchLimits {
     const HandOver* handOver = nullptr;
     /// Whether the sums of Detail::ledger are computed, if that detail is requested.
     bool ledger = true;
-    /// Largest useful error of e; a solution with a larger one is given up.
+    /// Largest useful error of the coefficient of restitution; a solution with a larger one is given up.
     double error = std::numeric_limits<double>::infinity();
 };
 
@@ -158,8 +158,8 @@ class ContactMarch {
     }
     using Response = typename Basis::Response;
 
-    /// Largest rate of a contact, per t0. A layer of a faster one would be thinner than the rounding of time;
-    /// the limit changes e by less than 1e-13.
+    /// Largest rate of a contact, per t0. A layer of a faster one would be thinner than the rounding of time.
+    /// The limit changes the coefficient of restitution by less than 1e-13.
     static constexpr Real fastestRate = Real(1e15);
 
     /// Number of events in a row without progress in time after which the branch is assumed to depend on
@@ -268,9 +268,9 @@ class ContactMarch {
     /// Law of bit and rock, which includes the largest force that the rock remembers.
     ContactLaw<Real> m_law{1, 1};
     Real m_roundTrip = 0;
-    /// Time t/t0 at which s = 0.
+    /// Time t/t0 since the start of the blow at which the first wave reaches the bit, where s = 0.
     Real m_arrival = 0;
-    typename Basis::Sum m_s;  ///< time s/t0 at the front end
+    typename Basis::Sum m_s;  ///< present time s/t0 at the front end
     /// Time up to which the hammer force has been used, in units of t0.
     CompensatedSum<Real> m_hammerTime;
     std::size_t m_hammerPiece = 0;
@@ -286,7 +286,7 @@ class ContactMarch {
     Real m_periodsAhead = 0;
     /// Gap that is still to close, in units of I0/Z.
     CompensatedSum<Real> m_gap;
-    /// Effect of the error of m_gap on e, counted once the gap closes.
+    /// Effect of the error of m_gap on the coefficient of restitution, counted once the gap closes.
     Real m_gapError = 0;
     /// Time of the next check whether the rod stays away from the rock, in units of t0.
     Real m_nextProof = never;
@@ -299,7 +299,7 @@ class ContactMarch {
     Real m_closingSpeed = 0;
     /// Largest force since the last contact, at the ends of pieces, in units of F0.
     Real m_contactForce = 0;
-    /// Factor Impact::growth so far.
+    /// Factor by which rounding errors have been amplified so far (Impact::growth).
     Real m_growth = 1;
     /// Sum of the durations of all contacts, in units of t0.
     typename Basis::Sum m_contactTime;

@@ -184,7 +184,7 @@ void ContactMarch<Basis>::advanceApart() {
     if (contact.u > 0) incident().dropFront(contact.u);
 }
 
-/// Where the solved stretch ends: at its first event, or at its end.
+/// Returns the end of a solved stretch of contact: its first event, or its length if there is none.
 ///
 ///     line      guard                  ending           then
 ///     apart     the gap has closed     (closeGap)       the line of lineAtContact()
@@ -192,7 +192,7 @@ void ContactMarch<Basis>::advanceApart() {
 ///     primary   F = 0, for γ = 1       separation       apart
 ///     elastic   F = 0                  separation       apart
 ///     elastic   F = Fm                 primaryLoading   primary
-///     primary   F = F_j                corner           primary, of the slope behind it
+///     primary   F = F_j                corner           primary, with the slope after it
 template <class Basis>
 typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& response) {
     Stretch stretch{response.length, Ending::none};

@@ -90,7 +90,7 @@ struct DecaysEnd {
     double first, firstDecay, firstRise;
     /// Sum of the terms from c_1 on at x; they are zero at x = 0.
     double higher = 0;
-    /// Sum of the sizes of these terms.
+    /// Sum of the absolute sizes of the terms from c_1 on.
     double higherSize = 0;
     /// Integral of all terms over [0, x], in units of t0.
     double integral = 0;

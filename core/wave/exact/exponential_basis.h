@@ -72,7 +72,7 @@ class ExponentialBasis {
     double negligibleForce() const { return m_negligible; }
     /// Returns the rounding error of a momentum, in units of I0.
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
-    /// Returns a constant wave.
+    /// Returns a wave with a constant value (in F0) over a length (in t0).
     Piece constant(double length, double value) const;
     /// Returns the length of the hammer force that one piece can hold: all that is left of the segment.
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
@@ -118,7 +118,7 @@ class ExponentialBasis {
         const double most = g.mostIntegral();
         return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g, whole));
     }
-    /// Returns ∫g over the piece.
+    /// Returns the integral ∫g of the wave over the piece, in units of I0.
     static double impulse(const Piece& g) { return g.impulse(); }
     /// Returns the size to which the rounding of impulse() is relative.
     static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
@@ -131,7 +131,7 @@ class ExponentialBasis {
     /// Returns the larger of `before` and the largest force F of the response over [0, length]. The forces at
     /// both ends must be included in `before`.
     double largest(Response& r, double length, double before);
-    /// Returns ∫ f g over [0, length].
+    /// Returns the integral of the product f·g over [0, length].
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
     /// Appends a stretch of the waves to the histories of an impact; `force` is null without contact.
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;

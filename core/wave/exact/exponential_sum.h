@@ -21,7 +21,7 @@ inline constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 /// Because of the factorials, a response at its own rate only shifts the coefficients: F' + λF = 2λ φ_m has
 /// the solution F = 2 φ_{m+1}, and the same holds for ω_m.
 struct Coefficients {
-    /// Maximum number of coefficients.
+    /// Maximum number of coefficients of one kind of term.
     static constexpr int capacity = 8;
     /// Number of coefficients; those from here on are zero and not stored.
     int count = 0;
@@ -37,7 +37,7 @@ struct Coefficients {
 
     /// Returns the coefficient c_m, zero for m ≥ count.
     double operator[](int m) const { return m < count ? c[m] : 0.0; }
-    /// Returns Σ |c_m|.
+    /// Returns the sum of the absolute coefficients, Σ |c_m|.
     double magnitude() const {
         double sum = 0;
         for (int m = 0; m < count; ++m) sum += std::abs(c[m]);
@@ -111,18 +111,18 @@ struct Coefficients {
     }
 };
 
-/// Empty list of coefficients.
+/// Empty list of coefficients, for sums without rises.
 inline const Coefficients noTerms;
 
 /// Terms s sin πx + k cos πx + d e^(−x), x in t0, that a half sine and an exponential hammer force leave in
 /// every wave. Reflections do not increase any of them, unless a rate of the contact is near that of e^(−x).
 struct HammerTerms {
-    /// Coefficients s, k and d.
+    /// Coefficients of sin πx, cos πx and e^(−x), in units of F0.
     double sine = 0, cosine = 0, decay = 0;
     /// Whether there are such terms; linear hammer forces leave none, and skip the work for them.
     bool present = false;
 
-    /// Returns the value at x = 0.
+    /// Returns the value of the terms at x = 0, in units of F0.
     double startValue() const { return cosine + decay; }
     /// Returns an upper bound of the amplitude of the sine, |s| + |k|.
     double amplitude() const { return std::abs(sine) + std::abs(cosine); }
@@ -138,9 +138,9 @@ struct HammerTerms {
     bool allAtMostZero(double length) const { return negated().allAtLeastZero(length); }
     HammerTerms negated() const { return {-sine, -cosine, -decay, present}; }
 
-    /// Returns the value at x.
+    /// Returns the value of the terms at x, in units of F0.
     double value(double x) const { return wave(x) + (decay == 0 ? 0 : decay * std::exp(-x)); }
-    /// Returns the integral from 0 to x.
+    /// Returns the integral of the terms from 0 to x, in units of I0.
     double integral(double x) const {
         double sum = decay == 0 ? 0 : -decay * std::expm1(-x);
         if (hasSine()) {
@@ -198,7 +198,7 @@ struct CurvedTerms {
     double c1 = 0;
     /// Coefficients q_m of the rises for each rate.
     TermsOfLines<lines> rises;
-    /// Terms of a curved hammer force.
+    /// Terms s sin πx + k cos πx + d e^(−x) of a curved hammer force.
     HammerTerms hammer;
     /// Integral of the whole exponential sum over its length, or `unknown`. It must be set to `unknown`
     /// whenever coefficients are changed from outside.
@@ -226,13 +226,13 @@ struct ExponentialSum {
 
     /// Length of the interval, in units of t0.
     double length = 0;
-    /// Constant term, in units of F0.
+    /// Constant term c0 of the wave, in units of F0.
     double c0 = 0;
     /// Rates of the decays and rises; must outlive the sum.
     const LineRates<lines>* rates = nullptr;
     /// Values e^(−rate·length); negative until they are computed.
     mutable std::array<double, lines> wholeDecays = notComputed();
-    /// Whether the sum has curved terms.
+    /// Whether the sum has curved terms: a linear term, rises, or terms of a curved hammer force.
     bool isCurved = false;
     /// Coefficients of the decays for each rate, in units of F0.
     TermsOfLines<lines> decays;
@@ -378,7 +378,7 @@ struct ExponentialSum {
         eachLine<lines>([&](int i) { decaysTo[i] = hasLine(i) ? decayOver(i, x) : 0; });
         dropFront(x, decaysTo);
     }
-    /// Shortens the interval to [0, x].
+    /// Shortens the interval of the wave to [0, x], x in units of t0.
     void shorten(double x) {
         if (x == length) return;
         length = x;

@@ -19,11 +19,12 @@ struct InputMove {
 };
 
 /// Largest growth of rounding errors (Impact::growth, a worst case) that the summed error covers if
-/// multiplied by it. Contacts multiply the rounding of earlier ones. If there are many, e may have few digits
-/// or none, although each step was accurate to the last digit.
+/// multiplied by it. Contacts multiply the rounding of earlier ones. If there are many, the coefficient of
+/// restitution may have few digits or none, although each step was accurate to the last digit.
 inline constexpr double coveredGrowth = 8;
 
-/// Upper bound of the rounding error of e without growth by contacts; no case seen exceeded it.
+/// Upper bound of the rounding error of the coefficient of restitution without growth by contacts; no case
+/// seen exceeded it.
 inline constexpr double ordinaryRounding = 1e-13;
 
 /// Returns whether the rounding error of a solved blow may have grown beyond its stated error.
@@ -31,8 +32,8 @@ inline bool mayOutgrowItsError(const Impact& impact) {
     return impact.growth > coveredGrowth && impact.growth * ordinaryRounding > impact.corError;
 }
 
-/// Returns the error of e due to the rounding of the points of a hammer force; the factor of two allows for
-/// one reflection by the rock.
+/// Returns the error of the coefficient of restitution due to the rounding of the points of a hammer force.
+/// The factor of two allows for one reflection by the rock.
 inline double roundingOfHammer(const PulseForce& hammer) {
     return 2 * hammer.rounding;
 }

@@ -40,7 +40,7 @@ class SeriesBasis {
         Piece cut;
         /// Impact force F over the stretch, in units of F0.
         Piece force;
-        /// Product aℓ of rate and length.
+        /// Product aℓ of the contact's rate a and the length ℓ of the stretch.
         Real alpha = 0;
         /// Whether F is the slow solution 2g − F'/a without an initial layer, so that its slope does not
         /// follow from 2g − F.
@@ -77,7 +77,7 @@ class SeriesBasis {
     /// units of I0.
     Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }
 
-    /// Returns a constant wave.
+    /// Returns a wave with a constant value (in F0) over a length (in t0).
     Piece constant(Real length, Real value) const {
         Piece f = Piece::zero(length);
         f.count = 1;
@@ -269,7 +269,7 @@ class SeriesBasis {
 
     /// Returns an upper bound of largestIntegral(g).
     Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
-    /// Returns ∫g over the piece.
+    /// Returns the integral ∫g of the wave over the piece, in units of I0.
     static Real impulse(const Piece& g) { return g.way().whole; }
     /// Returns the size to which the rounding of impulse() is relative.
     static Real impulseSize(const Piece& g) { return g.way().size; }
@@ -289,7 +289,7 @@ class SeriesBasis {
                             arriving);
     }
 
-    /// Returns ∫ f g over [0, length].
+    /// Returns the integral of the product f·g over [0, length].
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
         return Piece::productIntegral(f, g, length);
     }
@@ -321,7 +321,7 @@ class SeriesBasis {
     static constexpr Real longestSine = 0.5;
     /// Longest piece of an exponential, in units of t0.
     static constexpr Real longestDecay = 2;
-    /// Largest aℓ of a piece of contact.
+    /// Largest product aℓ of rate and length for one piece of contact.
     static constexpr Real layer = 2;
     /// Largest aℓ of a piece with a faint layer; e^6 cancels three of its digits.
     static constexpr Real widestLayer = 6;

@@ -61,9 +61,9 @@ struct JoiningBudget {
   private:
     /// Number of passes that are cheap without joining.
     static constexpr double fewPasses = 100;
-    /// Permitted error of e up to this number of passes.
+    /// Permitted error of the coefficient of restitution up to fewPasses passes.
     static constexpr double leastError = 1e-15;
-    /// Permitted error of e for any number of passes.
+    /// Permitted error of the coefficient of restitution for any number of passes.
     static constexpr double mostError = 5e-10;
 };
 
@@ -100,16 +100,16 @@ class JoiningError {
         }
     }
 
-    /// Returns the upper bound of the error of e, four times the plain sum. Actual errors are up to half of
-    /// that sum (tst_joining).
+    /// Returns the upper bound of the error of the coefficient of restitution by joining, four times the
+    /// plain sum. Actual errors are up to half of that sum (tst_joining).
     Real bound() const { return 4 * (m_rebound + m_loadingWeight * m_loading); }
 
   private:
     /// Returns the impulse displaced by a displaced path of the bit while the force follows it for `length`.
     Real displacedBy(Real way, Real length) const { return 2 * way * std::min(Real(1), m_fastest * length); }
 
-    Real m_fastest = 0;        ///< rate β/γ
-    Real m_loadingWeight = 1;  ///< factor √γ
+    Real m_fastest = 0;        ///< larger rate β/γ of the contact, per t0
+    Real m_loadingWeight = 1;  ///< weight √γ of impulses displaced before the last peak
     /// Impulse displaced before the last return to the primary line, in units of I0.
     Real m_loading = 0;
     /// Impulse displaced since the last return to the primary line, in units of I0.
@@ -157,7 +157,7 @@ struct WavePiece : PowerSeries<Real> {
         displacedAtStart = displaced;
         forgetWay();
     }
-    /// Ends the interval at x.
+    /// Ends the interval of the wave at x, in units of t0 from its start.
     void shorten(Real x) {
         if (x == this->length) return;
         this->length = x;
@@ -266,7 +266,7 @@ class SeriesJoiner {
         return result;
     }
 
-    Real m_fastest = 0;  ///< rate β/γ
+    Real m_fastest = 0;  ///< larger rate β/γ of the contact, per t0
     Real m_passes = 1;   ///< number of passes, see JoiningBudget
     Real m_smoothEffect = 0;
     Real m_mostDisplaced = 0;

@@ -28,7 +28,7 @@ struct WaveStretch {
 /// Straight part of the largest sum of two waves as a function of their delay. The delay is the time between
 /// the departure of one wave from the bit and the arrival of the other.
 struct MeetingLine {
-    /// Range of delays, in units of t0.
+    /// Range of delays between the two waves, in units of t0.
     double begin = 0, end = 0;
     /// Largest sums of the two waves at both ends of the range, in units of F0.
     double first = 0, last = 0;
@@ -75,7 +75,7 @@ struct MeetingLimits {
     double end = std::numeric_limits<double>::infinity();
 };
 
-/// Result of largestMeetings().
+/// Largest sums of two opposite waves for all delays between them, the result of largestMeetings().
 struct LargestMeetings {
     /// Largest sums over the delay, in order of delay.
     std::vector<MeetingLine> lines;

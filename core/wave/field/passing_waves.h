@@ -20,7 +20,7 @@ class ForcePeaks {
   public:
     /// Creates a counter for a force whose largest value is `largest`, in units of F0.
     explicit ForcePeaks(double largest);
-    /// Adds the next piece of the force.
+    /// Adds the next piece of the impact force, in order of time.
     void add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece);
     /// Returns the number of peaks, including one that ends with the force itself. No pieces may be added
     /// afterwards.
@@ -30,7 +30,7 @@ class ForcePeaks {
     void pass(double force);
 
     double m_least, m_dip;
-    double m_turn = 0;  ///< last extremum of the force so far
+    double m_turn = 0;  ///< last maximum or minimum of the force so far, in units of F0
     bool m_rising = true;
     int m_peaks = 0;
 };

@@ -20,7 +20,7 @@ enum class Side { start, inside, end };
 
 /// Values of both waves at the front end of the rod at one time.
 struct Instant {
-    /// Recorded time, in units of t0.
+    /// Recorded time at the front end, in units of t0.
     double time;
     /// Side from which the values are taken, if the time is a breakpoint.
     Side side;
@@ -129,9 +129,9 @@ double roundingOfTrip(double time, double roundTrip);
 /// Place at which a span of parts is split in two.
 enum class Cut {
     middle,
-    /// After the first part of the span.
+    /// Cut after the first part of the span.
     front,
-    /// Before the last part of the span.
+    /// Cut before the last part of the span.
     back,
 };
 
@@ -187,7 +187,7 @@ void endsOf(const std::vector<WaveSpan>& spans, std::vector<Instant>& instants);
 /// count.
 class RangeMaximum {
   public:
-    /// Replaces the sequence of numbers.
+    /// Replaces the sequence of numbers that over() searches.
     void assign(const std::vector<double>& numbers);
     /// Returns the largest of the numbers with index `first` ≤ i < `behind`; minus infinity if there are
     /// none.

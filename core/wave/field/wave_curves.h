@@ -16,7 +16,7 @@ namespace drillwave {
 /// Curve as points to be joined by straight lines. A time occurs twice where the curve jumps.
 struct SampledCurve {
     std::vector<double> time;  ///< Times of the points in units of t0, not decreasing.
-    /// Values at these times.
+    /// Values of the curve at these times.
     std::vector<double> value;
 };
 
@@ -49,7 +49,7 @@ double sectionWaveImpulse(const Impact& impact, double xi, int number, double t)
 struct SampledHistory {
     /// Times in units of t0, not decreasing, from the first arrival at the bit to the end of the recording.
     std::vector<double> time;
-    /// Impact force F, in units of F0.
+    /// Impact force F at these times, in units of F0.
     std::vector<double> force;
     /// Impulse of the impact force so far, ∫F, in units of I0.
     std::vector<double> impulse;

@@ -123,8 +123,8 @@ class LatticeMarch {
     Detail m_detail = Detail::cor;
     bool m_over = false;
 
-    double m_duration = 1;    ///< time step Δ
-    double m_arrival = 0;     ///< time t/t0 at which s = 0
+    double m_duration = 1;    ///< time step Δ, in units of t0
+    double m_arrival = 0;     ///< time t/t0 at which the first wave reaches the bit (s = 0)
     double m_skipped = 0;     ///< total duration of the periods left out, in units of t0
     double m_negligible = 0;  ///< force that has no effect on the result, in units of F0
     long m_step = 0;          ///< number of steps since the first wave arrived

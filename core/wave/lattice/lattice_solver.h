@@ -12,7 +12,7 @@ namespace drillwave {
 
 /// Storage of the waves in the segments of the rod. The results are identical to the last bit.
 enum class LatticeWaves {
-    /// Waves are moved from segment to segment, as in the paper; the work per step grows with the number L of
+    /// Waves are moved from segment to segment in each step; the work per step grows with the number L of
     /// segments.
     moved,
     /// Waves stay in a ring buffer; the work per step does not depend on the number of segments.

@@ -17,21 +17,21 @@ namespace drillwave {
 /// Sums and extremes of the impact force up to a time, in units of Problem: times in t0, forces in F0,
 /// impulses in I0.
 struct BitRecord {
-    /// Impulse of the impact force, ∫F dt.
+    /// Impulse of the impact force, ∫F dt, in units of I0.
     double impulse = 0;
-    /// First moment of the impact force over time, ∫F t dt.
+    /// First moment of the impact force over time, ∫F t dt, in units of I0 t0.
     double impulseMoment = 0;
-    /// Largest impact force F.
+    /// Largest impact force F between bit and rock, in units of F0.
     double peakForce = 0;
-    /// Time of the largest impact force.
+    /// Time t/t0 of the largest impact force.
     double peakTime = 0;
-    /// Time of the first contact; negative if there was none.
+    /// Time t/t0 of the first contact; negative if there was none.
     double firstContact = -1;
-    /// Time at which the last contact began; negative if there was none.
+    /// Time t/t0 at which the last contact began; negative if there was none.
     double lastContact = -1;
-    /// Time of the last separation; negative if there was none.
+    /// Time t/t0 of the last separation; negative if there was none.
     double lastSeparation = -1;
-    /// Sum of the durations of all contacts.
+    /// Sum of the durations of all contacts, in units of t0.
     double contactDuration = 0;
     /// Number of contacts that have begun.
     int contacts = 0;
@@ -49,12 +49,12 @@ struct BitNodeState {
     ContactLaw<double> law;
     /// Line of the law on which bit and rock are now; `apart` if they do not touch.
     ContactLine line = ContactLine::apart;
-    /// Impact force F ≥ 0.
+    /// Impact force F of bit and rock, in units of F0; ≥ 0.
     double force = 0;
-    /// Velocity of the bit mass towards the rock; not used without a bit mass.
+    /// Velocity of the bit mass in units of F0/Zr, positive towards the rock; not used without a bit mass.
     double velocity = 0;
-    /// Distance from the bit to the rock, or to the bottom of its crater; meaningful only while they are
-    /// apart.
+    /// Distance from the bit to the rock or to the bottom of its crater, in units of I0/Zr; valid only while
+    /// they are apart.
     double distance;
     /// Sums and extremes of the impact force so far.
     BitRecord record;
@@ -134,7 +134,7 @@ class BitNode {
 
     /// Returns the state of bit and rock after the last step.
     const BitNodeState& state() const { return m_now; }
-    /// Restores a state of bit and rock.
+    /// Restores an earlier state of bit and rock, with its record.
     void setState(const BitNodeState& state) { m_now = state; }
     /// Sets the list to which contact events are appended; nullptr for none.
     void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
@@ -183,7 +183,7 @@ class BitNode {
         std::size_t line = 0;
         /// Map for a bit without mass (M = 0).
         Relaxation free;
-        /// Map for a bit with mass (M > 0).
+        /// Map of velocity and force for a bit with mass (M > 0).
         Oscillation mass;
     };
     LineMaps mapsOfLine(double width) const;

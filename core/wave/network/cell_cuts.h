@@ -66,7 +66,7 @@ class CellCuts {
         }
         /// Returns the width of the present part, in units of t0.
         double width() const { return m_cuts.m_widths[m_part]; }
-        /// Advances to the next part.
+        /// Advances to the next part, in the next cell if necessary.
         void next() {
             if (++m_part < m_cuts.count()) return;
             m_part = 0;
@@ -118,7 +118,7 @@ class CellCuts {
 
 /// Round trips of all sections as whole numbers of cells (time steps).
 struct CellGrid {
-    /// Size Δ of a cell, in units of t0.
+    /// Size Δ of a cell (time step), in units of t0.
     double cell = 0;
     /// Number of cells in the round trip of each section: 2T = roundTrips · Δ.
     std::vector<long> roundTrips;

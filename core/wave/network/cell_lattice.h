@@ -116,7 +116,7 @@ class CellLattice {
     const MarchPlan* m_plan = nullptr;
     /// Number of sections; m_lines and m_joints may be longer.
     std::size_t m_count = 0;
-    /// Factor e^−αL of each section.
+    /// Factor e^−αL by which each section reduces the amplitude of a wave.
     std::vector<double> m_passing;
     CellCuts m_cuts;
     /// Joint [j] is in front of section j + 1; the joint at the hammer face is not used.

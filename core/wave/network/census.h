@@ -77,17 +77,17 @@ class LineCensus {
 struct CensusResult {
     /// Time for which all members hold, in units of t0.
     double time = 0;
-    /// State of bit and rock.
+    /// State of bit and rock at that time.
     BitNodeState bit = {};
-    /// State of the hammer face.
+    /// State of the contact of hammer and string at that time.
     FaceNodeState face = {};
-    /// Momentum and energy of the hammer.
+    /// Momentum [I0] and energy [I0²/(Zr t0)] of the hammer.
     double hammerMomentum = 0, hammerEnergy = 0;
-    /// Momentum and energy of the string.
+    /// Momentum [I0] and energy [I0²/(Zr t0)] of the string.
     double stringMomentum = 0, stringEnergy = 0;
-    /// Energy lost so far in joints and in sections, and momentum lost in both.
+    /// Energy [I0²/(Zr t0)] lost so far in joints and in sections, and momentum [I0] lost in both.
     double jointLoss = 0, rodLoss = 0, externalMomentum = 0;
-    /// Elastic energy in the contact stiffness of the hammer face.
+    /// Elastic energy in the contact stiffness of the hammer face [I0²/(Zr t0)].
     double faceEnergy = 0;
 };
 

@@ -77,7 +77,7 @@ class FaceNode {
 
     /// Returns the state of the contact after the last step.
     const FaceNodeState& state() const { return m_now; }
-    /// Restores a state of the contact.
+    /// Restores an earlier state of the contact, with its record.
     void setState(const FaceNodeState& state) { m_now = state; }
     /// Returns the contact stiffness κc = kc t0/Zr; nothing for rigid faces.
     std::optional<double> stiffness() const { return m_stiffness; }
@@ -132,7 +132,7 @@ class ForceNode {
 
     /// Returns the state of the rear end, including impulse and work of the force so far.
     const FaceNodeState& state() const { return m_now; }
-    /// Restores a state of the rear end.
+    /// Restores an earlier state of the rear end, with its record.
     void setState(const FaceNodeState& state) { m_now = state; }
 
   private:

@@ -66,7 +66,7 @@ class FreeFlight {
     double* down(std::size_t section) { return m_downs.data() + section * block; }
 
     std::size_t m_face = 0;   ///< index of the node between hammer and string
-    std::size_t m_count = 0;  ///< number of sections
+    std::size_t m_count = 0;  ///< number of sections of hammer and string
     double m_cell = 0;
     bool m_released = false;
     std::vector<double> m_impedances;

@@ -66,8 +66,8 @@ class Joint {
     void stepMass(const Relaxation& map, const WaveCell& f1, const WaveCell& b2, WaveCell& b1, WaveCell& f2);
 
     double m_impedance1 = 1, m_impedance2 = 1;
-    double m_toVelocity = 1;  ///< 2/(Z1 + Z2)
-    double m_reflection = 0;  ///< reflection coefficient R
+    double m_toVelocity = 1;  ///< factor 2/(Z1 + Z2) from waves to velocity
+    double m_reflection = 0;  ///< reflection coefficient R of the joint, −1 … 1
     double m_mass = 0;
     double m_passing = 1;
     double m_velocity = 0;

@@ -80,9 +80,9 @@ class MarchPlan {
     std::size_t sections() const { return m_problem.sections.size(); }
     /// Returns the size of the cells and the round trips of the sections in cells.
     const CellGrid& grid() const { return m_grid; }
-    /// Returns the requested results.
+    /// Returns the requested results of the blow.
     const NetworkWants& wants() const { return m_wants; }
-    /// Returns the clocks of the nodes.
+    /// Returns the clocks of all nodes (ends of sections).
     const StringClocks& clocks() const { return m_clocks; }
     /// Returns the division of cells into parts at the start of the blow.
     const CellCuts& cuts() const { return m_cuts; }
@@ -91,7 +91,7 @@ class MarchPlan {
     /// Returns the latest time to which the blow is computed, in units of t0: the end time, the next blow, or
     /// 40 round trips after the end of the force.
     double limitTime() const;
-    /// Returns the estimated work.
+    /// Returns the estimated work of the blow, and the number of cells it stores.
     const ForeseenWork& foreseen() const { return m_foreseen; }
 
   private:

@@ -29,7 +29,7 @@ inline constexpr long mostNetworkCells = 200'000'000;
 struct NetworkSettings {
     /// Accuracy, which decides whether one or two runs are made.
     NetworkAccuracy accuracy = NetworkAccuracy::sure;
-    /// Requested results.
+    /// Requested results besides the integrals over the blow.
     NetworkWants wants;
     /// Number of times that the default size of the cells is halved.
     int halvings = 0;

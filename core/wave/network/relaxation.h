@@ -18,12 +18,12 @@ struct RelaxationPiece {
     double from = 0;
     /// Width of the part, as a fraction of the cell: u = from + width v, 0 ≤ v ≤ 1.
     double width = 1;
-    /// Number of terms of the series.
+    /// Number of terms of the Taylor series, ≤ capacity.
     int count = 0;
     /// Coefficients of the series, y = Σ c_k v^k.
     std::array<double, capacity> c;
 
-    /// Returns y at v, 0 ≤ v ≤ 1.
+    /// Returns the solution y at v, a fraction of the part from 0 to 1.
     double value(double v) const { return polynomialValue(c.data(), count, v); }
 };
 
@@ -74,7 +74,7 @@ class Relaxation {
 /// Coefficients of M V' + Z V + F = 2g, F' = κ V, for the velocity V of a bit with mass M and the force F of
 /// the rock. Times may be in any unit, such as the width of a cell.
 struct OscillationRates {
-    /// Impedance Z of the last section.
+    /// Impedance Z of the last section of the string.
     double impedance;
     /// Mass M of the bit; > 0.
     double mass;
@@ -87,7 +87,7 @@ struct OscillationRates {
 
 /// Taylor series of velocity and force of a bit with mass over a part of a cell, for 0 ≤ v ≤ 1.
 struct OscillationPiece {
-    /// Number of terms of each series.
+    /// Number of terms of the Taylor series of velocity and of force.
     static constexpr int capacity = 24;
     /// Width of the part, in the unit of time of OscillationRates.
     double width = 1;

@@ -57,7 +57,7 @@ class WindowMaxima {
     /// Blocks of one size; block number n begins with the step n · size.
     struct Level {
         long size = smallest;
-        long first = 0;  ///< number of the oldest block
+        long first = 0;  ///< number of the oldest stored block
         std::deque<double> largest;
     };
 
@@ -99,7 +99,7 @@ struct WatchedSection {
 /// almost all pairs; only blocks that may exceed the largest force so far are searched.
 class SectionWatch {
   public:
-    /// Creates the search for a section.
+    /// Creates the search for the largest forces in a section.
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
 
     /// Adds waves of consecutive steps, from number `step` on. `downs` enter at the rear end, towards the

@@ -39,7 +39,7 @@ struct WaveAtPlace {
 /// Both waves of one uniform piece of hammer or string, as they enter it. The wave f towards the rock enters
 /// at the rear end, the wave b away from it at the front end. At each end a clock starts from zero.
 struct SectionWaves {
-    /// Impedance ratio ζ = Z/Zr.
+    /// Impedance of the piece, ζ = Z/Zr with the reference impedance Zr.
     double impedance = 1;
     /// One-way transit time τ, in units of t0.
     double transitTime = 1;
@@ -186,8 +186,8 @@ class StringWaves {
     std::size_t m_hammerPieces;
     /// Clock reading at the start, and width of each step.
     std::vector<double> m_clocks, m_widths;
-    std::vector<WaveCell> m_bitForces, m_rearForces,
-        m_damperForces;  ///< until finish(), those that are wanted
+    /// Forces at the bit and at the rear end over each step; kept until finish(), empty if not requested.
+    std::vector<WaveCell> m_bitForces, m_rearForces, m_damperForces;
     double m_end = 0;
     double m_momentum = 0;
     PiecewisePolynomial m_faceForce, m_damperForce, m_bitForce, m_bitWave, m_bitVelocity;

@@ -13,7 +13,7 @@ namespace drillwave {
 /// Its moments ∫f u^k du, k = 0 … 3, are those of the wave that it represents. The remainder of the wave is
 /// orthogonal to all cubics (strings §11).
 struct WaveCell {
-    /// Number of coefficients.
+    /// Number of coefficients of a cubic.
     static constexpr int count = 4;
     /// Coefficients of powers of u: p(u) = Σ p_k u^k.
     using Powers = std::array<double, count>;
@@ -162,7 +162,7 @@ inline void dropRounding(double* c, int count, double rounding) {
 
 /// Kind of events inside a cell at which all cells are cut.
 enum class CutAt {
-    /// No events.
+    /// No events: cells are never cut.
     nothing,
     /// Contacts whose force rises too fast for a cell.
     jumps,
@@ -172,7 +172,7 @@ enum class CutAt {
 
 /// First place in a cell at which all cells are to be cut.
 struct CellJump {
-    /// Whether there is such a place.
+    /// Whether there is a place at which cells are to be cut.
     bool found = false;
     /// Place as a fraction of the cell, 0 … 1.
     double place = 0;
