@@ -70,8 +70,8 @@ enum class ContactEvent {
     corner,
 };
 
-/// Contact event of bit and rock, with its time t/t0 since the start of the blow. In the reference case time
-/// starts at first contact.
+/// Contact event of bit and rock, with its time t/t0 since the start of the blow. In the reference case (a
+/// rod that arrives as a rigid body) time starts at first contact.
 struct ImpactEvent {
     ContactEvent kind;
     double time;
@@ -199,7 +199,8 @@ struct Impact {
 
     // The members from here to skips require Detail::histories; frontArrival and roundTrip only
     // Detail::summary.
-    /// Time t/t0 at which the first wave reaches the bit, where s = 0: τ, or 0 in the reference case.
+    /// Time t/t0 at which the first wave reaches the bit, where s = 0: τ, or 0 in the reference case (a rod
+    /// that arrives as a rigid body).
     double frontArrival = 0;
     /// Round-trip time 2τ of a wave in the rod, in units of t0.
     double roundTrip = 0;

@@ -103,8 +103,8 @@ struct Problem {
     double velocity() const { return isForced() ? 1 / mass() : hammer().velocity; }
     /// Returns the gap in units of I0/Zr; `gap` is in units of d0, which is twice that.
     double distance() const { return 2 * gap; }
-    /// Returns the gap δ = d/d0 that closes before the first contact; 0 in the reference case, which starts
-    /// in contact.
+    /// Returns the gap δ = d/d0 that closes before the first contact; 0 in the reference case (a rod that
+    /// arrives as a rigid body), which starts in contact.
     double firstGap() const { return isForced() && force().isRigidBody() ? 0 : gap; }
 };
 

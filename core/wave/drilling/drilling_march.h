@@ -66,7 +66,8 @@ class ReturnedLoss {
     double m_lost = 0;
 };
 
-/// State of the rear end of rod or string at the end of a part of a cell, in units of Problem.
+/// State of the rear end of rod or string at the end of a part of a cell, in the dimensionless units of
+/// Problem (problem.h).
 struct RearSample {
     /// Time since the first blow, in units of t0.
     double time = 0;
@@ -79,7 +80,7 @@ struct RearSample {
     double bodyPlace = 0;
 };
 
-/// State of the bit at the end of a part of a cell, in units of Problem.
+/// State of the bit at the end of a part of a cell, in the dimensionless units of Problem (problem.h).
 struct BitSample {
     /// Time since the first blow, in units of t0; it includes the transit time by which the bit's clock is
     /// late.

@@ -30,7 +30,7 @@ enum class DrillingStart {
     bouncing,
 };
 
-/// One blow and all properties of the sequence of blows, in the units of Problem.
+/// One blow and all properties of the sequence of blows, in the dimensionless units of Problem (problem.h).
 struct DrillingProblem {
     /// One blow. Joints and sections return over time what they take from a wave (D5).
     Problem blow;
@@ -58,7 +58,8 @@ struct DrillingProblem {
 /// Returns whether waves in the rod or string lose energy.
 bool losesWaves(const DrillingProblem& problem);
 
-/// Results of one blow and of the interval up to the next one, in the units of Problem. NaN: not available.
+/// Results of one blow and of the interval up to the next one, in the dimensionless units of Problem
+/// (problem.h). NaN: not available.
 struct DrillingBlow {
     /// Time of the blow since the first one, in units of t0.
     double time = 0;

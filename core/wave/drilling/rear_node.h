@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Relative motion of machine, rear end and hammer, in units of Problem.
+/// Relative motion of machine, rear end and hammer, in the dimensionless units of Problem (problem.h).
 struct RearState {
     /// Velocity v_b of the machine body, in units of F0/Zr, positive towards the rock.
     double bodyVelocity = 0;
@@ -34,7 +34,7 @@ struct RearState {
     bool operator==(const RearState&) const = default;
 };
 
-/// Sums at the rear end since the last blow, in units of Problem.
+/// Sums at the rear end since the last blow, in the dimensionless units of Problem (problem.h).
 struct RearSums {
     /// Impulse ∫P dt of the hammer, or ∫Fa dt of a prescribed force, in units of I0.
     double faceImpulse = 0;
@@ -66,7 +66,8 @@ struct RearSums {
 /// hammer follows the laws of FaceNode.
 class RearNode {
   public:
-    /// Properties of the rear end that are the same for all blows, in units of Problem.
+    /// Properties of the rear end that are the same for all blows, in the dimensionless units of Problem
+    /// (problem.h).
     struct Parts {
         /// Impedance Z1 of the last section of the hammer; 0 for a prescribed force.
         double hammerImpedance = 0;

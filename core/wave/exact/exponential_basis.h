@@ -78,7 +78,8 @@ class ExponentialBasis {
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
     /// Adds the hammer force over `length` to g; it starts at the time `into` within the segment.
     void addHammer(const PulseSegment& segment, double into, double length, Piece& g) const;
-    /// Returns ∫Fa g over `length`, for the hammer force from the time `into` within the segment on.
+    /// Returns the integral of the product of the hammer force Fa and the wave g over `length`, for the force
+    /// from the time `into` within the segment on.
     double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
     /// Returns the solution of F' = a(2g − F), F(0) = force, over the piece g with a = `rate` [paper (5)]
@@ -101,7 +102,8 @@ class ExponentialBasis {
         if (g.isCurved) [[unlikely]]
             g.curve.impulse = rest;
     }
-    /// Returns the time at which ∫2g closes the gap, if it does within the piece.
+    /// Returns the time at which the incident wave g closes the gap (∫2g equals the gap), if it does so
+    /// within the piece.
     Zero<double> gapClosure(const Piece& g, double gap);
     /// Returns the time at which the force of a response falls to zero.
     Zero<double> forceVanishes(Response& r);

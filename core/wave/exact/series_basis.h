@@ -145,7 +145,8 @@ class SeriesBasis {
         g.forgetWay();
     }
 
-    /// Returns ∫Fa g over `length`, for the hammer force from the time `into` within the segment on.
+    /// Returns the integral of the product of the hammer force Fa and the wave g over `length`, for the force
+    /// from the time `into` within the segment on.
     Real hammerProduct(const PulseSegment& segment, Real into, const Piece& g, Real length) {
         const Piece& hammer = hammerPiece(segment, into, length);
         Piece scaled = g;
@@ -213,7 +214,8 @@ class SeriesBasis {
     /// Removes the part of g that has passed in the stretch of the response.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
-    /// Returns the time at which ∫2g closes the gap, if it does within the piece.
+    /// Returns the time at which the incident wave g closes the gap (∫2g equals the gap), if it does so
+    /// within the piece.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
         if (gap > 2 * g.way().most) return {};

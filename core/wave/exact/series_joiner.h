@@ -25,11 +25,11 @@ struct JoiningBudget {
     /// Largest effect of one joint on the impulse over all passes, without events in the joined piece, in
     /// units of I0.
     double smoothEffect = 0;
-    /// Largest displacement of the bit's path by one joint, in units of I0/Z.
+    /// Largest error of the bit's path that joining two pieces may cause, in units of I0/Z.
     double mostDisplaced = 0;
     /// Largest deviation of the wave force, in units of F0.
     double mostDeviation = 0;
-    /// Weight of an impulse displaced before the last peak, relative to one during the rebound.
+    /// Weight of an impulse error before the last force peak, relative to one during the rebound; 0 … 1.
     double loadingWeight = 1;
 
     explicit JoiningBudget(const Problem& problem) {
@@ -69,13 +69,14 @@ struct JoiningBudget {
 
 // Effect of joined pieces on the impulse of the rock, through events inside them
 
-/// Sum of the effects of joined pieces on e. The force depends on the path of the bit, and on its largest
-/// penetration so far. Joining displaces the path only inside a joined piece, by D there; but a peak inside
-/// keeps D for ever. Until the primary line is reached again, the force is wrong by at most (β/γ) 2D. Each
-/// change contributes at most 2D to the impulse, as F follows the wave.
+/// Sum of the errors of the coefficient of restitution that joining pieces of the wave causes. The impact
+/// force depends on the path of the bit, and on its largest penetration so far. Joining makes the path wrong
+/// by D, but only inside a joined piece; a force peak inside the piece keeps the error for ever. Until the
+/// primary line is reached again, the force is wrong by at most (β/γ) 2D. Each change contributes at most 2D
+/// to the impulse, since F follows the wave.
 ///
-/// An impulse displaced before the last peak changes the energy stored there, of which the rod receives the
-/// share γ; so it counts √γ times. Impulses displaced after the peak count in full.
+/// An impulse error before the last peak changes the energy stored there, of which the rod receives the share
+/// γ; so it counts √γ times. Errors after the peak count in full.
 template <class Real>
 class JoiningError {
   public:
@@ -89,8 +90,9 @@ class JoiningError {
     /// Counts a stretch of the given length on the elastic line.
     void passElastic(Real length) { m_rebound += displacedBy(m_peak, length); }
 
-    /// Counts an event in a piece of the wave whose path is displaced by `displaced`; `length` of the piece
-    /// has not passed yet.
+    /// Counts a contact event inside a joined piece of the wave. `displaced` is the error of the bit's path
+    /// by joining there, in units of I0/Z; `length` is the part of the piece that has not passed yet, in
+    /// units of t0.
     void pass(ContactEvent event, Real displaced, Real length) {
         m_rebound += displacedBy(displaced, length);
         if (event == ContactEvent::unloading) m_peak = displaced;
@@ -105,28 +107,31 @@ class JoiningError {
     Real bound() const { return 4 * (m_rebound + m_loadingWeight * m_loading); }
 
   private:
-    /// Returns the impulse displaced by a displaced path of the bit while the force follows it for `length`.
+    /// Returns the error of the impulse, in units of I0, if the bit's path is wrong by `way` (I0/Z) while the
+    /// force follows it for `length` (t0).
     Real displacedBy(Real way, Real length) const { return 2 * way * std::min(Real(1), m_fastest * length); }
 
     Real m_fastest = 0;        ///< larger rate β/γ of the contact, per t0
-    Real m_loadingWeight = 1;  ///< weight √γ of impulses displaced before the last peak
-    /// Impulse displaced before the last return to the primary line, in units of I0.
+    Real m_loadingWeight = 1;  ///< weight √γ of impulse errors before the last force peak
+    /// Error of the impulse up to the last return to the primary line, in units of I0.
     Real m_loading = 0;
-    /// Impulse displaced since the last return to the primary line, in units of I0.
+    /// Error of the impulse since the last return to the primary line, in units of I0.
     Real m_rebound = 0;
-    /// Displacement of the bit's path at its largest penetration, in units of I0/Z.
+    /// Error of the bit's path at its largest penetration, in units of I0/Z.
     Real m_peak = 0;
 };
 
-// Piece of the wave in the rod, with the displacement by joining it to neighbours
+// Piece of the wave in the rod, with the error of the bit's path by joining it to neighbours
 
-/// Wave force on a short interval, and the effect of joining on its integral, the path of the bit. Joined
-/// pieces keep the impulse of both, so the path is correct before and after them, and displaced between.
+/// Wave force on a short interval, possibly joined from several pieces. A joined piece keeps their total
+/// impulse. The path of the bit, its integral, is therefore correct at both ends and slightly wrong between.
 template <class Real>
 struct WavePiece : PowerSeries<Real> {
-    /// Approximate maximum of |∫(joined − exact)| up to any point in the piece, in units of I0.
+    /// Approximate largest error of the bit's path within the piece by joining, |∫(joined − exact)|, in units
+    /// of I0; 0 if the piece was not joined.
     Real displaced = 0;
-    /// Value of `displaced` at the start of the piece; 0 unless it was cut out of a joined piece.
+    /// Error of the bit's path at the start of the piece, in units of I0; 0 unless the piece was cut out of a
+    /// joined one.
     Real displacedAtStart = 0;
 
     WavePiece() = default;
@@ -163,13 +168,13 @@ struct WavePiece : PowerSeries<Real> {
         this->length = x;
         forgetWay();
     }
-    /// Takes over the displacements of the piece `other`, from which this one is made.
+    /// Sets the path errors to those of the piece `other`, from which this one is made.
     void displaceLike(const WavePiece& other) {
         displaced = other.displaced;
         displacedAtStart = other.displacedAtStart;
     }
-    /// Adds the displacement `more` by joining this piece to `next`. Displacements have either sign, so they
-    /// are added as squares.
+    /// Adds `more`, the path error by joining this piece to `next`. Such errors have either sign, so they are
+    /// added as squares.
     void displace(const WavePiece& next, Real more) {
         const Real before = std::max(displaced, next.displaced);
         displaced = std::sqrt(before * before + more * more);
@@ -255,7 +260,7 @@ class SeriesJoiner {
         return sum * f.length;
     }
 
-    /// Returns f − g on the scale of f's length.
+    /// Returns the difference f − g of two power series, on the scale of f's length.
     static Series difference(const Series& f, const Series& g) {
         Series result = f, subtracted = g;
         result.rescale(f.length);

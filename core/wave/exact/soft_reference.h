@@ -7,8 +7,9 @@
 
 namespace drillwave {
 
-/// Returns whether softReference() is exact to rounding for a blow: the reference case with βτ/γ ≤ 1e-12.
-/// Waves then make millions of round trips in one contact, and have less effect than rounding.
+/// Returns whether softReference() is exact to rounding for a blow: the reference case (a rod that arrives as
+/// a rigid body) with βτ/γ ≤ 1e-12. Waves then make millions of round trips in one contact, and have less
+/// effect than rounding.
 bool isSoftReference(const Problem& problem);
 
 /// Returns the solution of the reference case for βτ → 0, expanded to the first order; the next order,

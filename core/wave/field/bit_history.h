@@ -15,8 +15,8 @@ namespace drillwave {
 // first wave at the bit (impact.frontArrival), forces in F0, impulses in I0.
 
 /// Returns the incident wave g(s) = −Np at the bit, in units of F0, compression positive, for any s. Before
-/// the first front it is 0, or 1/(2τ) in the reference case. After the end of the recording it repeats with
-/// period 2τ.
+/// the first front it is 0, or 1/(2τ) in the reference case (a rod that arrives as a rigid body). After the
+/// end of the recording it repeats with period 2τ.
 double incidentWave(const Impact& impact, double s);
 
 /// Returns the impact force F(s) ≥ 0 in units of F0 for any s. The reflected wave is r = F − g, which
@@ -27,7 +27,7 @@ double impactForce(const Impact& impact, double s);
 double impactImpulse(const Impact& impact, double s);
 
 /// Returns the impulse that the incident wave has brought to the bit up to the time s, ∫g ds, in units of I0,
-/// for any s. In the reference case it is negative before s = 0.
+/// for any s. In the reference case (a rod that arrives as a rigid body) it is negative before s = 0.
 double incidentImpulse(const Impact& impact, double s);
 
 /// Returns the time s of a point of the recording: its recorded time plus the periods that were left out
@@ -37,8 +37,8 @@ double timeOfRecorded(const Impact& impact, double recorded);
 // Position of the bit: its penetration into the rock, or its distance from the rock.
 
 /// Returns the displacement of the front end of the rod towards the rock, u = ∫(2g − F) ds / 2, in units of
-/// d0, at the time t/t0 since the start of the blow. In the reference case it is counted from first contact,
-/// and negative before.
+/// d0, at the time t/t0 since the start of the blow. In the reference case (a rod that arrives as a rigid
+/// body) it is counted from first contact, and negative before.
 double bitDisplacement(const Impact& impact, double t);
 
 /// Contact state of bit and rock at one time.

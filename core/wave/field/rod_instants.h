@@ -111,8 +111,8 @@ std::vector<double> counterparts(const Impact& impact, double end, double first,
 /// a and b at the front end meet in the rod at the recorded time `end`.
 std::vector<double> counterparts(const Impact& impact, double end);
 
-/// Returns both waves before the first front arrives, at a time ≤ 0. They are 0, or those of a uniform motion
-/// in the reference case.
+/// Returns incident and reflected wave at the front end before the first front arrives, at a time ≤ 0. They
+/// are 0, or those of a uniform motion in the reference case (a rod that arrives as a rigid body).
 Instant instantBeforeFront(const Impact& impact, double time);
 
 /// Returns the instants of the last round trip of the recording, which then repeats for ever.

@@ -47,8 +47,8 @@ class RodDelays {
 };
 
 /// Waves, forces and motion of a uniform rod at any section and time. t is the time in t0 since the start of
-/// the hammer force, or since first contact in the reference case. ξ = x/L is 0 at the rear end and 1 at the
-/// bit. Forces are in F0, impulses in I0.
+/// the hammer force, or since first contact in the reference case (a rod that arrives as a rigid body). ξ =
+/// x/L is 0 at the rear end and 1 at the bit. Forces are in F0, impulses in I0.
 ///
 /// Requires an impact solved with Detail::histories, which must outlive the field; arrival() and roundTrip()
 /// only require Detail::summary.
@@ -56,8 +56,8 @@ class WaveField {
   public:
     explicit WaveField(const Impact& impact) : m_impact(&impact), m_delays(impact) {}
 
-    /// Returns the time t/t0 at which the first wave reaches the bit; 0 in the reference case, which starts
-    /// with contact.
+    /// Returns the time t/t0 at which the first wave reaches the bit; 0 in the reference case (a rod that
+    /// arrives as a rigid body), which starts with contact.
     double arrival() const { return m_delays.arrival(); }
     /// Returns the round-trip time of a wave in the rod, in units of t0. Residual waves repeat with this
     /// period.

@@ -13,8 +13,8 @@ namespace drillwave {
 
 /// Returns the times at which the hammer force begins, jumps or ends, in units of t0, increasing. From each
 /// of them a front starts that runs through the rod for ever. Jumps below a fiftieth of the peak are left
-/// out, and so is the end of a force that only fades away. In the reference case the only time is 0, its
-/// first contact.
+/// out, and so is the end of a force that only fades away. In the reference case (a rod that arrives as a
+/// rigid body) the only time is 0, its first contact.
 std::vector<double> pulseFronts(const PulseForce& pulse);
 
 /// Path of a wave front through the rod, or through one section of a string: a straight line in the x–t

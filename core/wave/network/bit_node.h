@@ -14,8 +14,8 @@
 
 namespace drillwave {
 
-/// Sums and extremes of the impact force up to a time, in units of Problem: times in t0, forces in F0,
-/// impulses in I0.
+/// Sums and extremes of the impact force up to a time, in the dimensionless units of Problem (problem.h):
+/// times in t0, forces in F0, impulses in I0.
 struct BitRecord {
     /// Impulse of the impact force, ∫F dt, in units of I0.
     double impulse = 0;
@@ -78,7 +78,7 @@ class BitNode {
   public:
     BitNode() : BitNode(1, 0, {}, 0) {}
     /// Creates the end of a section of this impedance, with a bit of this mass (0 for none), at the distance
-    /// `gap` from the rock. Units are those of Problem.
+    /// `gap` from the rock. Units are the dimensionless ones of Problem (problem.h).
     BitNode(double impedance, double mass, const BitRockLaw& law, double gap);
 
     /// Sets the widths of the cells (time steps) that follow, in units of t0; step() refers to them by index.

@@ -72,8 +72,8 @@ class LineCensus {
     std::optional<Entered> m_entered;
 };
 
-/// Motions and energies of the whole system at one time. Units are those of Problem: time t0, force F0,
-/// impulse I0 = F0 t0, energy I0²/(Zr t0).
+/// Motions and energies of the whole system at one time. Units are the dimensionless ones of Problem
+/// (problem.h): time t0, force F0, impulse I0 = F0 t0, energy I0²/(Zr t0).
 struct CensusResult {
     /// Time for which all members hold, in units of t0.
     double time = 0;

@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Sums and first events of the contact force P of hammer and string, up to a time. Units are those of
-/// Problem.
+/// Sums and first events of the contact force P of hammer and string, up to a time. Units are the
+/// dimensionless ones of Problem (problem.h).
 struct FaceRecord {
     /// Impulse of the contact force, ∫P dt, in units of I0.
     double impulse = 0;

@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// State of hammer and string at the start of a flight, in units of Problem.
+/// State of hammer and string at the start of a flight, in the dimensionless units of Problem (problem.h).
 struct FlightStart {
     /// Gap between hammer and string, in units of I0/Zr.
     double faceGap = 0;
