@@ -162,8 +162,8 @@ class ContactMarch {
     /// The limit changes the coefficient of restitution by less than 1e-13.
     static constexpr Real fastestRate = Real(1e15);
 
-    /// Number of events in a row without progress in time after which the branch is assumed to depend on
-    /// rounding only, and number after which no further check is made.
+    /// Limits of the number of events in a row without progress in time. After the first one, the line of the
+    /// law is assumed to depend on rounding only; after the second one, no further check is made.
     static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
 
     /// Largest gap, in units of I0/Z, that counts as rounding of the distance travelled, not as a separation.

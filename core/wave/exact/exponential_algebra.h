@@ -81,10 +81,10 @@ inline constexpr double largestDecays[Coefficients::capacity] = {1,
                                                                  0.16062314104798003,
                                                                  0.14900277967433771};
 
-/// Values of the decays Σ c_m φ_m(λx) of one rate λ at x, and of their integral over [0, x], computed in one
-/// pass, with the sizes to which rounding errors are relative. After many reflections there are large
-/// coefficients of high order, which hardly matter where λx is small. So the size of a term is its largest
-/// value up to x.
+/// Sum of the decays Σ c_m φ_m(λx) of one rate λ at x, and its integral over [0, x], computed in one pass.
+/// The members `…Size`, `stored` and `integrated` are the sizes to which rounding errors are relative. After
+/// many reflections there are large coefficients of high order, which hardly matter where λx is small. So the
+/// size of a term is its largest value up to x.
 struct DecaysEnd {
     /// The coefficient c_0, φ_0(λx) and 1 − φ_0(λx).
     double first, firstDecay, firstRise;

@@ -78,8 +78,8 @@ class ExponentialBasis {
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
     /// Adds the hammer force over `length` to g; it starts at the time `into` within the segment.
     void addHammer(const PulseSegment& segment, double into, double length, Piece& g) const;
-    /// Returns the integral of the product of the hammer force Fa and the wave g over `length`, for the force
-    /// from the time `into` within the segment on.
+    /// Returns the integral of the hammer force Fa times the wave g over `length`. The force starts at the
+    /// time `into` within its segment.
     double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
     /// Returns the solution of F' = a(2g − F), F(0) = force, over the piece g with a = `rate` [paper (5)]

@@ -145,8 +145,8 @@ class SeriesBasis {
         g.forgetWay();
     }
 
-    /// Returns the integral of the product of the hammer force Fa and the wave g over `length`, for the force
-    /// from the time `into` within the segment on.
+    /// Returns the integral of the hammer force Fa times the wave g over `length`. The force starts at the
+    /// time `into` within its segment.
     Real hammerProduct(const PulseSegment& segment, Real into, const Piece& g, Real length) {
         const Piece& hammer = hammerPiece(segment, into, length);
         Piece scaled = g;

@@ -10,10 +10,10 @@
 
 namespace drillwave {
 
-/// Returns the momentum of the rod, p = ∫Fa dt − ∫F ds (T20), in units of I0, positive towards the rock. It
-/// is the impulse of the hammer force up to the time t/t0 since the start of the blow, less `taken`, the
-/// impulse of the impact force until then. In the reference case (a rod that arrives as a rigid body) the rod
-/// has its momentum 1 from the start.
+/// Returns the momentum of the rod, p = ∫Fa dt − ∫F ds (T20), in units of I0, positive towards the rock. The
+/// first integral is the impulse of the hammer force up to the time t/t0 since the start of the blow. The
+/// second one is `taken`, the impulse of the impact force until then. In the reference case (a rod that
+/// arrives as a rigid body) the rod has its momentum 1 from the start.
 double rodMomentum(const PulseForce& pulse, double t, double taken);
 
 /// Returns the momentum of the rod at the time t/t0, in units of I0, positive towards the rock. Requires an

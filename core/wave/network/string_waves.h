@@ -141,7 +141,7 @@ class StringWaves {
     double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
     double up(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
     /// Returns the integral over time of the wave towards the rock (`down`) or away from it (`up`) at a
-    /// position, from the first contact of hammer and string up to t, in units of I0.
+    /// position, in units of I0. It begins with the first contact of hammer and string and ends at t.
     double downImpulse(std::size_t section, double xi, double t) const;
     double upImpulse(std::size_t section, double xi, double t) const;
 
