@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A blow: a scenario, how it was solved, and all that follows from its solution.
+// Blow: a scenario, the method, the solution and everything derived from it.
 #pragma once
 
 #include <optional>
@@ -21,66 +21,93 @@
 
 namespace drillwave {
 
-/// Start of one of many blows under a feed, with the waves and motions that earlier blows have left.
+/// Start of one blow of a sequence under a feed, with the waves and motions that earlier blows have left.
 struct MarchedStart {
-    long number = 1;             ///< of the blow, from 1
-    double rememberedForce = 0;  ///< largest that its rock has felt before [F0]
+    long number = 1;  ///< Number of the blow in the sequence, from 1.
+    /// Largest force that the rock of this blow has felt before, in units of F0.
+    double rememberedForce = 0;
 };
 
-/// Blow with everything that is shown, written or reported about it.
+/// Blow with all values that are shown, written or reported about it.
 struct Blow {
+    /// Scenario (all input values) of the blow.
     Scenario scenario;
+    /// Method by which the blow was solved, with its settings.
     MethodChoice method;
+    /// Dimensionless groups β, γ, τ, δ of the scenario.
     Groups groups;
-    Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
+    /// Factors from dimensionless values to SI; all 1 for a dimensionless scenario.
+    Scales scales;
+    /// Scenario in dimensionless form, as it was solved.
     Problem problem;
-    Impact impact;          ///< with the `reason` if there is no result
-    ImpactSummary summary;  ///< not valid without a result; nor is `feed`
-    /// Feed that the blow requires; nothing where thrustProblem() says why. The cases of all gaps are known
-    /// only after a study of them: core/study/thrust.
+    /// Result of the solver; its `reason` says why there is none.
+    Impact impact;
+    /// Numbers of the result, dimensionless; invalid if the blow is not solved, as is `feed`.
+    ImpactSummary summary;
+    /// Estimate of the feed force that the blow requires; nothing if thrustProblem() gives a reason. Its
+    /// cases over all gaps are computed only by a study (core/study/thrust).
     std::optional<FeedEstimate> feed;
-    std::vector<Alert> alerts;  ///< of the scenario, followed by those of the result
-    double runTime = 0;         ///< of the solver only [s]
-    /// Start of a blow of many: `summary` then has only what its pages draw, without rebound; no `feed`.
+    /// Alerts of the scenario, followed by those of the result.
+    std::vector<Alert> alerts;
+    /// Computing time of the solver only, in seconds.
+    double runTime = 0;
+    /// Start of the blow if it belongs to a sequence. Then `summary` has only the values that its pages draw,
+    /// without rebound, and there is no `feed`.
     std::optional<MarchedStart> marched = {};
 
+    /// Returns whether the blow is solved, so that its numbers are valid.
     bool isSolved() const { return impact.isSolved(); }
-    bool isOfString() const { return isString(scenario); }  ///< solved on polynomial cells
-    /// Returns the energy that energy shares refer to [W0]: of the followed hammer, or the work of the force.
+    /// Returns whether the scenario is a drill string, which is solved with polynomial cells.
+    bool isOfString() const { return isString(scenario); }
+    /// Returns the energy that energy shares refer to, in units of W0 = m v0²/2: the energy of the hammer, or
+    /// the work of the prescribed force.
     double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
-    /// Returns the effective feed force over the largest of the four required, less 1; nullopt if unknown.
+    /// Returns (effective feed force)/(largest of the four required feed forces) − 1; nullopt if one of them
+    /// is unknown.
     std::optional<double> thrustMargin() const { return feed ? feed->margin() : std::nullopt; }
 };
 
-/// Whether the largest forces in the rod are wanted of a blow, for which waves are recorded.
+/// Choice whether the largest forces in the rod are computed, which requires the histories of the waves.
 enum class Stresses {
-    asNeeded,  ///< for its alerts, where the rod has a strength
-    wanted,    ///< whenever they can be computed
+    /// Only if alerts need them, because the rod has a strength.
+    asNeeded,
+    /// Largest forces whenever they can be computed.
+    wanted,
 };
 
-/// Solves a scenario with `detail` or more; an invalid one is not solved, with the reason. Waves that are too
-/// many to be kept are read in passing unless `detail` is Detail::histories; the lattice solves them without
-/// stresses. A stop leaves a blow unsolved.
+/// Returns the blow of a scenario, solved with the given detail or more. An invalid scenario gives a blow
+/// that is not solved, with the reason. If the waves are too many to be kept, the exact method evaluates them
+/// during the computation, unless `detail` is Detail::histories. The lattice method then solves the blow
+/// without stresses. A stop request leaves the blow unsolved.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 
-/// Does the same with a solver that keeps its workspace, and solves drill strings as exactly as requested.
+/// Returns the blow of a scenario, solved with a given solver, whose memory is reused. `ofString` is the
+/// accuracy for drill strings; the other arguments are those of the function without a solver.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
                NetworkAccuracy ofString = NetworkAccuracy::sure);
 
-// How a blow was solved, for reports, records and remarks.
+// Names of the method for reports, records and remarks
 
-/// Returns the method as JSON names it: "polynomial_cells" of a drill string, whichever is given.
+/// Returns the name of the method in JSON: "polynomial_cells" for a drill string, whatever `method` is;
+/// otherwise that of `method`.
 std::string_view methodKey(const Scenario& scenario, Method method);
 
+/// Names of the method of a blow in several forms.
 struct SolverWords {
-    std::string key;     ///< in JSON: "polynomial_cells"
-    Message name;        ///< "lattice of 1000 segments"
-    Message asked;       ///< in prose: "method lattice, 1000 segments", "polynomial cells"
-    std::string remark;  ///< in files, as remarksOf() reads it again: "method polynomial_cells"
-    Message pieces;      ///< number and unit of Impact::pieces: "11 cells"
+    /// Name in JSON, such as "polynomial_cells".
+    std::string key;
+    /// Name for the user, such as "lattice of 1000 segments".
+    Message name;
+    /// Name within a sentence, such as "method lattice, 1000 segments" or "polynomial cells".
+    Message asked;
+    /// Remark in files, which remarksOf() can read, such as "method polynomial_cells".
+    std::string remark;
+    /// Number of pieces with its unit (Impact::pieces), such as "11 cells".
+    Message pieces;
 };
+/// Returns the names of the method that solved the blow.
 SolverWords solverWords(const Blow& blow);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Waves and motions of a blow over place and time, on a rod or a drill string.
+// Waves and motions of a blow as functions of position and time, for a rod or a drill string.
 #pragma once
 
 #include <optional>
@@ -20,39 +20,50 @@
 
 namespace drillwave {
 
-// A blow on a drill string over time: at the bit, at the face of the hammer, and at a place in between.
+// Blow on a drill string over time: at the bit, at the hammer face, and at a position between them
 
-/// A place in hammer or string; a uniform rod is one section.
+/// Position in hammer or string. A uniform rod counts as one section.
 struct StringPlace {
-    std::size_t section = 0;  ///< of allSections()
-    double share = 0;         ///< ξ, 0 at its rear end … 1
+    /// Index of the section in allSections().
+    std::size_t section = 0;
+    /// Position ξ in the section, 0 at its rear end … 1 at its front end.
+    double share = 0;
     bool operator==(const StringPlace&) const = default;
 };
 
-/// Returns the place of the hammer's rear, in lengths of the string from the shank: below 0 with a hammer.
+/// Returns the position of the hammer's rear end, in lengths of the string from the shank; negative with a
+/// hammer, 0 without.
 double hammerRear(const DrillString& drillString);
 
-/// The place at a share of the length of the string, 0 at the shank … 1 at the bit, below 0 in the hammer.
+/// Returns the position at a share of the string's length: 0 at the shank, 1 at the bit, negative in the
+/// hammer. Shares beyond the ends give the nearer end.
 StringPlace stringPlace(const DrillString& drillString, double share);
 
-/// Returns the bar of gauges on the uniform rod, or at a share of the length of the string as in
-/// stringPlace().
+/// Returns cross-section, modulus and impedance of the bar with strain gauges: that of the uniform rod, or
+/// that of the string at `share` of its length (0 at the shank, 1 at the bit, negative in the hammer).
 SignalBar barAt(const Scenario& scenario, double share);
 
-/// The other way round.
+/// Returns the share of the string's length at a position: 0 at the shank, 1 at the bit, negative in the
+/// hammer.
 double shareOfString(const DrillString& drillString, const StringPlace& place);
 
-/// The middle of the longest section of the string, of the first where several are as long; of a rod.
+/// Returns the middle of the longest section of the string, the first of several of the same length. For a
+/// uniform rod it is the middle of the rod.
 StringPlace middleOfLongest(const DrillString& drillString);
 
-/// Reads a blow whose waves were kept; the blow must outlive it.
+/// Reader of the state at one position of a blow whose waves were recorded. The blow must outlive it.
 class StringHistory {
   public:
+    /// Creates a reader for one position. Requires impact.waves.
     StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place);
 
+    /// Returns the state at a time t/t0, limited to 0 … end(). At a jump, `side` selects the value before or
+    /// after it.
     RodState at(double time, TimeSide side = TimeSide::after) const;
+    /// Returns the time t/t0 up to which the waves are known.
     double end() const { return m_waves->end(); }
-    /// Returns states from 0 to end(), two at a time with a jump; chords follow the curves to about 1e-4 F0.
+    /// Returns the states from 0 to end(), to be joined by straight lines, with an error of about 1e-4 F0. At
+    /// a jump there are two states at the same time.
     std::vector<RodState> sampled() const;
 
   private:
@@ -64,46 +75,55 @@ class StringHistory {
     StringPlace m_place;
 };
 
-/// Returns the places where the sections of hammer and string begin and the last one ends, in lengths of the
-/// string from the shank: the hammer is below 0, the bit at 1.
+/// Returns the positions at which the sections of hammer and string begin, and the end of the last one. They
+/// are in lengths of the string from the shank: the hammer is below 0, the bit at 1.
 std::vector<double> sectionJoints(const DrillString& drillString);
 
-/// Access to the waves of rods and strings for pictures. Places x/L are 0 at the struck end (the shank of a
-/// string; the hammer is below 0) and 1 at the bit; times in t0, forces in F0, velocities in F0/Z, lengths
-/// in d0. A rod is known at all times; a string until end(), later values are NaN.
+/// Access to the waves of rods and strings for pictures. Positions x/L are 0 at the struck end (the shank of
+/// a string; the hammer is below 0) and 1 at the bit. Times are in t0, forces in F0, velocities in F0/Z,
+/// lengths in d0. A rod is known at all times; for a string, values later than end() are NaN.
 class BlowWaves {
   public:
-    /// Requires a blow with histories (Impact::hasHistories()), which must outlive this object.
+    /// Creates the access to a blow with histories (Impact::hasHistories()), which must outlive it.
     explicit BlowWaves(const Blow& blow);
 
-    /// Returns the place where the picture begins: 0, or the rear end of the hammer.
+    /// Returns the position x/L at which the picture begins: 0, or the rear end of the hammer (negative).
     double rear() const { return m_string ? m_string->rear() : 0; }
-    /// Returns the time until which everything is known; infinite for a rod.
+    /// Returns the time t/t0 up to which everything is known; infinite for a uniform rod.
     double end() const;
+    /// Returns force or velocity at the centre of every cell of the grid.
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
+    /// Returns force or velocity at the position x/L and the time t/t0.
     double value(WaveQuantity quantity, double x, double t) const;
-    /// Returns the state of a string at end() for later t; impulse and momentum in units of the results.
+    /// Returns the state at the position x/L and the time t/t0; for a string, t is limited to end(). Impulse
+    /// and momentum have the units of the results: I0, or the hammer's momentum p0.
     RodState state(double x, double t) const;
-    /// Returns the states over the recorded time, twice where something jumps: at a place of a string,
-    /// or at the bit of a rod as sampledStates().
+    /// Returns the states over the recorded time, two at the same time at a jump. For a string they are those
+    /// at `place`, for a rod those at the bit, as in sampledStates().
     std::vector<RodState> sampled(const StringPlace& place) const;
 
-    /// Returns the span from the first touch of hammer and string, or the start of the pulse, to a round trip
-    /// after the last separation of bit and rock; at most a dozen round trips.
+    /// Returns the interval of time that a picture shows at first, in units of t0. It begins with the first
+    /// contact of hammer and string, or the start of the pulse. It ends one round trip after the last
+    /// separation of bit and rock, and after a dozen round trips at the latest.
     TimeSpan interesting() const;
-    /// Return the arrival time of the first wave at the bit, and the time for a round trip from there.
+    /// Returns the time t/t0 at which the first wave reaches the bit, and the round-trip time from there to
+    /// the struck end and back.
     double arrival() const;
     double roundTrip() const;
-    /// Returns the times at which fronts start at the struck end; frontRuns() follows one between two times.
+    /// Returns the times t/t0 at which wave fronts start at the struck end, or the paths of one of these
+    /// fronts between two times.
     std::vector<double> fronts() const;
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
-    /// Returns the contacts of bit and rock, in order; one that was not followed to its end lasts to end().
+    /// Returns the intervals of contact of bit and rock, in order of time, in units of t0. A contact that had
+    /// not ended when the computation did lasts to end().
     std::vector<ContactInterval> contacts() const;
-    /// Returns the contacts of hammer and string, in the same way; none for a rod.
+    /// Returns the intervals of contact of hammer and string, in order of time, in units of t0; empty for a
+    /// rod. A contact that had not ended when the computation did lasts to end().
     std::vector<ContactInterval> faceContacts() const;
-    /// Returns the state of the bit; `contacts` as returned by contacts().
+    /// Returns the contact state of bit and rock at the time t/t0; `contacts` is the result of contacts().
     BitState bit(const std::vector<ContactInterval>& contacts, double t) const;
+    /// Returns the impact force F/F0 at the time t/t0; ≥ 0.
     double impactForce(double t) const;
 
   private:

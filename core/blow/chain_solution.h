@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A blow on a string of any kinds of sections: uniform pieces stand for those that are not.
+// Solution of a blow on a drill string whose sections may be cones, which are replaced by uniform pieces.
 #pragma once
 
 #include <stop_token>
@@ -9,17 +9,18 @@
 
 namespace drillwave {
 
-/// The problem that was solved, and its result.
+/// Result of a blow on a drill string, with the dimensionless problem that was solved.
 struct ChainSolution {
     Problem problem;
     Impact impact;
 };
 
-/// Solves a blow on a string. Sections that are not uniform are split into more pieces until half as many
-/// give nearly the same e and efficiency, as far as the permitted work allows. The error of the pieces falls
-/// with the square of their lengths; the stated errors contain twice the last change, or more where the
-/// changes before were larger. Where the largest forces of so many pieces take too much work, the result has
-/// fewer pieces; where the waves are more than can be kept, they are those of fewer pieces.
+/// Returns the solution of a blow on a drill string. Each cone is replaced by uniform pieces. Their number is
+/// doubled until coefficient of restitution and efficiency hardly change, or the work limit is near. The
+/// error of the pieces is proportional to the square of their length. The stated errors contain twice the
+/// last change, or more if the changes before were larger. If the largest forces of so many pieces take too
+/// much work, the result has fewer pieces. If the waves are too many to be kept, they are those of fewer
+/// pieces.
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                          const std::stop_token& stop = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a scenario can be drilled with, blow after blow.
+// Checks whether a scenario can be computed blow after blow, and the numbers of such sequences.
 #pragma once
 
 #include <optional>
@@ -11,55 +11,73 @@
 
 namespace drillwave {
 
-// Results of many blows under a feed (drilling §5), from which the outputs `drill_…` are taken.
+// Results of many blows under a feed (drilling §5), from which the outputs `drill_…` are taken
 
-/// Gaps and penetrations are multiples of d0, impulses of I0, forces of F0. Empty where there is no number:
-/// no statistics of a machine that is pushed back, and no numbers that were not requested.
+/// Statistics of many blows. Unless another unit is given, lengths are in d0, impulses in I0, forces in F0. A
+/// number is empty if it was not requested, or if the machine is pushed back, which has no statistics.
 struct DrillNumbers {
     using Number = std::optional<double>;
-    Number gapMean, gapDeviation, gap05, gap50, gap95;  ///< at the blow; ≥ 0
-    Number penetration;                                 ///< mean of a blow
-    Number penetrationError;                            ///< of that, 95 %
-    Number penetrationRate;                             ///< [m/s]
-    Number rockImpulse;                                 ///< mean
-    Number peakForce;                                   ///< mean of the largest of each blow
-    Number damperForce;                                 ///< largest
-    Number contactShare;                                ///< blows that begin within 0.01 d0 of the rock
-    Number contacts;                                    ///< mean of a blow
-    Number period;                                      ///< 1 … 16 blows; 0: it does not repeat
-    Number lyapunov;                                    ///< λ per blow
-    Number thrustNumber;                                ///< φ
-    Number roundTrips;                                  ///< n_b
-    Number momentumResidual;                            ///< over N Fe/f
-    Number energyResidual;                              ///< over the hammer work
+    /// Mean, standard deviation and 5, 50 and 95 % quantiles of the gap between bit and crater at the blow; ≥
+    /// 0.
+    Number gapMean, gapDeviation, gap05, gap50, gap95;
+    /// Mean penetration of the bit per blow, in units of d0.
+    Number penetration;
+    /// 95 % error of the mean penetration per blow.
+    Number penetrationError;
+    /// Mean penetration rate (length drilled per time), in m/s.
+    Number penetrationRate;
+    /// Mean impulse on the rock per blow.
+    Number rockImpulse;
+    /// Mean over all blows of the largest impact force in each.
+    Number peakForce;
+    /// Largest damper force of all blows.
+    Number damperForce;
+    /// Share of blows that start with the bit within 0.05 d0 of the rock; 0 … 1.
+    Number contactShare;
+    /// Mean number of contacts of bit and rock per blow.
+    Number contacts;
+    /// Number of blows, 1 … 16, after which the motion repeats; 0 if it does not repeat.
+    Number period;
+    /// Lyapunov exponent λ per blow; above 0, individual blows are not reproducible.
+    Number lyapunov;
+    /// Ratio φ = Fe/(f I0) of the effective feed force to the mean force of the blows.
+    Number thrustNumber;
+    /// Number n_b of round trips of a wave between two blows.
+    Number roundTrips;
+    /// Error of the momentum balance, as a share of the impulse N Fe/f of N blows.
+    Number momentumResidual;
+    /// Error of the energy balance, as a share of the hammer work.
+    Number energyResidual;
 };
 
-/// Which of them take marches of their own.
+/// Numbers that require a sequence of blows to be computed.
 struct RequiredMarches {
+    /// Whether the Lyapunov exponent is required, which takes a second sequence.
     bool any = false;
+    /// Whether the error of the penetration is required, which takes a sequence with other time steps.
     bool lyapunov = false;
     bool penetrationError = false;
 };
 
-/// Default number of blows that are marched for each value of a study of many values, and of transient blows
-/// among them.
+/// Default number of blows for each value in a study of many values, and of the transient blows among them.
 inline constexpr long scanBlows = 300, scanSettle = 100;
 
-/// Number of blows that are followed, and of transient blows at the start that are excluded from statistics.
+/// Number of blows of a sequence, and of transient blows at its start that the statistics exclude.
 struct DrillLength {
     long blows = scanBlows;
     long settle = scanSettle;
 };
 
-/// Returns the length for studies of many values, as the scenario sets it. By default a fifth of the blows is
-/// excluded as transient.
+/// Returns the numbers of blows for each value in a study of many values, as the scenario sets them. If it
+/// only sets the number of blows, a fifth of them are transient.
 DrillLength scanLengthOf(const Scenario& scenario);
 
-/// Returns why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …".
-/// Empty if it can be.
+/// Returns the reasons why a sequence of blows cannot be computed for a valid scenario, each with its key:
+/// "drill.thrust: is missing …". Returns an empty list if it can be computed.
 std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length);
 
-/// Returns the problems of a study of many values, in one line.
+/// Returns the reasons why no sequence of blows can be computed in a study of many values, as one line; empty
+/// if one can.
 Message drillProblem(const Scenario& scenario);
 
 }  // namespace drillwave

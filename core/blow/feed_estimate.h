@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimates of the required feed force from a single blow. Their words are in
-// report/feed_words.h.
+// Estimates of the required feed force from a single blow. The texts for them are in report/feed_words.h.
 #pragma once
 
 #include <array>
@@ -16,19 +15,23 @@
 
 namespace drillwave {
 
-// Cases for which the required feed force is estimated.
+// Cases for which the required feed force is estimated
 
-/// Cases from the blow at hand to the worst one.
+/// Cases for which the required feed force is estimated, from the given blow to the worst one.
 enum class ThrustCase {
-    scenario,      ///< the blow as given
-    gapQuantile,   ///< 95 % of all gaps of a period, in this rock
-    rigidRock,     ///< e = 1, the usual estimate
-    elasticWorst,  ///< γ = 1 at this stiffness, the worst of all gaps
+    /// The blow of the scenario, with its own gap.
+    scenario,
+    /// 95 % of all gaps within a period, in the rock of the scenario.
+    gapQuantile,
+    /// Rigid rock, with the coefficient of restitution e = 1; the usual estimate.
+    rigidRock,
+    /// Elastic rock (γ = 1) of the same stiffness, with the worst of all gaps.
+    elasticWorst,
 };
 inline constexpr auto thrustCases = allValues<ThrustCase>;
 inline constexpr std::size_t thrustCaseCount = valueCount<ThrustCase>;
 
-/// "scenario", "gap_95_percent", "rigid_rock", "elastic_worst_gap".
+/// Returns the name of a case in files: "scenario", "gap_95_percent", "rigid_rock" or "elastic_worst_gap".
 constexpr std::string_view name(ThrustCase which) {
     constexpr EnumNames<ThrustCase> names{{{ThrustCase::scenario, "scenario"},
                                            {ThrustCase::gapQuantile, "gap_95_percent"},
@@ -37,157 +40,213 @@ constexpr std::string_view name(ThrustCase which) {
     return names[which];
 }
 
-// The force that presses machine and rod to the rock.
+// Force that presses machine and rod to the rock
 
-/// The effective force F of theory §10 and its parts. Friction of the feed is not counted.
+/// Effective feed force Fe of theory §10 and its parts. Friction of the feed is neglected.
 struct FeedForce {
-    double thrust = 0;  ///< installed [N]
-    /// (machine mass + rod mass) g sin(inclination) [N], positive where it pulls to the rock; nothing where
-    /// no inclination is given.
+    /// Installed feed force, in N.
+    double thrust = 0;
+    /// Weight along the hole, (machine mass + rod mass) g sin(inclination), in N, positive if it pulls
+    /// towards the rock. Nothing if no inclination is given.
     std::optional<double> weight;
     bool operator==(const FeedForce&) const = default;
 
-    double effective() const { return thrust + weight.value_or(0); }  ///< F [N]
-    /// Returns the excess over a required feed force [N], as a share of the required force.
+    /// Returns the effective feed force Fe, in N: installed feed force plus weight along the hole.
+    double effective() const { return thrust + weight.value_or(0); }
+    /// Returns Fe/needed − 1, the relative excess over a required feed force `needed` in N.
     double marginOver(double needed) const { return effective() / needed - 1; }
 };
 
-/// nullopt where no thrust is installed.
+/// Returns the feed force of a scenario; nullopt if no installed feed force is given.
 std::optional<FeedForce> feedForceOf(const Scenario& scenario);
 
-/// Returns (machine mass + rod mass) g sin(inclination) [N]; nullopt without units or an inclination. A
-/// missing machine mass counts as 0.
+/// Returns the weight along the hole, (machine mass + rod mass) g sin(inclination), in N. Returns nullopt
+/// without units or an inclination. A missing machine mass counts as 0.
 std::optional<double> weightAlongHole(const Scenario& scenario);
 
-// The feed force that blows need for full penetration.
+// Feed force that a single blow requires
 
-/// Returns the mean feed force f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock returns with
-/// every blow that starts at rest on the rock. For drill strings (strings §7) I0 is what the hammer
-/// transfers, `transferred` of its momentum (ImpactSummary::transferred); a string still moving to the rock
-/// counts as e = 0. nullopt where thrustProblem() says why.
+/// Returns the required feed force f·I0·(1 + e), in N (T34) [paper (9)]. It is the mean force of the rock if
+/// every blow starts at rest on the rock; a negative e counts as 0. For drill strings (strings §7), I0 is the
+/// impulse that the hammer transfers: its momentum times `transferred` (ImpactSummary::transferred). Returns
+/// nullopt if thrustProblem() gives a reason.
 std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred = 1);
 
-/// Returns why a scenario has no required feed force, and what to do; empty if it has one.
+/// Returns the reason why a scenario has no required feed force, and the remedy; empty if it has one.
 Message thrustProblem(const Scenario& scenario);
 
-/// Returns why a scenario has no margin of the installed feed force, and what to do; empty if it has one.
+/// Returns the reason why a scenario has no margin of the installed feed force, and the remedy; empty if it
+/// has one.
 Message thrustMarginProblem(const Scenario& scenario);
 
-/// Returns why a scenario has no blow frequency; `what` needs it ("the thrust" or the like). Empty if it has.
+/// Returns the reason why a scenario has no blow frequency; empty if it has one. `what` names the quantity
+/// that needs the frequency, such as "the feed force".
 Message frequencyProblem(const Scenario& scenario, const char* what);
 
-// Motion of a rod between blows without damping of its rebound.
+// Motion of a rod between blows if its rebound is not damped
 
-/// The steady motion of a rigid rod that is struck f times a second, is pressed by a constant force and
-/// rebounds with e (theory §10).
+/// Steady motion of a rigid rod that is struck f times per second, is pressed by a constant force Fe and
+/// rebounds with the coefficient of restitution e (theory §10). φ = Fe/(f I0) is the ratio of that force to
+/// the mean force of the blows.
 struct UndampedMotion {
+    /// Kind of steady motion, by the force ratio φ = Fe/(f I0) and the coefficient of restitution e.
     enum class Kind {
-        pushedBack,  ///< φ ≤ 1: the blows push the machine back, and no steady motion is left
-        bouncing,  ///< 1 < φ < (1+e)/(1−e): one impact per blow, the bit off the rock when the hammer strikes
-        resting,  ///< beyond: at rest on the rock before every blow
+        /// φ ≤ 1: the blows push the machine back, and there is no steady motion.
+        pushedBack,
+        /// 1 < φ < (1+e)/(1−e): one impact per blow, and the bit is off the rock when the hammer strikes.
+        bouncing,
+        /// φ ≥ (1+e)/(1−e): the rod is at rest on the rock before every blow.
+        resting,
     };
     Kind kind = Kind::pushedBack;
-    double impactVelocity = 0;  ///< V [v0] (T36), of Kind::bouncing
-    double delay = 0;           ///< a, from a blow to the impact [1/f] (T36), of Kind::bouncing
-    double gap = 0;             ///< y ≥ 0, between bit and rock when the hammer strikes [v0/f] (T36)
-    /// Whether the motion returns to this one after a disturbance: not if it bounces with e ≥ 1.
+    /// Impact velocity V on the rock, in units of v0 (T36); only for Kind::bouncing.
+    double impactVelocity = 0;
+    /// Time a from a blow to the impact on the rock, in units of 1/f (T36); only for Kind::bouncing.
+    double delay = 0;
+    /// Gap y between bit and rock when the hammer strikes, in units of v0/f (T36); ≥ 0.
+    double gap = 0;
+    /// Whether the motion returns to this one after a disturbance. It is false if the rod bounces with a
+    /// coefficient of restitution e ≥ 1, or if the machine is pushed back.
     bool stable = false;
     bool operator==(const UndampedMotion&) const = default;
 };
 
-/// Returns the motion for the feed φ = F/(f I0) and e ≥ 0.
+/// Returns the steady motion for φ = Fe/(f I0) = `feed` and the coefficient of restitution e = `cor` ≥ 0.
 UndampedMotion undampedMotion(double feed, double cor);
 
-/// Returns φ = (1+e)/(1−e), from which on the rod rests before every blow; infinite for e ≥ 1.
+/// Returns φ = (1+e)/(1−e), the lowest ratio Fe/(f I0) at which the rod rests before every blow; infinite for
+/// e ≥ 1. e is the coefficient of restitution `cor`.
 double restingFeed(double cor);
 
-/// Place of the bit when the hammer strikes, if nothing damps the rebound.
+/// Gap between bit and rock when the hammer strikes, if nothing damps the rebound.
 struct GapAtBlow {
+    /// Steady motion at the effective feed force.
     UndampedMotion motion;
-    double feed = 0;        ///< φ = F/(f I0)
-    double roundTrips = 0;  ///< n_b = 1/(2 T f)
-    double gap = 0;         ///< y v0/f [m] (T37); 0 unless it bounces
-    double inD0 = 0;        ///< y n_b of a uniform rod [d0]
+    /// Ratio φ = Fe/(f I0) of the effective feed force to the mean force of the blows.
+    double feed = 0;
+    /// Number of round trips of a wave between two blows, n_b = 1/(2 T f).
+    double roundTrips = 0;
+    /// Gap y v0/f, in m (T37); 0 unless the rod bounces.
+    double gap = 0;
+    /// Gap in units of d0; y n_b for a uniform rod.
+    double inD0 = 0;
     bool operator==(const GapAtBlow&) const = default;
 };
 
-/// Returns the gap; nullopt without an installed thrust, or where thrustProblem() says why. A drill string
-/// counts as a rigid body.
+/// Returns the gap for a coefficient of restitution. A drill string counts as a rigid body; `transferred` is
+/// the share of its momentum that the hammer transfers. Returns nullopt without an installed feed force, or
+/// if thrustProblem() gives a reason.
 std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
 
-/// The required force of one case, by its own e. Margin and frequency limit are about `thrust`.
+/// Required feed force of one case, computed with the coefficient of restitution e of that case. The members
+/// `margin` and `frequencyLimit` refer to the member `thrust`.
 struct ThrustNeed {
-    /// Whether it was computed. The gaps of a drill string have no period, so its cases of all gaps are not.
+    /// Whether the case was computed. Cases over all gaps are not computed for drill strings, whose
+    /// coefficient of restitution is not periodic over the gap.
     bool known = true;
+    /// Coefficient of restitution e of the case, with its error.
     Estimate cor;
-    double thrust = 0;             ///< f I0 (1+e): the mean force that balances a blow from rest [N]
-    double thrustUndamped = 0;     ///< f I0 (1+2e): an undamped rigid rod is back before the next blow [N]
-    std::optional<double> margin;  ///< effective force over `thrust`, less 1, with an installed thrust
-    /// Blow frequency up to which the effective force is at least `thrust` [Hz].
+    /// Required feed force f I0 (1+e), in N: the mean force that balances blows which start at rest on the
+    /// rock.
+    double thrust = 0;
+    /// Feed force f I0 (1+2e), in N, with which an undamped rigid rod returns to the rock before the next
+    /// blow.
+    double thrustUndamped = 0;
+    /// Effective feed force over `thrust`, less 1; nothing without an installed feed force.
+    std::optional<double> margin;
+    /// Blow frequency, in Hz, up to which the effective feed force is at least `thrust`; nothing without an
+    /// installed feed force.
     std::optional<double> frequencyLimit;
-    std::optional<GapAtBlow> gapAtBlow;  ///< at the effective force, by this e
+    /// Gap between bit and rock at the blow, for the effective feed force and the coefficient of restitution
+    /// of this case.
+    std::optional<GapAtBlow> gapAtBlow;
     bool operator==(const ThrustNeed&) const = default;
 };
 
-/// Required forces, in the order of ThrustCase.
+/// Required feed forces of all cases, in the order of ThrustCase.
 using ThrustNeeds = std::array<ThrustNeed, thrustCaseCount>;
 
-/// Returns the known case with the largest `thrust`.
+/// Returns the computed case with the largest `thrust`.
 const ThrustNeed& largestOf(const ThrustNeeds& needs);
 
-/// The effective feed force among the estimates of single blows.
+/// Rating of the effective feed force by the estimates from a single blow.
 enum class FeedState {
-    pushedBack,         ///< below f I0: less than the mean force of the blows
-    belowRequired,      ///< below what this blow requires
-    requiredAtThisGap,  ///< this blow is covered, the largest examined case is not
-    requiredMet,        ///< the largest examined case is covered
-    returnMet,          ///< the largest examined case is covered with return in time
-    notApplicable,      ///< waves of a blow are still present at the next one, n_b < 1
+    /// Below f I0, the mean force of the blows.
+    pushedBack,
+    /// Below the required feed force of this blow.
+    belowRequired,
+    /// Enough for this blow, but not for the largest examined case.
+    requiredAtThisGap,
+    /// Enough for the largest examined case.
+    requiredMet,
+    /// Enough for the largest examined case, with return of the rod to the rock before the next blow.
+    returnMet,
+    /// No rating, because waves of a blow are still present at the next one (n_b < 1).
+    notApplicable,
 };
 
-/// "pushed_back", "below_required", "required_at_this_gap", "required_met", "return_met", "not_applicable".
+/// Returns the name of a rating in files: "pushed_back", "below_required", "required_at_this_gap",
+/// "required_met", "return_met" or "not_applicable".
 std::string_view name(FeedState state);
 
-/// The estimates of a scenario with units and a blow frequency.
+/// Estimates of the required feed force for a scenario with units and a blow frequency.
 struct FeedEstimate {
-    std::optional<FeedForce> force;  ///< nothing where no thrust is installed
-    double weight = 0;               ///< along the hole, 0 where no inclination is given [N]
-    double frequency = 0;            ///< of blows [Hz]
-    double balance = 0;              ///< f I0 [N]
-    double roundTrips = 0;           ///< n_b
-    bool gapsHavePeriod = true;      ///< of a uniform rod: its cases of all gaps can be computed
-    ThrustNeeds needs;               ///< this blow and rigid rock are always known
+    /// Feed force of the scenario; nothing if no installed feed force is given.
+    std::optional<FeedForce> force;
+    /// Weight along the hole, in N, positive towards the rock; 0 if no inclination is given.
+    double weight = 0;
+    /// Blow frequency f, in Hz.
+    double frequency = 0;
+    /// Mean force of the blows f I0, in N.
+    double balance = 0;
+    /// Number n_b of round trips of a wave between two blows.
+    double roundTrips = 0;
+    /// Whether the coefficient of restitution is periodic over the gap, as for a uniform rod; then cases over
+    /// all gaps can be computed.
+    bool gapsHavePeriod = true;
+    /// Required feed forces of all cases; this blow and rigid rock are always computed.
+    ThrustNeeds needs;
 
+    /// Returns the required feed force of one case.
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
-    /// The known case with the largest `thrust`.
+    /// Returns the computed case with the largest `thrust`.
     const ThrustNeed& largest() const { return largestOf(needs); }
+    /// Returns which computed case has the largest `thrust`.
     ThrustCase largestCase() const;
-    /// Whether all four cases are known.
+    /// Returns whether all four cases are computed.
     bool isOfAllGaps() const;
-    /// F [N], nothing where no thrust is installed.
+    /// Returns the effective feed force Fe, in N; nothing if no installed feed force is given.
     std::optional<double> effective() const;
-    /// F over the largest of the four cases, less 1; nothing where one of them is not known.
+    /// Returns Fe over the largest required feed force of the four cases, less 1; nothing if a case is not
+    /// computed or no installed feed force is given.
     std::optional<double> margin() const;
-    /// Returns the state; nothing if no thrust is installed and the estimates apply.
+    /// Returns the rating of the effective feed force. Returns nothing if the estimates apply but no
+    /// installed feed force is given.
     std::optional<FeedState> state() const;
-    /// Returns whether a warning is due: machine pushed back, or feed below the required force of this blow.
+    /// Returns whether a warning is due: the machine is pushed back, or the feed force is below the required
+    /// one of this blow.
     bool isTooLittle() const;
-    /// Returns the thrust to install for a required force: the part not provided by the weight [N], ≥ 0.
+    /// Returns the feed force to install for a required feed force, in N: the part that the weight does not
+    /// provide; ≥ 0.
     double thrustFor(double needed) const;
-    /// Returns the blow frequency up to which the installed force covers a required one [Hz]; 0 if nothing
-    /// presses to the rock.
+    /// Returns the blow frequency, in Hz, up to which the effective feed force covers a required feed force.
+    /// The required force, in N, is the one at the present frequency. Returns 0 if no force presses to the
+    /// rock.
     double frequencyFor(double needed) const;
     bool operator==(const FeedEstimate&) const = default;
 };
 
-/// COR e over all gaps.
+/// Coefficients of restitution e over all gaps of a period.
 struct ReboundsOverGaps {
-    Estimate quantile;  ///< 95 % of all gaps of a period are at or below
-    Estimate worst;     ///< of elastic rock
+    /// Coefficient of restitution that is not exceeded at 95 % of all gaps.
+    Estimate quantile;
+    /// Largest coefficient of restitution of all gaps on elastic rock (γ = 1).
+    Estimate worst;
 };
 
-/// Estimates the feed from the e of the blow itself; the hammer of a drill string transfers `transferred` of
-/// its momentum. nullopt where thrustProblem() says why.
+/// Returns the estimates of the required feed force from the coefficient of restitution `cor` of a blow.
+/// `transferred` is the share of its momentum that the hammer of a drill string transfers. `overGaps` adds
+/// the cases over all gaps. Returns nullopt if thrustProblem() gives a reason.
 std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor,
                                          double transferred = 1,
                                          const std::optional<ReboundsOverGaps>& overGaps = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of files §4 for one solved blow, dimensionless.
+// Numbers of one solved blow (files §4), dimensionless.
 #pragma once
 
 #include <functional>
@@ -13,95 +13,136 @@
 
 namespace drillwave {
 
-// Where the work of the hammer went.
+// Balance of the hammer work
 
-/// Shares of the hammer work W, or of the energy E0 of a hammer that is followed; of a uniform rod the first
-/// three together are 1 + residual.
+/// Energies after a blow as shares of the hammer work W, or of the hammer energy E0 of a drill string. For a
+/// uniform rod, the first three add up to 1 + residual.
 struct EnergyLedger {
-    double rockWork = 0;            ///< left in the rock [W]
-    double reboundEnergy = 0;       ///< of the rod moving back as a whole [W]
-    double residualWaveEnergy = 0;  ///< of the waves left in the rod [W]
-    double residual = 0;            ///< error of the balance [W]
+    /// Share of W or E0 that stays in the rock.
+    double rockWork = 0;
+    /// Share of W or E0 in the motion of the rod or string as a whole, p²/(2m).
+    double reboundEnergy = 0;
+    /// Share of W or E0 in the waves that remain in rod or string.
+    double residualWaveEnergy = 0;
+    /// Error of the energy balance, as a share of W or E0.
+    double residual = 0;
     bool operator==(const EnergyLedger&) const = default;
 };
 
-/// Requires an impact solved with Detail::ledger or more.
+/// Returns the energies after a blow as shares of the hammer work. Requires an impact solved with
+/// Detail::ledger or more.
 EnergyLedger ledgerOf(const Impact& impact, const Problem& problem);
 
-/// Everything of files §4, dimensionless.
+/// Results of one solved blow (files §4), dimensionless.
 struct ImpactSummary {
+    /// Coefficient of restitution e of rod or string.
     double cor = 0;
+    /// Impulse on the rock, in units of I0 (for a hammer, of its momentum p0); 1 + e for a uniform rod with
+    /// the coefficient of restitution e.
     double impulse = 0;
-    double peakForce = 0;            ///< F0
-    double maxPenetration = 0;       ///< d0
-    double residualPenetration = 0;  ///< d0
-    double firstContactTime = 0;     ///< t0
-    double separationTime = 0;       ///< t0
-    double contactDuration = 0;      ///< t0
-    double workRatio = 0;            ///< W/W0 [paper (2)]
+    /// Largest impact force, in units of F0.
+    double peakForce = 0;
+    /// Largest penetration of the bit, in units of d0.
+    double maxPenetration = 0;
+    /// Residual penetration after the blow, in units of d0.
+    double residualPenetration = 0;
+    /// Time of the first contact since the start of the blow, in units of t0.
+    double firstContactTime = 0;
+    /// Time of the last separation since the start of the blow, in units of t0.
+    double separationTime = 0;
+    /// Sum of the durations of all contacts, in units of t0.
+    double contactDuration = 0;
+    /// Work ratio W/W0 [paper (2)]; for a hammer, the share of its energy that it transfers.
+    double workRatio = 0;
+    /// Shares of the hammer work in rock, rebound and waves.
     EnergyLedger energy;
-    double momentumResidual = 0;  ///< of I0
+    /// Error of the momentum balance, as a share of I0 or p0.
+    double momentumResidual = 0;
+    /// Upper bound of the error of `cor`.
     double corError = 0;
-    double growth = 1;                        ///< Impact::growth
-    int contacts = 0;                         ///< separate contacts
-    std::optional<int> forcePeaks = {};       ///< forcePeaks(), where the histories were kept
-    std::optional<RodForces> rodForces = {};  ///< [F0] of a uniform rod, if requested
+    /// Factor by which later contacts may amplify rounding errors of earlier ones (Impact::growth).
+    double growth = 1;
+    /// Number of separate contacts of bit and rock.
+    int contacts = 0;
+    /// Number of peaks of the impact force (see forcePeaks()); nothing unless the histories were evaluated.
+    std::optional<int> forcePeaks = {};
+    /// Largest forces in a uniform rod, in units of F0; nothing unless requested.
+    std::optional<RodForces> rodForces = {};
 
-    double transferred = 1;      ///< momentum that the drive transfers to rod or string [I0; p0]
-    double loadingWork = 0;      ///< A(Fm), work on the rock up to the largest force, of the hammer work
-    double efficiencyError = 0;  ///< stated error of energy.rockWork and other shares, where cells give it
-    double stressError = 0;      ///< stated error of the largest stresses of a string, as a share of them
+    /// Momentum that hammer or force transfers to rod or string, in units of I0, or of p0 for a hammer.
+    double transferred = 1;
+    /// Work A(Fm) on the rock up to the largest force, as a share of the hammer work.
+    double loadingWork = 0;
+    /// Stated error of energy.rockWork and other energy shares; 0 unless the method uses cells.
+    double efficiencyError = 0;
+    /// Stated error of the largest stresses of a string, as a share of them.
+    double stressError = 0;
 
-    // Energies in W, or in E0 of a followed hammer; momenta in I0, or in p0 of a followed hammer
-    double stringMomentum = 0;                  ///< towards the rock
-    double stringEnergy = 0;                    ///< of string or rod
-    double jointLoss = 0;                       ///< energy lost in joints
-    double rodLoss = 0;                         ///< energy lost on the way through sections
-    double hammerReboundVelocity = 0;           ///< of a followed hammer, away from the rock [v0]
-    double hammerReboundEnergy = 0;             ///< energy of that motion
-    double hammerWaveEnergy = 0;                ///< of waves left in the hammer
-    double faceEnergy = 0;                      ///< in the stiffness of the faces
-    double faceSeparationTime = Impact::never;  ///< when hammer and string first part [t0]
-    double endTime = 0;                         ///< to when a string was followed [t0]
+    // Energies are in units of W, or of E0 for a hammer; momenta in units of I0, or of p0 for a hammer
+    /// Momentum of the string after the blow, in units of I0 or p0, positive towards the rock.
+    double stringMomentum = 0;
+    /// Energy of string or rod after the blow, as a share of W or E0.
+    double stringEnergy = 0;
+    /// Energy lost in joints, as a share of W or E0.
+    double jointLoss = 0;
+    /// Energy lost by attenuation in sections, as a share of W or E0.
+    double rodLoss = 0;
+    /// Velocity of the hammer after the blow, in units of v0, positive away from the rock; 0 for a force.
+    double hammerReboundVelocity = 0;
+    /// Energy of the hammer's rebound motion, as a share of E0.
+    double hammerReboundEnergy = 0;
+    /// Energy of the waves that remain in the hammer, as a share of E0.
+    double hammerWaveEnergy = 0;
+    /// Elastic energy that remains in the contact stiffness of the hammer face, as a share of E0.
+    double faceEnergy = 0;
+    /// Time at which hammer and string first separate, in units of t0; NaN if they do not.
+    double faceSeparationTime = Impact::never;
+    /// Time to which a drill string was computed, in units of t0.
+    double endTime = 0;
 
-    /// Largest stresses over all sections of hammer and string [F0/A of the rod], if requested: while the
-    /// blow lasts, and later if it was followed that long.
+    /// Largest stresses over all sections of hammer and string, in units of F0/A of the rod, if requested.
+    /// The stresses during the blow and after it are separate values; the latter are missing if the
+    /// computation ended too early.
     OfLoads<std::optional<double>> largest = {};
 
+    /// Returns the energy in the rock plus that of the hammer's rebound, as a share of W or E0.
     double efficiencyRecovered() const { return energy.rockWork + hammerReboundEnergy; }
-    /// Sets the forces of a uniform rod.
+    /// Sets the largest forces of a uniform rod, and from them the largest stresses.
     void setForces(const RodForces& forces);
 };
 
-/// Summarises an impact solved with Detail::ledger or more. With less detail only the numbers of that
-/// detail mean anything; the rest is NaN or zero. With Detail::cor these are `cor`, `impulse` and
+/// Returns the numbers of an impact solved with Detail::ledger or more. With less detail, only the numbers of
+/// that detail are valid; the others are NaN or zero. With Detail::cor these are `cor`, `impulse` and
 /// `corError`.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
-/// Returns the energy that shares of energy refer to [W0]: the energy of a hammer that is followed, or the
-/// work of the force.
+/// Returns the reference of energy shares, in units of W0: the energy of the hammer, or the work of the
+/// prescribed force.
 double drivenEnergy(const ImpactSummary& summary, const Scenario& scenario);
 
-/// Which numbers of the waves are wanted: each takes some time.
+/// Choice of the numbers that are computed from the waves; each takes additional time.
 struct WaveNumbers {
+    /// Whether the peaks of the impact force are counted.
     bool forcePeaks = true;
+    /// Largest forces in the rod to compute.
     RodForceChoice forces = {};
 };
 
-/// Summarises with the requested peaks of the impact force and largest forces in the rod, if the impact was
-/// solved with Detail::histories.
+/// Returns the numbers of an impact. If it was solved with Detail::histories, they include the requested
+/// numbers of the waves: the peaks of the impact force and the largest forces in the rod.
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
                                  const WaveNumbers& wanted = {});
 
-// The numbers of a blow that follow from its waves, in memory that does not grow with the blow.
+// Numbers of the waves of a blow in limited memory, however long its histories are
 
-/// Returns whether the histories of a blow are too long to be kept for some numbers, by the exact solver;
-/// `solve` keeps its solution. For such a blow this is the one with Detail::ledger, otherwise with
-/// Detail::cor, which takes a few percent of the time of its histories.
+/// Returns whether the histories of a blow are too long to be kept. `solve` solves the blow with the exact
+/// solver and keeps the solution. It is called with Detail::cor, which takes a few percent of the time of
+/// histories. If they are too long, it is called again with Detail::ledger.
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
-/// Summarises such a blow as summarizeWithWaves() does, solving it again. After a stop the numbers of the
-/// waves are missing.
+/// Returns the numbers of a blow whose histories are too long to be kept. The blow is solved a second time,
+/// and its waves are evaluated during the computation; results are those of summarizeWithWaves(). After a
+/// stop request the numbers of the waves are missing.
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop);
 

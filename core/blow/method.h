@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of the solvers is to be used, and one place to call it.
+// Choice of the solver, and a class that calls it.
 #pragma once
 
 #include <optional>
@@ -17,71 +17,85 @@
 
 namespace drillwave {
 
-/// Method of solving a blow.
+/// Method of solving a blow on a uniform rod.
 enum class Method {
-    exact,       ///< from event to event (ExactSolver)
-    lattice,     ///< the paper's algorithm (LatticeSolver)
-    closedForm,  ///< the paper's analytical solution (solveClosedForm())
+    /// Exact solution from event to event (ExactSolver).
+    exact,
+    /// Lattice algorithm of the underlying paper, with equal time steps (LatticeSolver).
+    lattice,
+    /// Analytical solution of the underlying paper for elastic rock and a rectangular force
+    /// (solveClosedForm()).
+    closedForm,
 };
 
-/// "closed_form" and so on, as on the command line.
+/// Returns the name of a method on the command line, such as "closed_form".
 std::string_view name(Method method);
+/// Returns the method with the given name; nullopt if there is none.
 std::optional<Method> findMethod(std::string_view name);
-/// Returns the name as used in a sentence, as a message in English.
+/// Returns the name of a method for use in a sentence, as a translatable message.
 Message nameMessage(Method method);
-/// Returns all names, in the order of Method.
+/// Returns the names of all methods, in the order of Method.
 std::span<const std::string_view> methodNames();
-/// Returns why no method has that name: "must be exact, lattice or closed_form"; empty if one has.
+/// Returns the reason why `name` is not a method: "must be exact, lattice or closed_form". Returns an empty
+/// message if it is one.
 Message methodProblem(std::string_view name);
-/// Name of the only method for drill strings, as written into results.
+/// Name of the method for drill strings in results; drill strings have no other method.
 inline constexpr std::string_view methodOfStrings = "polynomial_cells";
 
-/// Returns the segments of a lattice read from text; nothing if they are no permitted whole number, for which
-/// segmentsProblem() gives the reason.
+/// Returns the number of segments of the lattice method that a text gives. Returns nothing if it is not an
+/// allowed whole number, for which segmentsProblem() gives the reason.
 std::optional<int> segmentsIn(std::string_view text);
+/// Returns the message that states the allowed range of the number of segments.
 Message segmentsProblem();
 
-/// A method with its settings.
+/// Method of solving a blow, with its settings.
 struct MethodChoice {
     Method method = Method::exact;
-    LatticeOptions lattice;  ///< counts for Method::lattice only
+    LatticeOptions lattice;  ///< Settings of the lattice method; ignored for other methods.
     bool operator==(const MethodChoice&) const = default;
 };
 
-/// Returns "method exact", "method lattice, 1000 segments": the settings to repeat it.
+/// Returns method and settings in words, such as "method exact" or "method lattice, 1000 segments".
 Message methodMessage(const MethodChoice& choice);
-/// Returns the same in English, as in files.
+/// Returns method and settings in English words, as written in files.
 std::string describe(const MethodChoice& choice);
 
-/// Returns why a method cannot solve a blow that others can; empty if it can.
+/// Returns the reason why a method cannot solve a blow that other methods can; empty if it can solve it.
 Message methodRefusal(Method method, const Problem& problem);
 
-/// Work of a wave piece of the exact solver, in cells of a string.
+/// Work of a wave piece of the exact solver, in units of the work of a cell of a drill string.
 inline constexpr long cellsOfPiece = 30;
 
-/// Limits of the work of one blow; a blow that needs more is not solved.
+/// Limits of the work of one blow. A blow that needs more is not solved.
 struct WorkLimits {
-    long pieces = defaultWorkLimit;  ///< wave pieces of the exact solver
-    long cells = mostNetworkCells;   ///< cells of a string
+    /// Maximum number of wave pieces of the exact solver.
+    long pieces = defaultWorkLimit;
+    /// Maximum number of cells times nodes for a drill string.
+    long cells = mostNetworkCells;
 };
 
-/// Solves one blow after another by any method, keeping the workspace. One solver per thread.
+/// Solver for blows by any method, which reuses its memory from blow to blow. Each thread needs its own
+/// solver.
 class MethodSolver {
   public:
+    /// Creates a solver with the given limits of work.
     explicit MethodSolver(const WorkLimits& limits = {})
         : m_exact(limits.pieces), m_mostCells(limits.cells) {}
 
-    /// The problem is as for ExactSolver::solve(). A blow that the method refuses is not solved, with the
-    /// reason. The closed form, which takes no time, does not look at `stop`.
+    /// Returns the solution of a blow by the chosen method, with the requirements on `problem` of
+    /// ExactSolver::solve(). A blow that the method refuses is not solved, with the reason. The closed form
+    /// takes no time and ignores `stop`.
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
-    /// Applies ExactSolver::leaveOutLedger() to the exact solver from now on.
+    /// Calls ExactSolver::leaveOutLedger() for the exact solver, with effect on all following blows.
     void leaveOutLedger() { m_exact.leaveOutLedger(); }
 
-    /// Solves drill strings, which have only one method. The allowed number of cells is that of the limits.
+    /// Returns the solution of a blow on a drill string. The limit of cells in `settings` is replaced by that
+    /// of this solver.
     ChainSolution solveString(const Scenario& scenario, NetworkSettings settings,
                               const std::stop_token& stop = {});
+    /// Returns the maximum number of cells times nodes for a drill string.
     long mostCells() const { return m_mostCells; }
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of outputs (files §4): JSON, columns, --outputs, the help and the window's results come from
-// it.
+// Table of all outputs (files §4). JSON, CSV columns, --outputs, the help and the window's results are made
+// from it.
 #pragma once
 
 #include <optional>
@@ -17,114 +17,163 @@
 
 namespace drillwave {
 
-/// Reference quantity of an output, which decides how it is shown.
+/// Unit of an output, which decides how it is shown and converted to SI.
 enum class Measure {
-    number,       ///< a plain number
-    error,        ///< a number of which only the size matters
-    work,         ///< W0: a plain number in SI, too
-    share,        ///< W, the work of the hammer: a plain number in SI, too
-    energy,       ///< such a share; in SI [J]
-    time,         ///< t0
-    impulse,      ///< I0
-    force,        ///< F0
-    penetration,  ///< d0
-    stress,       ///< F0/A
-    velocity,     ///< v0
-    newton,       ///< [N]: neither this nor those below have a dimensionless number
-    watt,         ///< [W]
-    speed,        ///< [m/s]
+    /// Plain number, without a unit.
+    number,
+    /// Error; a number of which only the order of magnitude matters.
+    error,
+    /// Share of W0 = m v0²/2; also a plain number in SI.
+    work,
+    /// Share of the hammer work W; also a plain number in SI.
+    share,
+    /// Share of the hammer work W; in SI an energy in J.
+    energy,
+    /// Time, in units of t0, the duration of the hammer force.
+    time,
+    /// Impulse, in units of I0, the impulse of the hammer force.
+    impulse,
+    /// Force, in units of F0 = I0/t0, the mean hammer force.
+    force,
+    /// Length, in units of d0 = 2 I0/Z, which is the advance of a free rod in one round trip of a wave.
+    penetration,
+    /// Stress, in units of F0/A: mean hammer force over cross-section of the rod.
+    stress,
+    /// Velocity, in units of v0: velocity of the hammer, or I0 over the mass of the rod.
+    velocity,
+    /// Force in N. This and the following measures have no dimensionless number.
+    newton,
+    /// Power in W; there is no dimensionless number.
+    watt,
+    /// Velocity in m/s; there is no dimensionless number.
+    speed,
 };
 
-/// Heading under which the window lists an output.
+/// Heading under which the window lists an output; `none` if it does not list it.
 enum class OutputGroup { none, work, share, penetration, rebound, stress, contact };
 
-/// Blows for which an output is defined, whether its value is known or not.
+/// Kind of blow for which an output is defined, whether or not its value is known.
 enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
+/// Returns whether the scenario is of the given kind.
 bool concerns(OutputOf which, const Scenario& scenario);
 
-/// Destinations of the work of the hammer, in the order of a bar; of the energy of a followed hammer.
+/// Parts of the hammer work after a blow, or of the hammer energy of a drill string, in the order of a bar
+/// chart.
 enum class EnergyPart {
+    /// Work that stays in the rock.
     rock,
+    /// Energy of the rebound of rod or string as a whole.
     rebound,
-    waves,   ///< left in the rod or the string
-    hammer,  ///< of a drill string: still in the hammer, moving and in waves
-    losses,  ///< of a drill string: in joints, on the way, and between the faces
+    /// Energy of the waves that remain in rod or string.
+    waves,
+    /// Energy that remains in the hammer of a drill string, as motion and as waves.
+    hammer,
+    /// Energy lost in joints, in sections and between the faces of a drill string.
+    losses,
 };
 
-/// Sources of outputs: parts of a Blow.
+/// Parts of a Blow from which the values of outputs are computed.
 struct OutputSource {
+    /// Results of the blow, dimensionless.
     const ImpactSummary& summary;
+    /// Scenario of the blow.
     const Scenario& scenario;
-    std::optional<double> thrustMargin = {};  ///< of the study of all gaps, where one was made
-    const DrillNumbers* drill = nullptr;      ///< of many blows, where they were marched
+    /// Margin of the feed force from a study of all gaps; nothing if there was none.
+    std::optional<double> thrustMargin = {};
+    /// Statistics of many blows; null if no sequence of blows was computed.
+    const DrillNumbers* drill = nullptr;
 };
 
-/// Named output: JSON key, CSV column, name for --outputs, and row of the window.
+/// Output with its name, which is a JSON key, a CSV column, an argument of --outputs and a row of the window.
 struct Output {
-    std::string_view name;     ///< "peak_force"
-    std::string_view meaning;  ///< one line
+    /// Name of the output, such as "peak_force".
+    std::string_view name;
+    /// Meaning of the output in one line.
+    std::string_view meaning;
+    /// Unit, which decides how the value is shown.
     Measure measure;
-    Detail detail;  ///< required from the solver
-    /// Returns the value in units of `measure`; nullopt without the waves or where problem() says why.
+    /// Detail that the solver must provide for this output.
+    Detail detail;
+    /// Function that returns the value in units of `measure`; nullopt without the waves, or if problem()
+    /// gives a reason.
     std::optional<double> (*number)(const OutputSource&);
-    std::string_view title;  ///< in reports: "peak force"
+    /// Title in reports, such as "peak force".
+    std::string_view title;
+    /// Kind of blow for which the output is defined.
     OutputOf of = OutputOf::anyBlow;
+    /// Heading under which the window lists the output.
     OutputGroup group = OutputGroup::none;
-    std::string_view note = {};           ///< in the window, a description without its full stop
-    std::optional<EnergyPart> part = {};  ///< the part that it belongs to, or is
-    std::optional<Load> load = {};        ///< which one, where it is a largest force in the rod
-    /// Returns why a scenario for which the output is defined has no value; nullptr if every one has a value.
+    /// Description in the window, without a full stop.
+    std::string_view note = {};
+    /// Part of the hammer work that this output is, or belongs to.
+    std::optional<EnergyPart> part = {};
+    /// Kind of load, if the output is a largest force or stress.
+    std::optional<Load> load = {};
+    /// Function that returns the reason why a scenario for which the output is defined has no value; nullptr
+    /// if all have one.
     Message (*lack)(const Scenario&) = nullptr;
-    std::string_view shortTitle = {};  ///< in the window, where it is another one
-    int order = 0;                     ///< in its group: lasting values before momentary maxima
+    /// Title in the window if it differs from `title`; otherwise empty.
+    std::string_view shortTitle = {};
+    /// Position within its group; final values come before largest values during the blow.
+    int order = 0;
 
-    /// Returns why such a scenario has no value and what to do; empty if it has one.
+    /// Returns the reason why a scenario for which the output is defined has no value, and the remedy; empty
+    /// if it has one.
     Message problem(const Scenario& scenario) const;
-    /// Returns the value in `measure`; nothing without the waves, or where problem() says why.
+    /// Returns the value in units of `measure`; nothing without the waves, or if problem() gives a reason.
     std::optional<double> value(const OutputSource& source) const {
         return concerns(source.scenario) ? number(source) : std::nullopt;
     }
-    /// Returns whether it is defined for such scenarios, whether its value is known or not: a uniform rod has
-    /// no energy lost in joints.
+    /// Returns whether the output is defined for the scenario, whether or not its value is known. For
+    /// example, a uniform rod has no energy lost in joints.
     bool concerns(const Scenario& scenario) const;
-    std::string_view label() const;  ///< in the window: "peak force"; empty where it lists none
-    bool isOnlySi() const;           ///< there is no dimensionless number
-    bool needsThrustStudy() const;   ///< whether OutputSource::thrustMargin must be there
-    bool needsDrilling() const;      ///< whether OutputSource::drill must be set: for drillOutputs()
-    /// Returns `ratio` if SI is the same number, and for a share of the energy.
+    /// Returns the title in the window, such as "peak force"; empty if the window does not list the output.
+    std::string_view label() const;
+    /// Returns whether the output has a value in SI only.
+    bool isOnlySi() const;
+    /// Returns whether the output requires OutputSource::thrustMargin.
+    bool needsThrustStudy() const;
+    /// Returns whether the output requires OutputSource::drill; true for all drillOutputs().
+    bool needsDrilling() const;
+    /// Returns the physical quantity of the value; Quantity::ratio if its number in SI is the same, and for
+    /// shares of the energy.
     Quantity quantity() const;
-    /// The quantity of inSi(): energy for a share of the energy, else quantity().
+    /// Returns the physical quantity of the result of inSi(): energy for a share of the energy, otherwise
+    /// that of quantity().
     Quantity siQuantity() const;
-    /// SI = value · scale; a share of the energy stays a share.
+    /// Returns the factor from the dimensionless value to SI; 1 for a share of the energy.
     double scale(const Scales& scales) const;
-    /// Converts a value to SI; energy shares become J and need the hammer work in `source`.
+    /// Returns the value converted to SI. A share of the energy becomes J, with the hammer work in `source`.
     double inSi(double value, const OutputSource& source, const Scales& scales) const;
 };
 
 /// Returns all outputs of one blow, in the order of files §4.
 std::span<const Output> outputs();
 
-/// Returns the outputs of many blows under a feed, `drill_…`: the rows of the table after those of one blow.
-/// Each case takes a march, so they are computed only when requested by name.
+/// Returns the outputs `drill_…` of many blows under a feed, which follow those of one blow in the table.
+/// Each case requires a sequence of blows, so they are computed only when requested by name.
 std::span<const Output> drillOutputs();
 
-/// Returns what an output of drillOutputs() requires to be computed.
+/// Returns the sequences of blows that an output of drillOutputs() requires.
 RequiredMarches drillWishesOf(const Output& output);
 
-/// Returns why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …"
-/// if an output, or its number in SI, is infinite or NaN. Empty otherwise; times of what never happens may be
-/// NaN.
+/// Returns the reason why a blow solved with `detail` has no valid result: "max_penetration is beyond the
+/// range of …" if an output, or its value in SI, is infinite or NaN. Returns an empty message otherwise.
+/// Times of events that never happen may be NaN.
 Message overflowProblem(const OutputSource& source, const Scales& scales, Detail detail);
-/// Returns the same for a single value of an output.
+/// Returns the reason why a value of an output is invalid because it is infinite or NaN; empty if it is
+/// valid. The time of an event that never happens may be NaN.
 Message overflowProblem(const Output& output, double value);
 
-/// Main output of a blow and its error: the efficiency where cells estimate its error, else e.
+/// Main output of a blow and its error: the efficiency if its error is estimated (drill strings), otherwise
+/// the coefficient of restitution.
 struct MainOutput {
     const Output *value, *error;
 };
+/// Returns the main output of a blow of this scenario, and its error.
 MainOutput mainOutput(const Scenario& scenario);
 
-/// Returns the output of that name, of one blow or of many; nullptr if there is none.
+/// Returns the output with the given name, of one blow or of many; nullptr if there is none.
 const Output* findOutput(std::string_view name);
 
 }  // namespace drillwave

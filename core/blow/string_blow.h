@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stresses and alerts of the sections of the chain, derived from a solved blow. A rod is one
-// section.
+// Stresses and alerts of the sections of hammer and string, derived from a solved blow. A uniform rod counts
+// as one section.
 #pragma once
 
 #include <cstddef>
@@ -14,68 +14,83 @@
 
 namespace drillwave {
 
-/// Largest stress of a section, in SI, with place and time.
+/// Largest stress of a section in SI, with its position and time.
 struct StressPeak {
-    double stress = 0;  ///< [Pa], ≥ 0
-    double place = 0;   ///< [m] from the rear end of the section
-    double time = 0;    ///< [s]
+    /// Magnitude of the stress, in Pa; ≥ 0.
+    double stress = 0;
+    /// Position, in m from the rear end of the section.
+    double place = 0;
+    /// Time since the start of the blow, in s.
+    double time = 0;
 };
 
-/// Largest stresses of a section, in the spans of time of SectionForces.
+/// Largest compressive and tensile stress of a section, during the blow and after it as in SectionForces.
 using SectionStress = OfLoads<StressPeak>;
-/// Returns the stresses of all sections, hammer first; empty unless the forces were requested.
+/// Returns the largest stresses of all sections in SI, from the rear end of the hammer on; empty unless the
+/// forces were requested.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact);
-/// Returns the stresses of a uniform rod in physical units.
+/// Returns the largest stresses of a uniform rod in SI, as a list with one section.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const RodForces& forces);
 
-/// Largest stress of a string, and its section.
+/// Largest stress of hammer and string, and the section in which it occurs.
 struct StringPeak {
-    std::size_t section = 0;  ///< of sectionStresses()
+    std::size_t section = 0;  ///< Index of the section in the result of sectionStresses().
     StressPeak peak;
 };
-/// Returns the largest stress of a load over all sections, the first if several are equal. Requires sections.
+/// Returns the largest stress of one kind of load over all sections; the first one if several are equal.
+/// Requires at least one section.
 StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
-/// Writes the largest stresses of all sections and their stated error into the summary, if forces were
-/// requested; `pieces` as in the problem that was solved.
+/// Writes the largest stresses over all sections and their stated error into the summary, if the forces were
+/// requested. `pieces` are the numbers of uniform pieces of the sections, as in Problem::pieces.
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
                  const std::vector<int>& pieces);
 
-/// Returns whether the blow was followed beyond its end, so that there are stresses after it.
+/// Returns whether the blow was computed beyond its end, so that there are stresses after it.
 bool hasStressesAfter(const Impact& impact);
 
-/// Returns `stress_above_yield` when the largest stress in a section exceeds its yield strength,
-/// `stress_above_fatigue` when the largest tension exceeds its fatigue strength: a warning while the blow
-/// lasts, a remark if only residual waves do. Each has place and time. None without strengths.
+/// Returns the alerts about strengths; none for sections without a strength. `stress_above_yield`: the
+/// largest stress of a section exceeds its yield strength. `stress_above_fatigue`: the largest tension
+/// exceeds its fatigue strength. It is a warning during the blow, and a remark if only residual waves exceed
+/// the strength. Each alert has position and time.
 std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
 
-/// Returns the alerts of solutions on cells: lengths that were rounded, a blow that was not over, stresses
-/// that were too much work.
+/// Returns the alerts about the solution of a drill string: rounded lengths, a blow that was not over at the
+/// end of the computation, stresses that were left out because of their work.
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
-// Shares of the strengths of sections that the largest stresses of a blow use.
+// Use of the strengths of sections by the largest stresses of a blow
 
-/// A stress compared with a strength.
+/// Largest stress of a section compared with one of its strengths.
 struct StrengthUse {
+    /// Kind of strength: yield strength, or fatigue strength for tension.
     enum class Strength { yield, fatigue };
+    /// Strength with which the stress is compared.
     Strength of = Strength::fatigue;
+    /// Whether the stress is a tension; otherwise it is a compression.
     bool isTension = true;
-    StressPeak peak;      ///< of the section while the blow lasts
-    double strength = 0;  ///< [Pa]
+    /// Largest stress of the section during the blow.
+    StressPeak peak;
+    /// Yield or fatigue strength of the section, in Pa; > 0.
+    double strength = 0;
+    /// Returns stress over strength; above 1 the strength is exceeded.
     double share() const { return peak.stress / strength; }
 };
 
-/// Returns the larger of tension over fatigue strength and of tension or compression over yield strength,
-/// while the blow lasts; nothing without strengths.
+/// Returns the largest use of strength of a section during the blow. The candidates are tension over fatigue
+/// strength, and tension or compression over yield strength. Returns nothing if the section has neither
+/// strength.
 std::optional<StrengthUse> strengthUse(const SectionStress& stress,
                                        const std::optional<double>& yieldStrength,
                                        const std::optional<double>& fatigueStrength);
 
-/// Returns the use of strength of every section of sectionStresses(). A uniform rod is one section.
+/// Returns the use of strength of every section, in the order of sectionStresses(). A uniform rod is one
+/// section.
 std::vector<std::optional<StrengthUse>> strengthUses(const Scenario& scenario,
                                                      const std::vector<SectionStress>& stresses);
 
-/// Returns the number of the section with the largest share, the first of several; nothing without strengths.
+/// Returns the index of the section with the largest stress over strength, the first one if several are
+/// equal; nothing if no section has a strength.
 std::optional<std::size_t> mostUsedSection(const std::vector<std::optional<StrengthUse>>& uses);
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured blow by as few points as a stated error allows: solving takes as long as its points are many.
+// Measured hammer force reduced to as few points as a stated error allows; computing time grows with the
+// number of points.
 #pragma once
 
 #include <cstddef>
@@ -12,37 +13,51 @@
 
 namespace drillwave {
 
-// Change of e of a measured blow when only some of its samples are kept.
+// Change of e of a measured blow if only some of its samples are used
 
-/// Maximum number of samples followed: that of the longest table of a scenario.
+/// Maximum number of samples used; also the longest table that a scenario may have.
 inline constexpr std::size_t mostSamplesFollowed = 100'000;
 
+/// Effect on the coefficient of restitution of using only some of the samples of a measured blow.
 struct ThinningEffect {
-    double cor = 0;     ///< of the kept points
-    double change = 0;  ///< `cor` less the e of all samples, or of mostSamplesFollowed of them
-    double error = 0;   ///< bound on the numerical error of the change
+    /// Coefficient of restitution e with the points that are used.
+    double cor = 0;
+    /// Change of the coefficient of restitution: `cor` less the value with all samples, or with
+    /// mostSamplesFollowed of them.
+    double change = 0;
+    /// Upper bound of the numerical error of the change.
+    double error = 0;
 };
 
-/// Solves the blow that a recipe makes of samples, on the rod and the rock of a scenario, by the points that
-/// `kept` has and by all samples. Nothing where no sample was left out, for a drill string, which is not
-/// struck by a force, where one of both is no valid blow or is not solved, and on a stop.
+/// Returns the effect of leaving out samples of a measured blow on the coefficient of restitution, with the
+/// rod and rock of a scenario. `recipe` makes the hammer force from the samples; `kept` has the points that
+/// are used. Returns nothing if no sample was left out, for a drill string, if one of the two blows is
+/// invalid or not solved, and after a stop request.
 std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Samples& samples,
                                              const SignalRecipe& recipe, const ShapedSignal& kept,
                                              const std::stop_token& stop = {});
 
-/// Largest change of e and relative change of the impulse that thinning may cause.
+/// Largest change of the coefficient of restitution, and largest relative change of the impulse, that leaving
+/// out samples may cause.
 inline constexpr double thinningError = 1e-4;
 
+/// Measured hammer force with reduced points, and the effect of the reduction.
 struct ThinnedBlow {
+    /// Hammer force with the points that are used.
     ShapedSignal signal;
-    double impulseChange = 0;  ///< relative to the impulse of all samples
-    std::optional<double> corChange =
-        {};                  ///< of e, where it was found: rods, and the uniform rod of a string
-    bool isThinned = false;  ///< some samples were left out
+    /// Magnitude of the relative change of the impulse, compared with all samples.
+    double impulseChange = 0;
+    /// Change of the coefficient of restitution compared with all samples; nothing if it could not be
+    /// computed. For a drill string, it is that of its uniform rod.
+    std::optional<double> corChange = {};
+    /// Whether samples of the measured force were left out.
+    bool isThinned = false;
 };
 
-/// Makes a blow of samples with as few points as keep impulse and e to `thinningError`, up to recipe.points.
-/// The e of a string is that of its uniformRodOf(), which takes time. Requires samples without a problem.
+/// Returns the hammer force made from samples, with as few points as possible, at most recipe.points. Impulse
+/// and coefficient of restitution stay within `thinningError`; for a drill string, the coefficient is that of
+/// its uniformRodOf(). The search takes time, because many blows are solved. Requires samples without a
+/// problem.
 ThinnedBlow thinnedBlow(const Scenario& scenario, const Samples& samples, const SignalRecipe& recipe,
                         const std::stop_token& stop = {});
 

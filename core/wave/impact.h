@@ -16,49 +16,71 @@
 
 namespace drillwave {
 
-/// Amount of results from a solver; each level includes those before it.
+/// Amount of results that a solver returns. Each level includes those before it.
 enum class Detail {
-    cor,        ///< e and its error only: no history kept
-    summary,    ///< peak force, times, work of the hammer and on the rock: hardly more work than only e
-    events,     ///< also the events and their times
-    ledger,     ///< sums over the waves that balance momentum and energy independently
-    histories,  ///< g(s) and F(s), from which every wave field follows by delays
+    /// Coefficient of restitution e and its error only; no history is kept.
+    cor,
+    /// Also the peak force, times, and work of the hammer and on the rock. The computing time is hardly
+    /// longer.
+    summary,
+    /// Also the contact events and their times.
+    events,
+    /// Also the sums over the waves that balance momentum and energy independently of the impact force.
+    ledger,
+    /// Also the incident wave g(s) and the impact force F(s), from which every wave in the rod follows by
+    /// delays.
+    histories,
 };
 
-/// Reason why the solution ended.
+/// Reason why the computation of a blow ended.
 enum class Outcome {
-    rebounded,  ///< proven: no contact can follow (theory §3; strings §8)
-    endTime,    ///< followed to the end time that was set
-    nextBlow,   ///< followed to the next blow without proof that it is over: not final
-    notSolved,  ///< work limit reached or undecidable; `reason` says why, do not use the numbers
+    /// It is proven that no contact of bit and rock can follow (theory §3.3, strings §8).
+    rebounded,
+    /// The end time set by the user was reached.
+    endTime,
+    /// The next blow was reached before the end of this blow was proven; the numbers are not final.
+    nextBlow,
+    /// The work limit was reached, or the course was undecidable. `Impact::reason` says why; the numbers are
+    /// invalid.
+    notSolved,
 };
 
-/// Reason why a blow is not solved, as far as a program may do something about it; for people see
-/// `Impact::reason`.
+/// Reason why a blow is not solved, for decisions by the program. `Impact::reason` holds the text for the
+/// user.
 enum class Hindrance {
-    other,      ///< of the blow, the method or the numbers
-    workLimit,  ///< more wave pieces than were permitted
-    histories,  ///< more than can be kept: with less detail it may be solved
+    /// Any other reason: in the blow, the method or the numbers.
+    other,
+    /// The blow needs more pieces of waves than the work limit permits.
+    workLimit,
+    /// The histories are too long to be kept. The blow may be solvable with less detail.
+    histories,
 };
 
-/// Events at the bit–rock interface.
+/// Event at the contact of bit and rock.
 enum class ContactEvent {
-    contact,         ///< the gap closes
-    unloading,       ///< the force leaves the primary line at a maximum
-    primaryLoading,  ///< the force returns to the primary line
-    separation,      ///< the force reaches zero
-    corner,          ///< the force on the loading curve passes a corner of the law
+    /// The gap between bit and rock closes.
+    contact,
+    /// The impact force has a maximum on the primary loading curve, and unloading starts.
+    unloading,
+    /// The impact force reaches the primary loading curve again.
+    primaryLoading,
+    /// The impact force reaches zero, and bit and rock separate.
+    separation,
+    /// The impact force on the loading curve passes a corner of the law, where the slope changes.
+    corner,
 };
 
-/// An event and its global time t/t0 (for the reference case from first contact).
+/// Contact event of bit and rock, with its time t/t0 since the start of the blow. In the reference case (a
+/// rod that arrives as a rigid body) time starts at first contact.
 struct ImpactEvent {
     ContactEvent kind;
     double time;
     bool operator==(const ImpactEvent&) const = default;
 };
 
-/// Periods of free flight that were not recorded because nothing happens in them: from `start` on, the
-/// incident wave repeats itself for `duration` (a multiple of 2τ).
+/// Periods of free flight that were left out of the recording, because nothing happens in them. From `start`
+/// on, the incident wave repeats with period 2τ for `duration`, a multiple of 2τ. Both are in units of t0,
+/// with `start` counted from the first wave at the bit.
 struct PeriodSkip {
     double start;
     double duration;
@@ -67,118 +89,189 @@ struct PeriodSkip {
 
 class StringWaves;
 
-/// Result of one blow of any drive on any chain. Units of section 5.1 of the paper: time t0, force F0 =
-/// I0/t0, impulse I0, displacement I0/Z (half of d0), energy I0²/(Z t0) = 2τ W0.
+/// Result of one blow on a uniform rod or drill string. Quantities have the units of the paper's section 5.1:
+/// time t0, force F0 = I0/t0, impulse I0, displacement I0/Z (half of d0), energy I0²/(Z t0) = 2τ W0.
 struct Impact {
+    /// Value of a time for something that does not happen; NaN.
     static constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
+    /// Reason why the computation of the blow ended.
     Outcome outcome = Outcome::notSolved;
-    Message reason;  ///< one sentence when not solved
+    /// Sentence that says why the blow is not solved; empty if it is solved.
+    Message reason;
+    /// Kind of reason why the blow is not solved; meaningless if it is solved.
     Hindrance hindrance = Hindrance::other;
 
+    /// Returns whether the blow is solved, so that its numbers are valid.
     bool isSolved() const { return outcome != Outcome::notSolved; }
 
-    double cor = 0;  ///< e = −pf/p0 = −1 + ∫F [paper (10)]; of a string −pf/∫P, with losses −1 + ∫F/∫P
-    double corError = 0;  ///< bound on |cor − exact|
-    double impulse = 0;   ///< ∫F ds [I0]; 1 + e of a uniform rod
-    double growth = 1;    ///< by how much later contacts may multiply the rounding of earlier ones (T38)
+    /// Coefficient of restitution e. For a uniform rod, e = −pf/p0 = −1 + ∫F ds [paper (10)]. For a string it
+    /// is −pf/∫P dt with the force P of the hammer face, and −1 + ∫F/∫P where joints or sections lose energy.
+    double cor = 0;
+    /// Upper bound of the absolute error of `cor`.
+    double corError = 0;
+    /// Impulse of the impact force over all contacts, ∫F ds, in units of I0; 1 + e for a uniform rod with the
+    /// coefficient of restitution e.
+    double impulse = 0;
+    /// Factor by which later contacts may amplify the rounding errors of earlier ones (T38); ≥ 1.
+    double growth = 1;
 
-    // Detail::summary and above
-    double peakForce = 0;         ///< largest F/F0
-    double firstContactTime = 0;  ///< global time; frontArrival + s
-    double separationTime = 0;    ///< global time of the last separation
-    double contactDuration = 0;   ///< summed over contacts
-    /// W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19); E0 of a hammer that is followed.
+    // The members from here to rockWork require Detail::summary or more.
+    /// Largest impact force between bit and rock, F/F0.
+    double peakForce = 0;
+    /// Time t/t0 of the first contact since the start of the blow.
+    double firstContactTime = 0;
+    /// Time t/t0 of the last separation since the start of the blow.
+    double separationTime = 0;
+    /// Sum of the durations of all contacts, in units of t0.
+    double contactDuration = 0;
+    /// Work of the hammer, W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19). For a hammer of sections, its
+    /// initial kinetic energy E0.
     double hammerWork = 0;
-    double hammerImpulse = 1;  ///< ∫Fa dt [I0]; p0 of a hammer that is followed
-    double rockWork = 0;       ///< ∫F dU = A(Fm) − γFm²/(2β) [I0²/(Z t0)]: left in the law (T6)
+    /// Impulse of the hammer force, ∫Fa dt [I0]. For a hammer of sections, its initial momentum p0.
+    double hammerImpulse = 1;
+    /// Work that stays in the rock, ∫F dU = A(Fm) − γFm²/(2β) [I0²/(Z t0)] (T42).
+    double rockWork = 0;
 
-    // Detail::ledger and above; NaN from the exact solver with less
-    double finalMomentum = 0;  ///< of rod or string, towards the rock, independent of `impulse`: ∫g; −e
-    double finalEnergy = 0;    ///< of rod or string [I0²/(Z t0)]: ∫g² over the last period
+    // The two members finalMomentum and finalEnergy require Detail::ledger or more; with less detail the
+    // exact solver leaves NaN.
+    /// Momentum of rod or string after the blow, in units of I0, positive towards the rock. It is the
+    /// integral ∫g over the last period, independent of `impulse`. For a uniform rod it equals −e, with the
+    /// coefficient of restitution e.
+    double finalMomentum = 0;
+    /// Energy of rod or string after the blow [I0²/(Z t0)], the integral ∫g² over the last period.
+    double finalEnergy = 0;
 
-    // Absent from a uniform rod under a force: followed hammer, joints and losses
-    double hammerMomentum = 0, hammerEnergy = 0;  ///< left in the hammer [I0], [I0²/(Z t0)]
-    double faceImpulse = 1;                       ///< transferred from hammer or force to the string [I0]
-    double faceEnergy = 0;                        ///< in the stiffness of the faces [I0²/(Z t0)]
-    double faceSeparation = never;                ///< when hammer and string first separate
-    double jointLoss = 0, rodLoss = 0;            ///< energy lost in joints and on the way [I0²/(Z t0)]
-    double externalMomentum = 0;                  ///< lost in joints and rods [I0]
-    double efficiencyError = 0;                   ///< stated error of efficiency() and of other shares of E0
+    // The members from here to efficiencyError keep their default values for a prescribed force on a uniform
+    // rod.
+    /// Momentum [I0] and energy [I0²/(Z t0)] that remain in the hammer after the blow.
+    double hammerMomentum = 0, hammerEnergy = 0;
+    /// Impulse transferred from the hammer or its force to the string, in units of I0.
+    double faceImpulse = 1;
+    /// Elastic energy that remains in the contact stiffness of the hammer face [I0²/(Z t0)].
+    double faceEnergy = 0;
+    /// Time t/t0 at which hammer and string first separate; NaN if they do not.
+    double faceSeparation = never;
+    /// Energy lost in joints, and by attenuation along the sections [I0²/(Z t0)].
+    double jointLoss = 0, rodLoss = 0;
+    /// Momentum transferred to the surroundings by losses in joints and sections, in units of I0.
+    double externalMomentum = 0;
+    /// Stated error of efficiency() and of other energies as shares of E0.
+    double efficiencyError = 0;
 
-    // Drill strings only
-    double endTime = 0;  ///< time to which it was followed
-    /// Time when the blow is over for the forces of the sections: infinite if bit and rock do not separate.
+    // The members from here to wavesDifference are used for drill strings only.
+    /// Time t/t0 to which the blow was computed.
+    double endTime = 0;
+    /// Time t/t0 that separates the largest forces during the blow from those after it; infinite if bit and
+    /// rock do not separate.
     double endOfBlow = std::numeric_limits<double>::infinity();
-    std::vector<SectionForces> sections;  ///< where wanted, and not too much work
-    double forcesError = 0;               ///< stated error of the largest of them, as a share of it
-    bool leftOutForces = false;           ///< they were wanted and too much work
-    double peakTime = never;              ///< of peakForce
-    double forcesEnd = 0;  ///< until when they count: a round trip of the string after endOfBlow, or less
-    std::vector<double> jointReflection;  ///< share of hammerWork per joint of two sections, where wanted
-    std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
-    /// Greatest difference of e and efficiency of the coarser string that `waves` are from, where those of
-    /// this one are too many to be kept.
+    /// Largest forces of every section of hammer and string; empty unless requested and within the work
+    /// limit.
+    std::vector<SectionForces> sections;
+    /// Stated error of the four largest forces of each section, as a share of each.
+    double forcesError = 0;
+    /// Whether the largest forces were requested but left out because they need too much work.
+    bool leftOutForces = false;
+    /// Time t/t0 of the largest impact force; NaN if there is none.
+    double peakTime = never;
+    /// Time t/t0 to which the largest forces were searched: at most one round trip of the string after
+    /// endOfBlow.
+    double forcesEnd = 0;
+    /// Energy reflected by each joint of two sections when a wave arrives from the hammer, as a share of
+    /// hammerWork. Empty unless requested.
+    std::vector<double> jointReflection;
+    /// Waves in all sections over time; null unless requested and small enough to be kept.
+    std::shared_ptr<const StringWaves> waves;
+    /// Difference between this result and the coarser run that supplied `waves`: the larger of the
+    /// differences in coefficient of restitution and in efficiency. Set only if the waves of this run are too
+    /// many to be kept.
     std::optional<double> wavesDifference;
 
-    /// Takes the waves of another run, of a coarser string.
+    /// Replaces `waves` by those of a coarser run of the same blow, and sets wavesDifference.
     void takeWavesOf(const Impact& coarser) {
         waves = coarser.waves;
         wavesDifference =
             std::max(std::abs(coarser.cor - cor), std::abs(coarser.efficiency() - efficiency()));
     }
 
-    std::vector<ImpactEvent> events;  ///< Detail::events and above
+    /// Events in order of time; require Detail::events or more.
+    std::vector<ImpactEvent> events;
 
-    // Detail::histories
-    double frontArrival = 0;        ///< global time of s = 0: τ, or 0 for the reference case
-    double roundTrip = 0;           ///< 2τ
-    PiecewisePolynomial incident;   ///< g(s) = −Np at the front end; use incidentWave() to read it of a rod
-    PiecewisePolynomial force;      ///< F(s) on the same pieces; for a rod use impactForce()
-    std::vector<PeriodSkip> skips;  ///< where the recorded time leaves out periods of free flight
+    // The members from here to skips require Detail::histories; frontArrival and roundTrip only
+    // Detail::summary.
+    /// Time t/t0 at which the first wave reaches the bit, where s = 0: τ, or 0 in the reference case (a rod
+    /// that arrives as a rigid body).
+    double frontArrival = 0;
+    /// Round-trip time 2τ of a wave in the rod, in units of t0.
+    double roundTrip = 0;
+    /// Incident wave at the bit, g(s) = −Np [F0], over recorded time. To read it for a uniform rod, use
+    /// incidentWave(), which adds the periods that were left out.
+    PiecewisePolynomial incident;
+    /// Impact force F(s) [F0], on the same pieces as `incident`. To read it for a uniform rod, use
+    /// impactForce().
+    PiecewisePolynomial force;
+    /// Periods of free flight that are missing in the recorded time.
+    std::vector<PeriodSkip> skips;
 
-    // How much work it was
-    long pieces = 0;     ///< smooth pieces solved (steps for the lattice)
-    int contacts = 0;    ///< separate contacts
-    long searches = 0;   ///< for events that bounds could not exclude; none by the lattice
-    long samples = 0;    ///< points at which these searches looked
-    long abandoned = 0;  ///< pieces solved in a representation that did not reach its end, besides `pieces`
-    long cellsLookedInto = 0;  ///< for the largest forces: those that bounds could not exclude
-    double cell = 0;           ///< Δ of a lattice of cells [t0]
-    double rounding = 0;       ///< of the round trips on it, largest [t0]
-    double sharedCell = 0;  ///< where they were rounded although they share one: it takes too much work [t0]
+    // The members from here to sharedCell describe the work and the discretisation.
+    /// Number of smooth pieces of the solution; for the lattice method, number of time steps.
+    long pieces = 0;
+    /// Number of separate contacts of bit and rock.
+    int contacts = 0;
+    /// Number of searches for events that bounds could not exclude; 0 for the lattice method.
+    long searches = 0;
+    /// Number of points evaluated in these searches for events.
+    long samples = 0;
+    /// Number of pieces that had to be solved again in another representation, because the first one did not
+    /// reach their end. They are not included in `pieces`.
+    long abandoned = 0;
+    /// Number of cells that had to be evaluated for the largest forces, because bounds could not exclude
+    /// them.
+    long cellsLookedInto = 0;
+    /// Time step Δ of a method that divides time into cells, in units of t0; 0 if the method has no cells.
+    double cell = 0;
+    /// Largest change of a section's round-trip time by rounding to whole cells, in units of t0.
+    double rounding = 0;
+    /// Cell that all round trips share exactly, in units of t0, if it was not used because it takes too much
+    /// work; otherwise 0.
+    double sharedCell = 0;
 
-    /// Returns whether lengths differ by more than they are given to.
+    /// Returns whether the lengths of sections were rounded by more than the precision with which they are
+    /// given.
     bool isRounded() const { return rounding > 1e-7; }
+    /// Returns the efficiency: the share of the hammer work that stays in the rock, 0 … 1.
     double efficiency() const { return rockWork / hammerWork; }
-    /// Returns the hammer work that is left anywhere but in the rock [I0²/(Z t0)].
+    /// Returns the hammer work that is not in the rock: in rod, hammer and faces, or lost [I0²/(Z t0)].
     double energyLeft() const { return finalEnergy + hammerEnergy + jointLoss + rodLoss + faceEnergy; }
-    /// Returns the error of the energy balance, as a share of W, or of 1e-3 I0²/(Z t0) where that is larger:
-    /// a hammer that pushes a rod against rigid rock does next to no work, and the sums round at I0²/(Z t0).
+    /// Returns the relative error of the energy balance. The reference is W, or 1e-3 I0²/(Z t0) if W is
+    /// smaller: against rigid rock a hammer does almost no work, while rounding is relative to I0²/(Z t0).
     /// NaN without Detail::ledger.
     double energyResidual() const {
         return (hammerWork - rockWork - energyLeft()) / std::max(hammerWork, 1e-3);
     }
-    /// Returns the error of the momentum balance, as a share of the impulse of the hammer.
+    /// Returns the error of the momentum balance as a share of the impulse of the hammer; NaN without
+    /// Detail::ledger.
     double momentumResidual() const {
         return (hammerImpulse - impulse - hammerMomentum - finalMomentum - externalMomentum) / hammerImpulse;
     }
-    /// Whether a run of cells can be a result at all: they lose energy where they do not resolve a wave,
-    /// 0.015 at most of 3000 strings with a hundredth of the work that is permitted; they make none, 3e-12 at
-    /// most by rounding.
+    /// Returns whether the energy balance of a computation with cells is good enough for a result. Cells lose
+    /// energy where they do not resolve a wave: at most 0.015 in 3000 strings computed with a hundredth of
+    /// the permitted work. They gain energy only by rounding, at most 3e-12.
     bool balances() const {
         constexpr double mostMade = 1e-6, mostLost = 0.05;
         return energyResidual() >= -mostMade && energyResidual() <= mostLost;
     }
-    /// The blow is not solved.
+    /// Returns the result of a blow that is not solved, with the reason for it.
     static Impact unsolved(Message reason, Hindrance hindrance = Hindrance::other) {
         Impact impact;
         impact.reason = std::move(reason);
         impact.hindrance = hindrance;
         return impact;
     }
-    bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::events or above
-    bool hasHistories() const { return !incident.pieces().empty(); }     ///< of Detail::histories
+    /// Returns whether the events are available, which requires Detail::events or more.
+    bool hasEvents() const { return contacts == 0 || !events.empty(); }
+    /// Returns whether the histories are available, which requires Detail::histories.
+    bool hasHistories() const { return !incident.pieces().empty(); }
 };
 
 }  // namespace drillwave

@@ -13,71 +13,98 @@
 
 namespace drillwave {
 
-/// A uniform piece of hammer or string.
+/// Uniform section of hammer or string in dimensionless form; Zr is the reference impedance, t0 the unit of
+/// time.
 struct UniformSection {
-    double impedance = 1;    ///< ζ = Z/Zr; > 0
-    double transitTime = 1;  ///< τ = T/t0, one way; > 0
-    double decay = 0;        ///< αL, decrease of the logarithm of an amplitude over one way; ≥ 0
-    double massAfter = 0;    ///< μ = M/(Zr t0), lumped at its far end; ≥ 0
-    double loss = 0;  ///< η, share of the energy of a wave lost in the joint at its far end; 0 ≤ η < 1
+    /// Impedance of the section, ζ = Z/Zr with the reference impedance Zr; > 0.
+    double impedance = 1;
+    /// Transit time of a wave through the section, one way, τ = T/t0; > 0.
+    double transitTime = 1;
+    /// Attenuation αL: decrease of the logarithm of a wave's amplitude over one transit; ≥ 0.
+    double decay = 0;
+    /// Lumped mass at the front end of the section, μ = M/(Zr t0); ≥ 0.
+    double massAfter = 0;
+    /// Share η of the energy of a transmitted wave that is lost in the joint at the front end; 0 ≤ η < 1.
+    double loss = 0;
+    /// Returns the mass of the section without the lumped mass, in units of Zr t0.
     double mass() const { return impedance * transitTime; }
     bool operator==(const UniformSection&) const = default;
 };
 
-/// Contact of hammer and string (strings §4).
+/// Contact between the hammer face and the rear end of the string (strings §4).
 struct HammerFace {
-    std::optional<double> stiffness;  ///< κc = kc t0/Zr of the faces; rigid without it
-    bool restrike = true;             ///< whether the faces may meet again after their first separation
+    /// Contact stiffness of the two faces, κc = kc t0/Zr; the faces are rigid if it is absent.
+    std::optional<double> stiffness;
+    /// Whether hammer and string may meet again after their first separation.
+    bool restrike = true;
     bool operator==(const HammerFace&) const = default;
 };
 
-/// Hammer of sections that strikes the string: at t = 0 all of them move towards it and touch it.
+/// Hammer made of sections that strikes the string. At t = 0 all its sections move towards the string with
+/// the same velocity, and its face touches the string.
 struct ElasticHammer {
-    std::size_t sections = 1;  ///< how many of Problem::sections are its own; > 0
-    double velocity = 2;       ///< v0 Zr/F0, the impact velocity: F0 is half of Zr v0
+    /// Number of leading entries of Problem::sections that belong to the hammer; > 0.
+    std::size_t sections = 1;
+    /// Impact velocity v0 Zr/F0. It is 2, because F0 is defined as Zr v0/2.
+    double velocity = 2;
+    /// Contact of the hammer with the string.
     HammerFace face;
     bool operator==(const ElasticHammer&) const = default;
 };
 
-/// One blow for all solvers (strings §9): impedances in that of the rod Zr, times in t0, forces in F0,
-/// impulses in I0 = F0 t0, velocities in F0/Zr, displacements in I0/Zr, energies in I0²/(Zr t0). A solver
-/// takes a problem or refuses it with a reason.
+/// One blow in dimensionless form, the input of all solvers (strings §9). Impedances are in units of the
+/// rod's impedance Zr, times in t0, forces in F0, impulses in I0 = F0 t0, velocities in F0/Zr, displacements
+/// in I0/Zr, energies in I0²/(Zr t0). A solver either solves a problem or refuses it with a reason.
 struct Problem {
-    /// Force Fa(t)/F0 on the rear end of the first section, or the hammer that strikes it.
+    /// Cause of the blow: a force Fa(t)/F0 on the rear end of the first section, or a hammer that strikes
+    /// that end.
     std::variant<PulseForce, ElasticHammer> drive;
-    /// Sections of an elastic hammer from its rear end, then of the string to the bit; a single one, of
-    /// impedance 1, is a uniform rod.
+    /// Sections in order from the rear end: those of an elastic hammer, if any, then those of the string to
+    /// the bit. A single section of impedance 1 is a uniform rod.
     std::vector<UniformSection> sections = {{}};
-    /// Number of these for each section of the chain, of equal transit times; empty: one for each.
+    /// Number of consecutive entries of `sections` that replace each section of the scenario; their transit
+    /// times are equal. Empty if every section of the scenario is one entry.
     std::vector<int> pieces;
-    BitRockLaw law;                  ///< β = k t0/Zr and γ of bit and rock
-    double gap = 0;                  ///< δ = d/d0 between bit and rock, d0 = 2 I0/Zr; ≥ 0
-    std::optional<double> endTime;   ///< follow a string to there, and no longer
-    std::optional<double> nextBlow;  ///< without an end time: give up the proof of the end there
+    /// Force–penetration law of bit and rock, with β = k t0/Zr and γ.
+    BitRockLaw law;
+    /// Gap between bit and rock at the start, δ = d/d0 with d0 = 2 I0/Zr; ≥ 0.
+    double gap = 0;
+    /// Time t/t0 at which the computation of a drill string ends, if set.
+    std::optional<double> endTime;
+    /// Time t/t0 of the next blow, if known. Without `endTime`, the computation of a drill string stops there
+    /// if the end of the blow is not proven before.
+    std::optional<double> nextBlow;
     bool operator==(const Problem&) const = default;
 
+    /// Returns whether a prescribed force drives the blow; otherwise a hammer does.
     bool isForced() const { return std::holds_alternative<PulseForce>(drive); }
-    const PulseForce& force() const { return std::get<PulseForce>(drive); }         ///< requires isForced()
-    const ElasticHammer& hammer() const { return std::get<ElasticHammer>(drive); }  ///< requires !isForced()
+    /// Returns the hammer force; requires isForced().
+    const PulseForce& force() const { return std::get<PulseForce>(drive); }
+    /// Returns the hammer; requires !isForced().
+    const ElasticHammer& hammer() const { return std::get<ElasticHammer>(drive); }
+    /// Returns the number of entries of `sections` that belong to the hammer; 0 for a prescribed force.
     std::size_t hammerSections() const { return isForced() ? 0 : hammer().sections; }
 
-    /// τ = T/t0 of the string, one way from its rear end to the bit.
+    /// Returns the transit time of the string from its rear end to the bit, τ = T/t0.
     double transitTime() const {
         double time = 0;
         for (std::size_t j = hammerSections(); j < sections.size(); ++j) time += sections[j].transitTime;
         return time;
     }
-    /// M/(Zr t0) of the string, with its lumped masses.
+    /// Returns the mass of the string including its lumped masses, M/(Zr t0).
     double mass() const {
         double sum = 0;
         for (std::size_t j = hammerSections(); j < sections.size(); ++j)
             sum += sections[j].mass() + sections[j].massAfter;
         return sum;
     }
-    /// v0 Zr/F0: of the hammer, or I0/M that a force gives to the string.
+    /// Returns the reference velocity v0 Zr/F0: that of the hammer, or I0/M for a force on a string of mass
+    /// M.
     double velocity() const { return isForced() ? 1 / mass() : hammer().velocity; }
-    double distance() const { return 2 * gap; }  ///< δ in I0/Zr
-    /// The gap that has to close before anything happens: the reference case begins in contact.
+    /// Returns the gap in units of I0/Zr; `gap` is in units of d0, which is twice that.
+    double distance() const { return 2 * gap; }
+    /// Returns the gap δ = d/d0 that closes before the first contact; 0 in the reference case (a rod that
+    /// arrives as a rigid body), which starts in contact.
     double firstGap() const { return isForced() && force().isRigidBody() ? 0 : gap; }
 };
 
@@ -85,20 +112,21 @@ struct Problem {
 /// section does not count, since it has no joint.
 bool losesWaves(const Problem& problem);
 
-/// Why this is no force on one uniform section and nothing else, which is all that solvers of rods take.
-/// Empty where it is.
+/// Returns the reason why the problem is not a prescribed force on one lossless uniform rod. Solvers for
+/// uniform rods refuse such problems. Returns an empty text if the problem is one that they accept.
 std::string_view rodRefusal(const Problem& problem);
 
-/// The blow of a valid scenario, the sections of its chain as so many pieces (uniformPieces()), one each
-/// where none are given. The pulse may hold 100 000 points: to solve many blows of one pulse, change one
-/// problem.
+/// Returns the dimensionless blow of a valid scenario. `pieces` gives the number of uniform pieces that
+/// replace each section of hammer and string; empty means one each. A pulse may hold 100 000 points: to solve
+/// many blows of the same pulse, change one problem instead of calling this function again.
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces = {});
 
-/// Returns the blow of this force on the rear end of a uniform rod, on the rod and rock of these groups.
+/// Returns the blow of a prescribed force on the rear end of a uniform rod with the groups β, γ, τ, δ.
 Problem problemOf(PulseForce force, const Groups& groups);
-/// Sets another uniform rod and rock for the same force; the corners of the law stay as they are.
+/// Sets the uniform rod, rock and gap of `rod` from the groups β, γ, τ, δ. The force and the corners of the
+/// rock law do not change.
 void setGroups(Problem& rod, const Groups& groups);
-/// Sets rod and rock of a valid scenario.
+/// Sets rod, rock law and gap of `rod` from a valid scenario of a uniform rod. The force does not change.
 void setRod(Problem& rod, const Scenario& scenario);
 
 }  // namespace drillwave

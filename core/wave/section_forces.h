@@ -7,20 +7,24 @@
 
 namespace drillwave {
 
-// The four largest loads of a rod or a section, and what there is of each.
+// The four largest loads of a rod or a section, and a container with one value for each of them.
 
-/// While the blow lasts, or later, of the waves it leaves.
+/// Four kinds of largest load: the compression and tension while the blow lasts, and the compression and
+/// tension of the residual waves after it.
 enum class Load : std::size_t { compression, tension, compressionAfter, tensionAfter };
 inline constexpr std::array loads{Load::compression, Load::tension, Load::compressionAfter,
                                   Load::tensionAfter};
 
+/// Returns whether the load is a tension, during or after the blow.
 constexpr bool isTension(Load load) {
     return load == Load::tension || load == Load::tensionAfter;
 }
+/// Returns whether the load is one of the residual waves after the blow.
 constexpr bool isAfter(Load load) {
     return load == Load::compressionAfter || load == Load::tensionAfter;
 }
 
+/// One value of type T for each of the four loads, accessible by name or by operator[] with a Load.
 template <class T>
 struct OfLoads {
     T compression = {}, tension = {}, compressionAfter = {}, tensionAfter = {};
@@ -34,22 +38,26 @@ struct OfLoads {
                                               &OfLoads::compressionAfter, &OfLoads::tensionAfter};
 };
 
-/// Returns `map` of each load.
+/// Returns the four values map(x), where x is the value of `from` for the same load.
 template <class T>
 auto eachOf(const OfLoads<T>& from, const auto& map) -> OfLoads<decltype(map(from.compression))> {
     return {map(from.compression), map(from.tension), map(from.compressionAfter), map(from.tensionAfter)};
 }
 
-/// Largest force of one sign in a section, and its place; in a cone that of the largest stress.
+/// Largest force of one sign in a section of hammer or string, with its position and time. In a conical
+/// section, the force belongs to the largest stress.
 struct SectionPeak {
-    double force = 0;  ///< [F0], of either sign ≥ 0
-    double place = 0;  ///< ξ in the section, 0 at its rear end … 1
-    double time = 0;   ///< [t0]
+    /// Magnitude of the largest compressive or tensile force, in units of F0; ≥ 0.
+    double force = 0;
+    /// Position ξ of the largest force along the section: 0 at its rear end, 1 at its front end.
+    double place = 0;
+    /// Time of the largest force since the start of the blow, in units of t0.
+    double time = 0;
 };
 
-/// Compression and tension of one section of hammer or string, as RodForces for a rod: while the blow lasts,
-/// to one transit of the string after the last separation of bit and rock; and later, for at least a round
-/// trip of the string, unless an end time or the next blow is earlier.
+/// Largest compression and tension of one section of hammer or string, during and after the blow. The blow
+/// lasts until one transit of the string after the last separation of bit and rock. The values "after" cover
+/// at least one round trip of the string from then on, unless an end time or the next blow is earlier.
 using SectionForces = OfLoads<SectionPeak>;
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's analytical solution for an elastic rock and reflections that do not overlap (theory §5).
+// Analytical solution of the paper for elastic rock and reflections that do not overlap (theory §5).
 #pragma once
 
 #include <string>
@@ -10,40 +10,42 @@
 
 namespace drillwave {
 
-// All for γ = 1, whole δ and the rectangular pulse; forces in F0, impulses in I0, times in t0 from the
-// arrival of each wave at the front end. β > 0.
+// All functions hold for γ = 1, a whole number δ and a rectangular pulse; β > 0. Forces are in F0, impulses
+// in I0, times in t0 from the arrival of each wave at the front end.
 
-/// F1, the first pulse of the impact force [paper (11)]; its impulse I1 is 2.
+/// Returns F1(t)/F0, the first pulse of the impact force [paper (11)]; its impulse I1 is 2.
 double firstForcePulse(double beta, double t);
 
-/// Returns F3, the second pulse, due to the returning wave; 0 from ts on [paper (12)] [paper (14)].
+/// Returns F3(t)/F0, the second pulse of the impact force, caused by the returning wave [paper (12)]
+/// [paper (14)]. It is 0 from the end ts of the pulse on.
 double secondForcePulse(double beta, double t);
 
-/// ts, the end of the second pulse [paper (12)] [paper (14)].
+/// Returns ts/t0, the end of the second pulse of the impact force [paper (12)] [paper (14)].
 double secondPulseEnd(double beta);
 
-/// I3, the impulse of the second pulse [paper (13)] [paper (15)].
+/// Returns I3/I0, the impulse of the second pulse of the impact force [paper (13)] [paper (15)].
 double secondPulseImpulse(double beta);
 
-/// e = 1 + I3 [paper (10)]; 4e^(−1/2) − 1 for β → 0. Accurate to rounding for every β.
+/// Returns the coefficient of restitution e = 1 + I3 [paper (10)]; 4e^(−1/2) − 1 for β → 0. It is accurate to
+/// rounding for every β.
 double closedFormRestitution(double beta);
 
-/// Returns the integral that the closed form leaves out, from the end of the second pulse on: the tail of the
-/// first, (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). Where overlapIsSmall(), 0 ≤ closed form − e ≤ this:
-/// the tail keeps the contact closed a little longer, while the second pulse by itself would pull and the
-/// tail pushes more.
+/// Returns the impulse that the closed form of the coefficient of restitution e neglects, in units of I0: the
+/// tail of the first force pulse after the end of the second one, (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1))
+/// (T29). If overlapIsSmall(), 0 ≤ closed form − e ≤ this value. The tail keeps the contact closed a little
+/// longer; meanwhile the second pulse by itself would pull, and the tail pushes more.
 double neglectedOverlap(double beta, double tau);
 
-/// Whether the contact ends before the next wave arrives, and none follows.
+/// Returns whether the contact ends before the next wave arrives, and no contact follows.
 bool overlapIsSmall(double beta, double tau);
 
-/// Returns why the closed form does not cover this blow: γ ≠ 1, a gap that is no whole δ, another pulse, or a
-/// pulse longer than a round trip. Empty if it does.
+/// Returns the reason why the closed form does not cover a blow: γ ≠ 1, a gap that is not a whole number δ,
+/// another pulse, or a pulse longer than a round trip. Returns an empty message if it covers the blow.
 Message closedFormRefusal(const Problem& problem);
 
-/// Returns the closed form as an impact like that of the other solvers. `corError` is the neglected overlap.
-/// Histories are those of the paper, each pulse by itself, so the balances of momentum and energy miss the
-/// overlap. Not solved, with the reason, where it is refused or the overlap is not small.
+/// Returns the closed form as the result of a blow. `corError` is the neglected overlap. The histories
+/// consist of the paper's two pulses without their overlap, so the balances of momentum and energy miss it.
+/// The blow is not solved, with a reason, if closedFormRefusal() gives one or the overlap is not small.
 Impact solveClosedForm(const Problem& problem, Detail detail = Detail::cor);
 
 }  // namespace drillwave

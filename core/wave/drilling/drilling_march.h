@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blow after blow on cells: waves, motions and machine live on between them (drilling §6).
+// Computation of many blows in succession, in which waves and motions continue from blow to blow (drilling
+// §6).
 #pragma once
 
 #include <cstddef>
@@ -20,22 +21,23 @@
 
 namespace drillwave {
 
-// Loss that transfers no momentum to the surroundings: what a joint or the attenuation takes from a wave
-// returns over the time between two blows (drilling §3).
+// Wave loss without loss of momentum: a joint or the attenuation of a section returns what it takes from a
+// wave over the time between two blows (drilling §3).
 
-/// A place and direction, for waves x of a section with impedance Z:
+/// Wave loss at one place and in one direction, for waves x in a section of impedance Z:
 ///
 ///     out = s x + (1 − s) m,   m' = f (x − m)                                                       (D5)
 ///
-/// Steady waves pass unchanged. (1 − s) m/f is momentum on its way, (1 − s) m²/(f Z) its energy.
+/// s is the amplitude factor of the loss, f the blow frequency, m a mean of earlier waves. A constant wave
+/// passes unchanged. The momentum still to be returned is (1 − s) m/f, its energy (1 − s) m²/(f Z).
 class ReturnedLoss {
   public:
     ReturnedLoss() = default;
-    /// s of an amplitude, 0 < s ≤ 1; f blows per t0.
+    /// Creates the loss with the amplitude factor s = `passing`, 0 < s ≤ 1, for `frequency` blows per t0.
     ReturnedLoss(double passing, double frequency) : m_passing(passing), m_frequency(frequency) {}
 
-    /// Returns the wave that passes over a part of a cell of that width [t0]. The trapezoidal rule for m
-    /// keeps the momentum exactly.
+    /// Returns the wave after the loss, over a part of a cell of the given width [t0]. The trapezoidal rule
+    /// for m conserves momentum exactly.
     WaveCell pass(const WaveCell& in, double width) {
         const double rate = m_frequency * width, before = m_mean;
         m_mean = (before * (1 - rate / 2) + rate * in.mean()) / (1 + rate / 2);
@@ -47,11 +49,16 @@ class ReturnedLoss {
         return out;
     }
 
-    double mean() const { return m_mean; }  ///< m
+    /// Returns the mean m of earlier waves, in units of F0.
+    double mean() const { return m_mean; }
+    /// Sets the mean m of earlier waves, in units of F0.
     void setMean(double mean) { m_mean = mean; }
-    double held() const { return (1 - m_passing) * m_mean / m_frequency; }  ///< momentum on its way back
-    double square() const { return held() * m_mean; }                       ///< its energy times Z
-    double lost() const { return m_lost; }                                  ///< times Z, since the beginning
+    /// Returns the momentum that is still to be returned, in units of I0.
+    double held() const { return (1 - m_passing) * m_mean / m_frequency; }
+    /// Returns the energy of the momentum that is still to be returned to the string, times its impedance Z.
+    double square() const { return held() * m_mean; }
+    /// Returns the energy lost since the first blow, times the impedance Z.
+    double lost() const { return m_lost; }
 
   private:
     double m_passing = 1, m_frequency = 1;
@@ -59,78 +66,108 @@ class ReturnedLoss {
     double m_lost = 0;
 };
 
-/// State of the rear end at the end of a part of a cell.
+/// State of the rear end of rod or string at the end of a part of a cell, in the dimensionless units of
+/// Problem (problem.h).
 struct RearSample {
-    double time = 0;  ///< since the first blow
-    double velocity = 0;
-    double damperForce = 0;
-    double bodyPlace = 0;  ///< x_b; that of the rear end under a constant force
-};
-
-/// State of the bit; its clock is one transit time late, which is corrected here.
-struct BitSample {
+    /// Time since the first blow, in units of t0.
     double time = 0;
+    /// Velocity of the rear end, in units of F0/Zr, positive towards the rock.
+    double velocity = 0;
+    /// Force of the damper on the rear end, in units of F0; ≥ 0 with a machine mass.
+    double damperForce = 0;
+    /// Position x_b of the machine body towards the rock, in units of I0/Zr. Without a machine mass it is the
+    /// position of the rear end.
+    double bodyPlace = 0;
+};
+
+/// State of the bit at the end of a part of a cell, in the dimensionless units of Problem (problem.h).
+struct BitSample {
+    /// Time since the first blow, in units of t0; it includes the transit time by which the bit's clock is
+    /// late.
+    double time = 0;
+    /// Impact force, in units of F0; ≥ 0.
     double force = 0;
-    double penetration = 0;  ///< from the face of the rock before the first blow
+    /// Penetration below the rock surface that was there before the first blow, in units of I0/Zr.
+    double penetration = 0;
+    /// Velocity of the bit, in units of F0/Zr, positive towards the rock.
     double velocity = 0;
 };
 
+/// Recorded states of the rear end and of the bit over several blows.
 struct DrillingSamples {
     std::vector<RearSample> rear;
     std::vector<BitSample> bit;
 };
 
-/// The waves of one blow of a march and of the cycle before it, in which they began; times since that blow.
+/// Waves of one blow of a sequence and of the interval before it, in which they began. Times are counted from
+/// that blow, in units of t0; other units are those of Problem.
 struct MarchedWaves {
-    std::shared_ptr<StringWaves> waves;  ///< nothing where they are more than can be kept
-    std::vector<ImpactEvent> events;     ///< including those of the cycle before
-    double place = 0;                    ///< of the bit from the bottom of the crater, negative while apart
-    double rememberedForce = 0;          ///< largest that the rock of the blow has felt before
-    double residual = 0;                 ///< penetration that stays of blows before
-    double hammerWork = 0;               ///< of the force, or transferred by the piston
-    double rockWork = 0;                 ///< ∫F dU, less the work lost with replaced rock
-    double transitTime = 0;              ///< from the rear end to the bit, in whole cells
+    /// Waves in all sections; null if they are too many to be kept.
+    std::shared_ptr<StringWaves> waves;
+    /// Contact events of bit and rock, from the blow before on.
+    std::vector<ImpactEvent> events;
+    /// Position of the bit relative to the bottom of the crater at the blow; positive into the rock, negative
+    /// while apart.
+    double place = 0;
+    /// Largest force that this blow's rock has felt before, in units of F0.
+    double rememberedForce = 0;
+    /// Residual penetration by the blows before; 0 on new rock.
+    double residual = 0;
+    /// Work of the prescribed force, or energy that the hammer transfers, in the blow and the interval after
+    /// it.
+    double hammerWork = 0;
+    /// Work on the rock ∫F dU in the same time, less the work lost with replaced rock.
+    double rockWork = 0;
+    /// Transit time from the rear end to the bit, as computed with the time step, in units of t0.
+    double transitTime = 0;
 };
 
-/// Takes one blow after another in the same memory: memory and work of a blow do not depend on their number.
-/// Every node has its own clock, as in CellLattice: that of the bit is later than that of the rear end by the
-/// transit time of the string.
+/// Computation of blow after blow in the same memory. Memory and work of a blow do not depend on their
+/// number. Every node (end of a section) has its own clock: the bit's clock is behind the rear end's clock by
+/// the transit time of the string.
 class DrillingMarch {
   public:
-    /// The problem must outlive it.
+    /// Creates the state before the first blow. `problem` must outlive the object.
     DrillingMarch(const DrillingProblem& problem, const DrillingGrid& grid);
 
-    /// Follows one blow and the cycle after it. False after a stop, or if it cannot go on: see
-    /// failureReason().
+    /// Computes one blow and the interval up to the next one. Returns false after a stop request, or if the
+    /// computation fails; then see failureReason().
     bool takeBlow(const std::stop_token& stop);
-    /// Returns the last blow.
+    /// Returns the results of the last blow.
     const DrillingBlow& blow() const { return m_blow; }
+    /// Returns the number of blows computed so far.
     long blows() const { return m_count; }
-    /// Returns the energies of all cycles so far.
+    /// Returns the energy balance of all blows so far.
     const DrillingLedger& ledger() const { return m_ledger; }
-    /// Returns Σ rock impulse − N Fe/f + p_end − p_start [I0], which is rounding.
+    /// Returns the error of the momentum balance over all blows, in units of I0: Σ rock impulse − N Fe/f +
+    /// p_end − p_start for N blows. It is due to rounding only.
     double momentumResidual() const;
-    /// Returns the impulse of the face after its first separation, in the last cycle, as a share of m_h v0.
+    /// Returns the impulse of the hammer after its first separation, in the last blow, as a share of its
+    /// momentum m_h v0.
     double lateShare() const { return m_lateShare; }
-    /// Returns the work of all blows so far [cells × nodes], including events at the bit.
+    /// Returns the work of all blows so far, in cells times nodes, including the work of contact events.
     double work() const;
-    /// Returns why it could not go on; empty if it could.
+    /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const { return m_failureReason; }
-    /// Returns m_h v0; 1 under a prescribed force.
+    /// Returns the momentum m_h v0 of the hammer, in units of I0; 1 for a prescribed force.
     double hammerMomentum() const { return m_hammerMomentum; }
 
-    /// Records the following blows in `samples`; nullptr: none.
+    /// Sets where the states of rear end and bit are recorded during the following blows; nullptr for no
+    /// recording.
     void watch(DrillingSamples* samples) { m_samples = samples; }
-    /// Follows a cycle and the blow after it, keeping the waves of both; the first blow has no cycle before
-    /// it. Has no waves if the march stopped or cannot go on, or if they are too many.
+    /// Computes one interval and the blow after it, and returns the waves of both. The first blow has no
+    /// interval before it. The waves are null if they are too many, the computation fails or a stop is
+    /// requested.
     MarchedWaves takeBlowWithWaves(const std::stop_token& stop);
 
-    /// Moves waves and bit a little, so that approach() can reduce the distance.
+    /// Displaces waves and bit a little, to make a second, slightly different state. approach() then sets the
+    /// size of the difference.
     void displace(double distance);
-    /// Returns the distance between this state and another one of the same problem, between blows: of waves,
-    /// place of the bit, v_b, and x with a spring.
+    /// Returns the distance between this state and another one of the same problem, both just before a blow.
+    /// It is the root of a sum of squares over waves, position and velocity of the bit, machine velocity, and
+    /// the offset x if there is a spring.
     double distanceTo(const DrillingMarch& other) const;
-    /// Moves the state towards the other one until this distance remains.
+    /// Moves this state towards another one until the given distance remains, as measured by distanceTo().
     void approach(const DrillingMarch& other, double distance);
 
   private:
@@ -150,47 +187,66 @@ class DrillingMarch {
 
     const DrillingProblem& m_problem;
     DrillingGrid m_grid;
-    std::size_t m_hammer = 0;  ///< sections of it
-    double m_interval = 1;     ///< mean [t0]
+    /// Number of sections of the hammer.
+    std::size_t m_hammer = 0;
+    /// Mean interval between blows, in units of t0.
+    double m_interval = 1;
     double m_stringMass = 0, m_hammerMomentum = 1, m_hammerMass = 0;
-    std::vector<WaveCell> m_force;  ///< Fa over the parts of cells from its front on
+    /// Prescribed force for each part of the cells, from its start on.
+    std::vector<WaveCell> m_force;
     std::vector<LossyLine> m_lines;
-    std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]
+    /// Joint [j] is in front of section j + 1.
+    std::vector<Joint> m_joints;
     RearNode m_rear;
     BitNode m_bit;
-    std::vector<ReturnedLoss> m_downLosses, m_upLosses;  ///< at the rear end of each section
-    bool m_isWeakened = false;                           ///< one of them takes something
-    std::vector<WaveCell> m_arriving;                    ///< b of all lines over a part
-    std::vector<WaveCell> m_returning;                   ///< the same after m_upLosses
+    /// Losses at the rear end of each section.
+    std::vector<ReturnedLoss> m_downLosses, m_upLosses;
+    /// Whether any of these losses is not zero.
+    bool m_isWeakened = false;
+    /// Waves b that arrive at the rear ends of all sections over a part of a cell.
+    std::vector<WaveCell> m_arriving;
+    /// The same waves after the losses of m_upLosses.
+    std::vector<WaveCell> m_returning;
     std::mt19937 m_random;
 
     long m_count = 0;
-    long m_cells = 0;           ///< whole cells since the first blow
-    long m_nextInterval = 1;    ///< cells of the cycle
-    long m_gapCell = 0;         ///< cell from the blow in which the next one arrives
-    std::size_t m_gapPart = 0;  ///< of it
-    double m_gapShare = 0;      ///< of that part
+    /// Number of whole cells since the first blow.
+    long m_cells = 0;
+    /// Number of cells in the present interval.
+    long m_nextInterval = 1;
+    /// Cell of the present interval during which the next blow's time is reached on the bit's clock.
+    long m_gapCell = 0;
+    std::size_t m_gapPart = 0;  ///< part of cell m_gapCell in which that time is reached
+    double m_gapShare = 0;      ///< fraction of part m_gapPart at which that time is reached, 0 … 1
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
-    double m_impulseToGap = 0;        ///< of the rock, in the cycle, until the next blow at the rear end
-    double m_momentumAtBlow = 0;      ///< of the string, at the physical time of the blow
-    double m_impulseCarriedOver = 0;  ///< impulse of the rock after that time, in the cycle before
-    double m_lastImpulse = 0;         ///< J of the cycle before
+    /// Impulse of the rock in the present interval up to the next blow's time.
+    double m_impulseToGap = 0;
+    /// Momentum of the string at the time of the blow.
+    double m_momentumAtBlow = 0;
+    /// Impulse of the rock after that time, within the previous interval.
+    double m_impulseCarriedOver = 0;
+    /// Impulse J of the hammer in the previous interval.
+    double m_lastImpulse = 0;
     double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
     double m_storedBefore = 0;
-    double m_hammerLost = 0;  ///< by the waves of all pistons
+    /// Energy lost by waves inside all hammers so far [F0² t0/Zr].
+    double m_hammerLost = 0;
     double m_lateShare = 0;
     double m_holeDepth = 0;
-    double m_rearPlace = 0;  ///< x_r, at the blow
-    double m_rearMoved = 0;  ///< since then
+    double m_rearPlace = 0;  ///< position x_r of the rear end at the blow
+    double m_rearMoved = 0;  ///< displacement of the rear end since the blow
     double m_stringTransit = 0;
-    long m_cell = 0;  ///< of the cycle
+    long m_cell = 0;  ///< index of the present cell within the interval
     std::string_view m_failureReason;
     DrillingSamples* m_samples = nullptr;
     MarchedWaves* m_kept = nullptr;
-    long m_keptCell = 0;                     ///< since the first blow: where their clock is at 0
-    std::vector<WaveCell> m_downs, m_backs;  ///< that enter each section over a part
-    double m_nextPlace = 0;                  ///< of the bit at the next blow, from the bottom of the crater
+    /// Number of cells from the first blow until the clock of the recorded waves reads zero.
+    long m_keptCell = 0;
+    /// Waves that enter each section over a part of a cell.
+    std::vector<WaveCell> m_downs, m_backs;
+    /// Position of the bit at the next blow, relative to the bottom of the crater.
+    double m_nextPlace = 0;
 };
 
 }  // namespace drillwave

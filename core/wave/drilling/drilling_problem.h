@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows on one rod or string under a feed, dimensionless (drilling §1).
+// Problem of many blows on one rod or string under a feed force, in dimensionless form (drilling §1).
 #pragma once
 
 #include <cstdint>
@@ -11,102 +11,154 @@
 
 namespace drillwave {
 
-/// Drill body that rides on the feed and presses on the rear end (D2).
+/// Machine body that rides on the feed and presses on the rear end of the string through a damper (D2).
 struct MachineBody {
-    double mass = 1;       ///< M/(Zr t0); > 0
-    double damping = 0;    ///< ζ = c_d/Zr; ≥ 0
-    double stiffness = 0;  ///< κ = k_d t0/Zr; ≥ 0. Not both are 0
+    /// Mass of the machine, M/(Zr t0); > 0.
+    double mass = 1;
+    /// Dashpot coefficient of the damper, ζ = c_d/Zr; ≥ 0.
+    double damping = 0;
+    /// Spring stiffness of the damper, κ = k_d t0/Zr; ≥ 0. Damping and stiffness may not both be 0.
+    double stiffness = 0;
     bool operator==(const MachineBody&) const = default;
 };
 
-/// State at the beginning.
+/// State of rod or string at the first blow.
 enum class DrillingStart {
-    rest,      ///< nothing moves
-    bouncing,  ///< rod or string moves with v0/2 towards the rock
+    /// Rod or string is at rest.
+    rest,
+    /// Rod or string moves towards the rock with v0/2.
+    bouncing,
 };
 
-/// Blow and everything that stays between blows, in the units of Problem.
+/// One blow and all properties of the sequence of blows, in the dimensionless units of Problem (problem.h).
 struct DrillingProblem {
-    Problem blow;          ///< joints and sections return what they take from a wave (D5)
-    double interval = 1;   ///< 1/(f t0)
-    double feedForce = 0;  ///< Fe/F0
-    std::optional<MachineBody>
-        machine;                     ///< nothing: a constant force, Fe less the mean reaction of the blows
-    std::vector<double> waveLosses;  ///< η_j of every section in addition, 0 ≤ η_j < 1 (drilling §3)
-    bool isFresh = true;             ///< new rock for every blow
-    double intervalScatter = 0;      ///< normal deviation of an interval over its mean, cut at three of these
-    std::uint32_t seed = 1;          ///< of the scatter
+    /// One blow. Joints and sections return over time what they take from a wave (D5).
+    Problem blow;
+    /// Mean interval between blows, 1/(f t0); > 0.
+    double interval = 1;
+    /// Effective feed force Fe/F0.
+    double feedForce = 0;
+    /// Machine body; if there is none, the feed acts as a constant force, Fe less the mean reaction of
+    /// the blows.
+    std::optional<MachineBody> machine;
+    /// Wave loss η_j of every section per round trip, in addition to its attenuation; 0 ≤ η_j < 1 (drilling
+    /// §3).
+    std::vector<double> waveLosses;
+    /// Whether every blow meets new rock, because the bit has turned.
+    bool isFresh = true;
+    /// Standard deviation of an interval over its mean; deviations are limited to three times this value.
+    double intervalScatter = 0;
+    /// Seed of the random numbers for the scatter of intervals.
+    std::uint32_t seed = 1;
+    /// State of rod or string at the first blow: at rest, or moving.
     DrillingStart start = DrillingStart::rest;
     bool operator==(const DrillingProblem&) const = default;
 };
 
-/// Returns whether waves fade in the rod or string.
+/// Returns whether waves in the rod or string lose energy.
 bool losesWaves(const DrillingProblem& problem);
 
-/// Results of one blow and the cycle after it, in the units of Problem. NaN: not available.
+/// Results of one blow and of the interval up to the next one, in the dimensionless units of Problem
+/// (problem.h). NaN: not available.
 struct DrillingBlow {
-    double time = 0;           ///< of the blow
-    double gap = 0;            ///< between bit and bottom of the crater at that time; 0 in contact
-    double velocity = 0;       ///< momentum of rod or string over its mass at that time
-    double rockImpulse = 0;    ///< of the cycle, as are all below
-    double penetration = 0;    ///< left in the rock
-    double holeDepth = 0;      ///< sum over all cycles so far
-    double peakForce = 0;      ///< of the rock
-    double contacts = 0;       ///< contacts begun
-    double contactTime = 0;    ///< sum
-    double damperPeak = 0;     ///< largest D
-    double faceImpulse = 0;    ///< J, of a rod I0
-    double hammerRebound = 0;  ///< velocity of the hammer at the end, backwards positive
-    double shankOffset = 0;    ///< x_r − x_b at the blow
+    /// Time of the blow since the first one, in units of t0.
+    double time = 0;
+    /// Gap between the bit and the bottom of the crater at the blow, in units of I0/Zr; 0 in contact.
+    double gap = 0;
+    /// Momentum of rod or string divided by its mass at the blow, in units of F0/Zr, positive towards the
+    /// rock.
+    double velocity = 0;
+    /// Impulse on the rock, in units of I0. This and all following members are for the interval from this
+    /// blow to the next.
+    double rockImpulse = 0;
+    /// Increase of the residual penetration, in units of I0/Zr.
+    double penetration = 0;
+    /// Depth of the hole drilled so far, in units of I0/Zr.
+    double holeDepth = 0;
+    /// Largest impact force, in units of F0.
+    double peakForce = 0;
+    /// Number of contacts of bit and rock that began.
+    double contacts = 0;
+    /// Total duration of contact of bit and rock, in units of t0.
+    double contactTime = 0;
+    /// Largest damper force D, in units of F0.
+    double damperPeak = 0;
+    /// Impulse J that the hammer transfers, in units of I0; 1 for a prescribed force.
+    double faceImpulse = 0;
+    /// Final velocity of the hammer, in units of F0/Zr, positive away from the rock; NaN for a prescribed
+    /// force.
+    double hammerRebound = 0;
+    /// Position of the rear end relative to the machine at the blow, x_r − x_b, in units of I0/Zr; NaN
+    /// without a machine.
+    double shankOffset = 0;
     bool operator==(const DrillingBlow&) const = default;
 };
 
-/// Balance of the energy of all cycles [F0² t0/Zr]: hammer + feed = the others.
+/// Energy balance of all blows so far, in units of F0² t0/Zr: hammer + feed equals the sum of the other
+/// terms.
 struct DrillingLedger {
-    double hammer = 0;  ///< ∫Fa v_r dt, or the energy brought by the pistons less what they took away
-    double feed = 0;    ///< ∫S v_b dt; of a constant force ∫S v_r dt
-    double rock = 0;    ///< ∫F dU, less the work lost with replaced rock
-    double damper = 0;  ///< ∫D (v_b − v_r) dt
-    double waves = 0;   ///< that the waves lost
-    double faces = 0;   ///< lost with replaced rock
-    double stored = 0;  ///< change in machine, waves and masses
+    /// Work ∫Fa v_r dt of the prescribed force, or the energy of all hammers less what they kept.
+    double hammer = 0;
+    /// Work ∫S v_b dt of the mean feed force S; for a constant force, ∫S v_r dt.
+    double feed = 0;
+    /// Work on the rock ∫F dU, less the work lost with replaced rock.
+    double rock = 0;
+    /// Work done on the damper, ∫D (v_b − v_r) dt, including the energy stored in its spring.
+    double damper = 0;
+    /// Energy lost by waves in sections and joints.
+    double waves = 0;
+    /// Elastic energy lost because compressed rock was replaced by new rock.
+    double faces = 0;
+    /// Increase of the energy in machine, waves and lumped masses.
+    double stored = 0;
+    /// Returns the error of the energy balance; 0 if it is exact.
     double residual() const { return hammer + feed - rock - damper - waves - faces - stored; }
     bool operator==(const DrillingLedger&) const = default;
 };
 
-// The cells of many blows: the fronts of all of them lie between cells (drilling §6).
+// Time steps (cells) for many blows: the start of every blow falls between two cells (drilling §6).
 
+/// Division of time into cells for a sequence of blows.
 struct DrillingGrid {
-    double cell = 0;                 ///< Δ [t0]
-    std::vector<double> roundTrips;  ///< 2 T of each section in cells; need not be whole
-    CellCuts cuts;                   ///< where a front of a force lies inside every cell
+    /// Size Δ of a cell (time step), in units of t0.
+    double cell = 0;
+    /// Round trip 2T of each section in cells; need not be whole numbers.
+    std::vector<double> roundTrips;
+    /// Division of cells into parts, if a jump of the prescribed force lies inside a cell.
+    CellCuts cuts;
+    /// Number of cells in the mean interval between blows.
     long cellsOfInterval = 1;
-    /// Whether hammer and string are separate as soon as they part. If round trips are not whole cells, the
-    /// cubic that represents a front swings around it and may open a false gap: then they must be apart for a
-    /// cell.
+    /// Whether hammer and string count as separate as soon as they part; otherwise only after they have been
+    /// apart for a cell. If round trips are not whole cells, the cubic that represents a wave front
+    /// oscillates, and may open a false gap. Then the value is false.
     bool releasesAtOnce = true;
 
+    /// Returns the mean interval between blows as computed, in units of t0.
     double interval() const { return static_cast<double>(cellsOfInterval) * cell; }
-    /// Returns the change of the frequency by rounding, as a share of it.
+    /// Returns the relative change of the blow frequency by rounding the interval to whole cells.
     double rounding(const DrillingProblem& problem) const { return problem.interval / interval() - 1; }
-    /// Sets the round trips of other sections in the same cells.
+    /// Sets the round trips of other sections, without a change of the cells.
     void setSections(const std::vector<UniformSection>& sections);
+    /// Returns whether all round trips are whole numbers of cells.
     bool hasWholeTrips() const;
-    /// Returns the first section whose round trip is shorter than a cell, which no march accepts.
+    /// Returns the index of the first section whose round trip is shorter than a cell, which the computation
+    /// refuses; nothing if there is none.
     std::optional<std::size_t> shortSection() const;
-    /// Returns the estimated work of a blow [cells × nodes].
+    /// Returns the estimated work of a blow, in cells times nodes.
     double work(const DrillingProblem& problem) const {
         return static_cast<double>(cellsOfInterval) * static_cast<double>(cuts.count()) *
                static_cast<double>(problem.blow.sections.size() + 1);
     }
 };
 
-/// Returns a grid of at least that many cells per t0, and one in every round trip if up to eight times as
-/// many do. Intervals become whole cells; so do round trips that share a cell not much smaller than wanted.
+/// Returns a grid with at least `cellsPerDuration` cells per t0. Up to sixteen times as many are used so that
+/// every round trip has at least one cell. The interval between blows becomes a whole number of cells. Round
+/// trips also do, if they share a cell of at least an eighth of the wanted size.
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
-/// Returns the same grid with cells twice as large, or half as large where the round trips of a string share
-/// no larger ones. The interval is the same, so differences are due to the cells only. The hammer always
-/// separates at once: a separation shorter than a cell, which the cells decide, is part of the difference.
+/// Returns a grid for the estimate of the error by cells. Its cells are twice as large as those of
+/// drillingGridOf(), or half as large if the round trips of a string share no larger ones. The interval is
+/// the same, so differences are due to the cells only. The hammer always separates at once; the effect of
+/// separations shorter than a cell is therefore part of the difference.
 DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 
 }  // namespace drillwave

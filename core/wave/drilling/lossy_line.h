@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves on their way back through a section that loses some of them and keeps its momentum (drilling §3).
+// Waves on their way through a section that loses wave energy but no momentum (drilling §3).
 #pragma once
 
 #include <array>
@@ -14,16 +14,18 @@
 
 namespace drillwave {
 
-// A wave read at an offset of a fraction of a cell: the least-squares projection of two stored cells.
+// Wave read at a fraction of a cell: least-squares projection of two stored cells.
 
-/// Two consecutive cells, seen from `share` of the first one on over the width of a cell:
+/// Wave over one cell width that begins at the fraction θ = `share` of a stored cell and ends in the next
+/// stored cell:
 ///
 ///     s(u) = old(u + θ) for u < 1 − θ, next(u − 1 + θ) after,   0 ≤ θ < 1
 ///
-/// projected on the cubics: ∫s u^k du is kept for k = 0 … 3, and ∫s² du does not grow.
+/// It is projected to the cubics: ∫s u^k du is conserved for k = 0 … 3, and ∫s² du does not increase.
 class CellShift {
   public:
     CellShift() = default;
+    /// Creates the projection for the fraction θ = `share`, 0 ≤ θ < 1.
     explicit CellShift(double share) : m_share(share) {
         const GaussRule& rule = gaussRule();
         constexpr int count = WaveCell::count;
@@ -45,7 +47,9 @@ class CellShift {
         }
     }
 
+    /// Returns whether θ > 0, so that a projection is needed.
     bool isShifted() const { return m_share > 0; }
+    /// Returns the cubic for the wave that begins in the cell `old` and ends in the cell `next`.
     WaveCell project(const WaveCell& old, const WaveCell& next) const {
         // in arrays of their own the coefficients are worked on side by side
         Row first{}, second{};
@@ -58,13 +62,13 @@ class CellShift {
         for (int m = 0; m < WaveCell::count; ++m) out.c[m] = first[m] + second[m];
         return out;
     }
-    /// ∫f du over the first `share` of a cell.
+    /// Returns ∫f du over the first fraction θ of a cell, in units of the cell's width.
     double headMean(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) sum += m_headMean[k] * f.c[k];
         return sum;
     }
-    /// ∫f² du over the first `share` of a cell.
+    /// Returns ∫f² du over the first fraction θ of a cell, in units of the cell's width.
     double headSquare(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) {
@@ -79,30 +83,34 @@ class CellShift {
     using Row = std::array<double, WaveCell::count>;
     using Map = std::array<Row, WaveCell::count>;
 
-    /// P_k(2u − 1).
+    /// Returns the Legendre polynomials P_k(2u − 1), k = 0 … 3.
     static Row basisAt(double u) {
         const double x = 2 * u - 1;
         return {1, x, 1.5 * x * x - 0.5, (2.5 * x * x - 1.5) * x};
     }
 
     double m_share = 0;
-    Map m_ofOld{}, m_ofNext{};  ///< [of input][of output]
+    /// linear maps from the coefficients of the two cells; indices [of input][of output]
+    Map m_ofOld{}, m_ofNext{};
     Row m_headMean{};
     Map m_headSquare{};
 };
 
-/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D3) (D4):
+/// Waves in a section with loss, over one round trip 2T. Their content b relaxes to its own mean A at the
+/// rate λ = −ln(1 − η)/2T (D3) (D4):
 ///
 ///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
 ///
-/// −B is the momentum of the section, B/Z its shortening: neither is changed by the loss.
+/// −B is the momentum of the section and B/Z its shortening; the loss changes neither.
 ///
-/// A round trip need not be whole cells: then the wave that arrives over a cell lies in two stored ones, and
-/// is their projection. That keeps B, and its loss of energy is counted.
+/// A round trip need not be a whole number of cells. The wave that arrives over a cell then lies in two
+/// stored cells, and is replaced by their projection. The projection conserves B; its loss of energy is
+/// counted.
 class LossyLine {
   public:
-    /// A round trip of `cells` ≥ 1 of size `cell` [t0]; not whole ones only where cells have one part. The
-    /// widths of the parts of a cell follow each other in turn.
+    /// Starts a section whose round trip is `cells` ≥ 1 cells of the size `cell` [t0]. `loss` is η, 0 ≤ η <
+    /// 1. `widths` are the widths of the parts of a cell, in order; `cells` may be fractional only if there
+    /// is one part.
     void begin(double cells, double cell, double loss, std::span<const double> widths) {
         m_line.restart(static_cast<std::size_t>(std::ceil(cells)) * widths.size(), 1);
         m_shift = CellShift(std::ceil(cells) - cells);
@@ -123,7 +131,7 @@ class LossyLine {
         }
         fill(0);
     }
-    /// Fills the line with a constant wave.
+    /// Fills the section with a constant wave, in units of F0.
     void fill(double wave) {
         for (WaveCell& cell : m_line.content()) cell = WaveCell::constant(isLossy() ? 0 : wave);
         m_mean = m_next = wave;
@@ -134,9 +142,10 @@ class LossyLine {
         m_headAtFilling = 0;
         m_headAtFilling = headEnergy();
     }
+    /// Returns whether the section has a wave loss.
     bool isLossy() const { return m_rate > 0; }
 
-    /// b_out over the next part of a cell.
+    /// Returns the wave b_out that leaves the section over the next part of a cell, in units of F0.
     WaveCell arrive() {
         WaveCell out = *m_line.arriving();
         if (m_shift.isShifted()) {
@@ -151,7 +160,8 @@ class LossyLine {
         out.c[1] += 0.5 * (m_next - m_mean);
         return out;
     }
-    /// b_in over that part, the `part`-th of its cell, in which `out` has arrived.
+    /// Adds the wave b_in that enters over the same part, the `part`-th of its cell. `out` is the result of
+    /// arrive() for it.
     void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
         WaveCell& stored = *m_line.leaving();
         stored = in;
@@ -161,7 +171,8 @@ class LossyLine {
         }
         pass(in.mean() - out.mean(), (in - out).meanProduct(in + out), part);
     }
-    /// Takes b_in as the arriving wave plus a constant `change`: then A does not wait for b_out.
+    /// Adds the arriving wave plus the constant `change` as the wave b_in that enters. It equals enter() for
+    /// that wave, but the next mean A can be computed sooner.
     void turn(double change, const WaveCell& out, std::size_t part) {
         const WaveCell& oldest = *m_line.arriving();
         WaveCell& stored = *m_line.leaving();
@@ -170,17 +181,23 @@ class LossyLine {
         pass(change, change * (2 * out.mean() + change), part);
     }
 
-    double held() const { return m_held; }                     ///< B = ∫ content
-    double square() const { return m_square - headEnergy(); }  ///< Q = ∫ content²
-    /// Returns ∫ 2λ(Q − B²/2T) dt since the filling, plus the losses of the projections.
+    /// Returns the integral B of the wave in the section over time, in units of I0.
+    double held() const { return m_held; }
+    /// Returns the integral Q of the square of the wave in the section over time.
+    double square() const { return m_square - headEnergy(); }
+    /// Returns the integral ∫ 2λ(Q − B²/2T) dt since the last fill(), plus the losses by projection; divided
+    /// by Z it is the lost energy.
     double lost() const { return m_lost + headEnergy(); }
 
-    // For what compares and moves states
+    // Functions that compare and move states
 
+    /// Returns the stored cells c = b − A, the oldest first.
     std::span<const WaveCell> stored() const { return m_line.content(); }
     std::span<WaveCell> stored() { return m_line.content(); }
-    double mean() const { return m_mean; }  ///< A, which counts where there is a loss
-    /// Moves c and A to `share` of the difference to another line, and B accordingly, for consistency.
+    /// Returns the mean A of the wave, in units of F0; used only with a loss.
+    double mean() const { return m_mean; }
+    /// Moves c and A towards those of another section until the fraction `share` of the difference remains,
+    /// and B consistently. `widths` are the widths of the parts of a cell.
     void approach(const LossyLine& other, double share, std::span<const double> widths) {
         const auto others = other.stored();
         const auto own = stored();
@@ -203,7 +220,7 @@ class LossyLine {
         m_oldestSquare = m_line.arriving()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
-    /// Adds a wave to all stored ones.
+    /// Adds a constant to each stored cell, with alternating sign and decreasing size, starting with `wave`.
     void displace(double wave) {
         for (WaveCell& cell : stored()) {
             cell.c[0] += wave;
@@ -213,23 +230,26 @@ class LossyLine {
 
   private:
     DelayLine<WaveCell> m_line;
-    CellShift m_shift;          ///< by the difference of the stored cells to a round trip
-    double m_oldestSquare = 0;  ///< of the oldest cell
+    CellShift m_shift;          ///< shift by the difference of the stored cells to a round trip
+    double m_oldestSquare = 0;  ///< mean square of the wave in the oldest stored cell
     double m_headAtFilling = 0;
-    double m_projected = 0;  ///< squares of the oldest cell less those that have arrived
-    double m_roundTrip = 1;  ///< 2T
+    /// Mean square of the oldest cell less that of the wave that arrived.
+    double m_projected = 0;
+    double m_roundTrip = 1;  ///< round trip 2T of a wave in the section, in units of t0
     double m_ofRoundTrip = 1;
-    double m_kept = 1;  ///< 1 − η
-    double m_rate = 0;  ///< λ
-    /// Coefficients of a part of a cell.
+    double m_kept = 1;  ///< factor 1 − η by which a deviation from the mean is reduced
+    double m_rate = 0;  ///< rate λ at which the wave relaxes to its mean, per t0
+    /// Coefficients of the equations (D3) for one part of a cell.
     struct Part {
-        double width;           ///< Δ
-        double loss;            ///< 2λΔ
-        double nextKept;        ///< e^−λΔ of the part after it: factor of A for the next A; also …
-        double ofHeld, ofFlux;  ///< … factors of B before this part, and of B' over it
+        double width;  ///< width Δ of the part, in units of t0
+        double loss;   ///< product 2λΔ, relative loss of energy of a deviation
+        /// Factor e^−λΔ of A for the next A, with the width of the following part.
+        double nextKept;
+        /// Factors of B before this part, and of B' over it, for the next A.
+        double ofHeld, ofFlux;
     };
-    /// Ends a part with the means B' and Q'. The next A is ready as soon as B' is, because every node waits
-    /// for it.
+    /// Ends a part with the means of B' and Q' over it. The next A is computed first, because every node
+    /// waits for it.
     void pass(double flux, double power, std::size_t part) {
         const Part& of = m_parts[part];
         if (isLossy()) {
@@ -247,7 +267,8 @@ class LossyLine {
         m_line.advance(1);
     }
 
-    /// Energy of the part of the oldest cell that has arrived; the sums count it with the whole cell.
+    /// Returns the square integral of the part of the oldest cell that has already arrived. The sums include
+    /// it with the whole cell.
     double headEnergy() const {
         if (!m_shift.isShifted()) return 0;
         const double head = m_shift.headSquare(*m_line.arriving());
@@ -255,8 +276,8 @@ class LossyLine {
     }
 
     std::vector<Part> m_parts;
-    double m_mean = 0, m_next = 0;    ///< A before and after the next part
-    double m_held = 0, m_square = 0;  ///< B, Q
+    double m_mean = 0, m_next = 0;    ///< mean A of the wave before and after the next part
+    double m_held = 0, m_square = 0;  ///< integrals B and Q of the wave and of its square
     double m_lost = 0;
 };
 

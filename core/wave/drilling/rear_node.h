@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rear end of rod or string: hammer, machine body and damper on it, over many blows (drilling §2).
+// Rear end of rod or string with hammer, machine body and damper, over many blows (drilling §2).
 #pragma once
 
 #include <array>
@@ -13,80 +13,118 @@
 
 namespace drillwave {
 
-/// Relative motion of machine, rear end and hammer.
+/// Relative motion of machine, rear end and hammer, in the dimensionless units of Problem (problem.h).
 struct RearState {
-    double bodyVelocity = 0;  ///< v_b
-    double velocityRest = 0;  ///< lost to its rounding: a heavy body keeps its momentum
-    double stretch = 0;       ///< x_b − x_r
-    double faceGap = 0;       ///< between hammer and rear end
-    double faceForce = 0;     ///< P of faces with a stiffness
-    bool touching = false;    ///< hammer and rear end
-    bool released = true;     ///< nothing of the hammer counts until the next blow
-    bool separated = false;   ///< once since the blow
+    /// Velocity v_b of the machine body, in units of F0/Zr, positive towards the rock.
+    double bodyVelocity = 0;
+    /// Rounding error of v_b, kept so that a heavy body conserves its momentum.
+    double velocityRest = 0;
+    /// Position of the machine body relative to the rear end, x = x_b − x_r, in units of I0/Zr.
+    double stretch = 0;
+    /// Gap between hammer and rear end, in units of I0/Zr; ≥ 0.
+    double faceGap = 0;
+    /// Contact force P/F0 of faces with a contact stiffness.
+    double faceForce = 0;
+    /// Whether hammer and rear end are in contact.
+    bool touching = false;
+    /// Whether the hammer has no influence any more until the next blow.
+    bool released = true;
+    /// Whether hammer and rear end have separated since the blow.
+    bool separated = false;
     bool operator==(const RearState&) const = default;
 };
 
-/// Sums at the rear end since the blow.
+/// Sums at the rear end since the last blow, in the dimensionless units of Problem (problem.h).
 struct RearSums {
-    double faceImpulse = 0;    ///< ∫P dt, or ∫Fa dt
-    double lateImpulse = 0;    ///< of that, after the first separation
-    double damperImpulse = 0;  ///< ∫D dt
-    double damperPeak = 0;     ///< largest D
-    double forceWork = 0;      ///< ∫Fa v_r dt
-    double feedWork = 0;       ///< ∫S v_b dt; of a constant force ∫S v_r dt
-    double damperWork = 0;     ///< ∫D (v_b − v_r) dt
-    double workOnRear = 0;     ///< ∫D v_r dt
+    /// Impulse ∫P dt of the hammer, or ∫Fa dt of a prescribed force, in units of I0.
+    double faceImpulse = 0;
+    /// Part of faceImpulse after the first separation of the hammer, in units of I0.
+    double lateImpulse = 0;
+    /// Impulse of the damper, ∫D dt, in units of I0.
+    double damperImpulse = 0;
+    /// Largest damper force D, in units of F0.
+    double damperPeak = 0;
+    /// Work ∫Fa v_r dt of a prescribed force [I0²/(Zr t0)].
+    double forceWork = 0;
+    /// Work ∫S v_b dt of the mean feed force S [I0²/(Zr t0)]; for a constant force, ∫S v_r dt.
+    double feedWork = 0;
+    /// Work done on the damper and its spring, ∫D (v_b − v_r) dt [I0²/(Zr t0)].
+    double damperWork = 0;
+    /// Work of the damper force on the rear end, ∫D v_r dt [I0²/(Zr t0)].
+    double workOnRear = 0;
 };
 
-/// P or Fa pushes the rear end of impedance Z2, and so does D:
+/// Rear end of a string of impedance Z2, on which the hammer (force P) or a prescribed force Fa acts, and the
+/// damper (force D). v_r is the velocity of the rear end, v_b that of the machine body, x its relative
+/// position:
 ///
 ///     f2 + b2 = P + D,   v_r = (P + D − 2 b2)/Z2
+///
 ///     M v_b' = S − D,   x' = v_b − v_r,   D = max(0, S + κ x + ζ (v_b − v_r))                  (D1) (D2)
 ///
-/// without a body D = S. The face of the hammer, P = f1 + b1 ≥ 0, is that of FaceNode.
+/// S is the mean force of the feed. Without a machine body, D = S. The contact force P = f1 + b1 ≥ 0 of the
+/// hammer follows the laws of FaceNode.
 class RearNode {
   public:
-    /// Properties that are the same for all blows.
+    /// Properties of the rear end that are the same for all blows, in the dimensionless units of Problem
+    /// (problem.h).
     struct Parts {
-        double hammerImpedance = 0;  ///< Z1 of the last section of a hammer; 0 under a prescribed force
-        double impedance = 1;        ///< Z2
+        /// Impedance Z1 of the last section of the hammer; 0 for a prescribed force.
+        double hammerImpedance = 0;
+        /// Impedance Z2 of the first section of the string.
+        double impedance = 1;
+        /// Contact of hammer and string: stiffness, and whether it may close again.
         HammerFace face;
+        /// Machine body with damper; nothing for a constant force.
         std::optional<MachineBody> machine;
-        /// Faces are separate when they part; else when they were apart for a cell.
+        /// Whether hammer and string count as separate as soon as they part; otherwise after they have been
+        /// apart for a cell.
         bool releasesAtOnce = true;
     };
     RearNode() = default;
+    /// Creates the rear end at rest. `widths` are the widths of the parts of a cell, in units of t0.
     RearNode(const Parts& parts, std::span<const double> widths);
 
-    /// A new piston touches the rear end, or a new force begins; S until the next one.
+    /// Starts a blow: a new hammer touches the rear end, or a new prescribed force begins. `meanForce` is S
+    /// until the next blow, in units of F0.
     void beginBlow(double meanForce);
 
-    /// Over one part of a cell what pushes, P, and D. `f1` only counts for a hammer, `force`, Fa, without
-    /// one, as long as it acts.
+    /// Forces on the rear end over one part of a cell: P or Fa (`face`) and D (`damper`), in units of F0.
     struct Forces {
         WaveCell face, damper;
+        /// Returns the total force on the rear end.
         WaveCell sum() const { return face + damper; }
     };
+    /// Advances the rear end by one part of a cell, and returns the forces on it. `f1` is the arriving wave
+    /// in the hammer, `b2` that in the string. `force` is Fa, or null if there is none or it is over.
     Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part) {
         if (!m_machine && !force && !hasHammer()) return {{}, WaveCell::constant(m_meanForce)};
         return push(f1, b2, force, part);
     }
-    /// The sums are complete then; the rear end has moved so far since the blow.
+    /// Completes the sums at the end of an interval of the length `duration` [t0]. `rearMoved` is the
+    /// displacement of the rear end since the blow, in units of I0/Zr.
     void endCycle(double duration, double rearMoved);
 
+    /// Returns the state after the last step.
     const RearState& state() const { return m_now; }
+    /// Restores a state of machine, rear end and hammer.
     void setState(const RearState& state) { m_now = state; }
+    /// Returns the sums since the last blow; complete after endCycle().
     const RearSums& sums() const { return m_sums; }
+    /// Returns the mean force S of the feed in the present interval, in units of F0.
     double meanForce() const { return m_meanForce; }
-    double mobility() const { return m_mobility; }  ///< 1/Z2
-    /// In the stiffness of the faces, which goes with a hammer that still touches.
+    /// Returns 1/Z2, the velocity of the rear end per force.
+    double mobility() const { return m_mobility; }
+    /// Returns the elastic energy in the contact stiffness of the faces [I0²/(Zr t0)]. It is lost with a
+    /// hammer that still touches at the next blow.
     double faceEnergy() const {
         return m_parts.face.stiffness ? m_now.faceForce * m_now.faceForce / (2 * *m_parts.face.stiffness) : 0;
     }
+    /// Returns the mass of the machine body, M/(Zr t0); 0 if there is none.
     double bodyMass() const { return m_machine ? m_machine->mass : 0; }
-    /// Whether the waves of the hammer still matter.
+    /// Returns whether the waves in the hammer still influence the string.
     bool hasHammer() const { return m_parts.hammerImpedance > 0 && !m_now.released; }
-    /// Why it cannot go on; empty when it can.
+    /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const { return m_failureReason; }
 
   private:
@@ -98,24 +136,25 @@ class RearNode {
         bool pressing = true;
         Face face = Face::given;
     };
-    /// Motion over a stretch of a cell: power series in 0 ≤ v ≤ 1.
+    /// Motion over a stretch of a cell, as power series in 0 ≤ v ≤ 1.
     struct Piece {
         Modes modes;
         double from = 0, width = 1;
         int count = 0;
         Series push{}, damper{}, rear{}, body{}, stretch{}, gap{};
-        Series margin{};  ///< positive until the damper lifts or presses
+        /// Quantity that is positive until the damper lifts or presses again.
+        Series margin{};
     };
     struct Inputs {
         Powers f1, b2, force;
         double width;
     };
-    /// A whole cell in which the damper presses and nothing else changes, as a linear map of S, of the
-    /// coefficients of q = P − 2 b2 from the third down to the first, of x and v_b, and of the mean of q:
-    /// what is known last is last, so that little waits for it.
+    /// Linear map for a whole cell in which the damper presses and nothing else changes. The inputs are S;
+    /// the coefficients of q = P − 2 b2 from the third down to the first; x, v_b; and the mean of q. The
+    /// inputs known last come last, so that little of the work waits for them.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
-        static constexpr int outputs = WaveCell::count + 1;  ///< D, and x behind it
+        static constexpr int outputs = WaveCell::count + 1;  ///< number of outputs: D, and x at the end
         std::array<std::array<double, outputs>, inputs> of{};
     };
 
@@ -137,11 +176,12 @@ class RearNode {
     std::optional<MachineBody> m_machine;
     std::vector<double> m_widths;
     std::vector<PressingMap> m_maps;
-    double m_fastest = 0;   ///< no rate at which anything follows is larger
-    double m_mobility = 1;  ///< 1/Z2
-    double m_ofMass = 0;    ///< 1/M
+    /// Largest rate at which any quantity follows another, in units of 1/t0.
+    double m_fastest = 0;
+    double m_mobility = 1;  ///< velocity of the rear end per force, 1/Z2
+    double m_ofMass = 0;    ///< reciprocal mass 1/M of the machine body
     double m_meanForce = 0;
-    RearState m_now, m_before;  ///< at the blow
+    RearState m_now, m_before;  ///< present state, and that at the last blow
     RearSums m_sums;
     std::string_view m_failureReason;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The march from event to event along the front end of the rod (theory §3), for any representation of the
-// waves: contact_march_state, its steps in contact, its free flight, and here the way from one to the next.
+// Exact solution from event to event at the front end of the rod (theory §3), for any representation of the
+// waves. The class is in contact_march_state.h, its steps in contact and in free flight are in the other
+// files; this file has its main loop.
 #pragma once
 
 #include <algorithm>
@@ -76,8 +77,8 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_eventsOnTheSpot = 0;
     m_line = ContactLine::apart;
     m_nextProof = never;
-    // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
-    // that are kept apart, exactly.
+    // After the hammer force has ended, free flight closes the gap by 2 in every period. Whole periods of the
+    // gap beyond that are counted separately, without rounding.
     const double gap = problem.firstGap();
     const double hammerPeriods = std::ceil(problem.force().end / (2 * problem.transitTime())) + 2;
     const double whole = std::floor(gap);

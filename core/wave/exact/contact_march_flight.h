@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How ContactMarch flies free between contacts, and ends. Included by contact_march.h only.
+// Free flight of ContactMarch between contacts, and the end of the solution. Included by contact_march.h
+// only.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +12,9 @@
 
 namespace drillwave {
 
-/// Whether no contact can follow, even if the hammer still pushes. Each period moves the front end by twice
-/// the momentum of the rod, of which the hammer adds at most what is left of its impulse, and within a period
-/// by no more than the waves on their way and that rest.
+/// Returns whether it is proven that no contact can follow, even if the hammer still pushes. Each period
+/// moves the front end by twice the momentum of the rod, to which the hammer adds at most the rest of its
+/// impulse. Within a period, the motion is at most that by the waves in the rod and by this rest.
 template <class Basis>
 bool ContactMarch<Basis>::staysAway() {
     m_nextProof = m_s + m_roundTrip;
@@ -38,8 +39,9 @@ bool ContactMarch<Basis>::staysAway() {
     return !m_basis.failed();
 }
 
-/// The hammer has ended and the ends are free: the incident wave is periodic. Finds the next contact, or the
-/// proof that none follows: a whole period without contact and momentum not towards the rock (T21).
+/// Follows free flight after the end of the hammer force, when both ends are free and the incident wave is
+/// periodic. It ends at the next contact, or with the proof that none follows: a whole period without
+/// contact, and momentum not towards the rock (T21).
 template <class Basis>
 typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
     Real momentum = 0;
@@ -66,7 +68,8 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
     return skipPeriods(momentum);
 }
 
-/// After one whole period without contact: either it is over, or the rod drifts on and hits again later.
+/// Decides how to continue after a whole period without contact: either the blow is over, or the rod drifts
+/// towards the rock and hits it again later. In the second case whole periods are skipped.
 template <class Basis>
 typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real momentum) {
     if (!m_everTouched) momentum = 1;  // nothing but the hammer has acted
@@ -83,8 +86,8 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         if (momentum > -uncertain && !m_touching) m_impact->corError += double(2 * uncertain);
         return Progress::finished;
     }
-    // How far the front end reaches beyond its advance of whole periods, piece by piece: the earliest
-    // contact.
+    // `reached` is the displacement of the front end within a period, beyond its advance of whole periods. It
+    // bounds the earliest contact.
     const Real advance = 2 * momentum;
     Real reached = 0, fewest = std::numeric_limits<Real>::infinity();
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
@@ -122,8 +125,9 @@ void ContactMarch<Basis>::finish() {
     if (m_detail != Detail::cor) summarise();
 }
 
-/// Peak, end and the work on the rock; the sums over the last period, which balance momentum and energy
-/// independently. Where energy is missing, the force has not followed the law: that is no result.
+/// Computes peak force, end of contact and work on the rock, and the sums over the last period, which balance
+/// momentum and energy independently. If energy is missing, the force has not followed the law, and the blow
+/// counts as not solved.
 template <class Basis>
 void ContactMarch<Basis>::summarise() {
     Impact& impact = *m_impact;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// State of the march along the front end of the rod between events, and its steps: only the class, without
-// the parts it uses.
+// Class ContactMarch: state of the solution from event to event at the front end of the rod. Its functions
+// are defined in contact_march.h and the files included there.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,10 @@
 
 namespace drillwave {
 
-// The waves inside the rod: the incident wave of the next round trip, as a queue of pieces.
+// Waves inside the rod: the incident wave of the next round trip, as a queue of smooth pieces
 
-/// First-in first-out ring of pieces that keeps its memory between solves. Index 0 is the next to arrive.
-/// The ring is of places: free flight sends long pieces round and round.
+/// First-in first-out queue of pieces of a wave, which keeps its memory between solutions. Index 0 is the
+/// piece that arrives next. It is a ring of pointers, because free flight sends long pieces round many times.
 template <class Piece>
 class WaveQueue {
   public:
@@ -47,9 +47,10 @@ class WaveQueue {
     Piece& front() { return *m_ring[m_head]; }
     Piece& back() { return (*this)[m_size - 1]; }
 
-    /// The piece that was taken last: it stays until the next is, whatever is put in.
+    /// Returns the piece that take() returned last. It stays valid until the next call of take(), whatever is
+    /// added.
     Piece& taken() { return *m_taken; }
-    /// Takes the front piece out.
+    /// Removes the front piece from the queue and returns it.
     Piece& take() {
         std::swap(m_taken, m_ring[m_head]);
         popFront();
@@ -61,13 +62,15 @@ class WaveQueue {
     }
     void popBack() { --m_size; }
     void pushBack(const Piece& piece) { pushBack() = piece; }
-    /// A new last piece, to be assigned: it holds what an earlier one has left.
+    /// Adds a piece at the back and returns it, to be assigned; until then it has the content of an earlier
+    /// piece.
     Piece& pushBack() {
         if (m_size == m_ring.size()) grow();
         ++m_size;
         return back();
     }
-    /// The first `count` pieces have arrived and leave again unchanged (free reflection at both ends).
+    /// Moves the first `count` pieces to the back unchanged: they have arrived at the bit and been reflected
+    /// by both free ends.
     void rotate(std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             std::swap(m_ring[m_head], m_ring[(m_head + m_size) & m_mask]);
@@ -89,39 +92,46 @@ class WaveQueue {
 
     std::deque<Piece> m_pieces{1};
     Piece* m_taken = &m_pieces.front();
-    std::vector<Piece*> m_ring;  ///< all others
+    std::vector<Piece*> m_ring;  ///< all pieces except m_taken
     std::size_t m_head = 0;
     std::size_t m_size = 0;
     std::size_t m_mask = 0;
 };
 
-/// Limits of the work of a march, and of its duration.
+/// Limits of the work of an exact solution, and what it records.
 struct MarchLimits {
-    long pieces = 30'000'000;               ///< smooth pieces
-    const std::stop_token* stop = nullptr;  ///< none: to the end
+    /// Maximum number of smooth pieces into which the waves are divided.
+    long pieces = 30'000'000;
+    /// Source of stop requests; null if there is none.
+    const std::stop_token* stop = nullptr;
+    /// Change of the input by a few units of rounding, to estimate the sensitivity of the result.
     InputMove move = {};
-    /// Receives the recorded histories whenever they have as many pieces as it returned before (or
-    /// piecesHandedOver), so that their length is unlimited; may be nullptr.
+    /// Function that receives the recorded histories in parts, so that their length is unlimited; may be
+    /// null. It is called when they have piecesHandedOver pieces, then whenever they have as many pieces as
+    /// it returned before.
     const HandOver* handOver = nullptr;
-    bool ledger = true;  ///< whether to sum up for Detail::ledger, if as much detail is requested
-    /// Largest useful error of e: a march with a larger one is given up.
+    /// Whether the sums of Detail::ledger are computed, if that detail is requested.
+    bool ledger = true;
+    /// Largest useful error of the coefficient of restitution; a solution with a larger one is given up.
     double error = std::numeric_limits<double>::infinity();
 };
 
-/// Solves, piece by piece,
-///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
-///     F' = a(2g − F),  a = β, s_j β behind a corner, β/γ or 0             [paper (5)] [paper (8)]
+/// Solver for one blow of a hammer force on a uniform rod, piece by piece:
 ///
-/// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
-/// and cuts and integrates pieces. Basis::failed() reports what it cannot represent.
+///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
+///
+///     F' = a(2g − F),  a = β, s_j β after a corner, β/γ or 0              [paper (5)] [paper (8)]
+///
+/// `Basis` represents functions on an interval. It solves one piece of contact exactly, finds first zeros,
+/// and cuts and integrates pieces. Basis::failed() reports a function that it cannot represent.
 template <class Basis>
 class ContactMarch {
   public:
     using Real = typename Basis::Real;
     using Piece = typename Basis::Piece;
 
-    /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
-    /// More pieces than permitted, and a stop, end as Outcome::notSolved.
+    /// Solves the blow and writes the result into `impact`. Returns false if the basis cannot represent the
+    /// blow to full accuracy. Too many pieces or a stop request give Outcome::notSolved.
     bool solve(const Problem& problem, Detail detail, Impact& impact, const MarchLimits& limits = {});
 
   private:
@@ -131,7 +141,7 @@ class ContactMarch {
         Real length;
         Ending ending;
     };
-    /// Returns the event that is recorded for an ending; not for `none`.
+    /// Returns the contact event that is recorded for an ending of a stretch; `none` is not allowed.
     static ContactEvent eventOf(Ending ending) {
         switch (ending) {
             case Ending::none:
@@ -148,33 +158,35 @@ class ContactMarch {
     }
     using Response = typename Basis::Response;
 
-    /// Layers thinner than this are below the rounding of time; taking them so thick moves e by less than
-    /// 1e-13.
+    /// Largest rate of a contact, per t0. A layer of a faster one would be thinner than the rounding of time.
+    /// The limit changes the coefficient of restitution by less than 1e-13.
     static constexpr Real fastestRate = Real(1e15);
 
-    /// After this many events in a row without progress in time the branch is taken to hang on rounding;
-    /// after the second number nothing more is asked.
+    /// Limits of the number of events in a row without progress in time. After the first one, the line of the
+    /// law is assumed to depend on rounding only; after the second one, no further check is made.
     static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
 
-    /// A gap that opens no further than the rounding of the distance travelled is none.
+    /// Largest gap, in units of I0/Z, that counts as rounding of the distance travelled, not as a separation.
     static constexpr Real closedGap = 8 * std::numeric_limits<Real>::epsilon();
 
-    /// Impact::energyResidual() is 4e-10 at most, where pieces of wave are joined; a force that changes from
-    /// line to line of the law where these do not meet misses 1e-3 and more.
+    /// Largest missing energy of a valid result, in the measure of Impact::energyResidual(). Correct
+    /// solutions miss at most 4e-10, where pieces of waves are joined. A force that changes between lines of
+    /// the law where they do not meet misses 1e-3 and more.
     static constexpr double mostMissingEnergy = 1e-6;
 
-    /// How often to look for a stop: every millisecond or so.
+    /// Number of pieces between two checks for a stop request, about one millisecond.
     static constexpr long piecesBetweenLooks = 8192;
 
     static constexpr Real never = std::numeric_limits<Real>::infinity();
 
     static constexpr std::size_t mostWaiting = 400'000;
-    /// 0.9 kB each while they grow: some 3.6 GB.
+    /// Maximum number of recorded pieces. They take 0.9 kB each while the recording grows, 3.6 GB in all.
     static constexpr long mostRecordedPieces = 4'000'000;
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
     bool march();
-    Piece& incident() { return m_waves.taken(); }  ///< g now arriving
+    /// Returns the piece of the incident wave g that is now arriving.
+    Piece& incident() { return m_waves.taken(); }
     bool isSliver(const Piece& piece);
     void nextArrival();
     Real hammerWork(const PulseSegment& segment, Real into, Real length);
@@ -185,7 +197,8 @@ class ContactMarch {
     void advanceContact();
     void changeBranch(Ending ending, Real length);
     bool hammerHasEnded() const { return m_hammerPiece >= m_pulse->segments.size(); }
-    /// By how much the momentum of the rod may be wrong, on the safe side of a proof.
+    /// Returns the largest possible error of the rod's momentum, with a safety factor for proofs, in units of
+    /// I0.
     Real uncertainMomentum() const { return 4 * (m_error + m_gapError + m_basis.momentumNoise()); }
     bool staysAway();
     Progress flyFree();
@@ -204,7 +217,8 @@ class ContactMarch {
     void note(ContactEvent kind) {
         if (m_detail >= Detail::events) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
-    /// Whether the work must end, and why; cheap enough for every piece.
+    /// Returns whether the solution must end now, because of work, error or a stop request; cheap enough for
+    /// every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
         if (m_error > m_limits.error) return fail(translatable("its error would be larger than permitted"));
@@ -222,7 +236,7 @@ class ContactMarch {
         return true;
     }
 
-    /// Fails with an order of events that the basis cannot decide; returns false.
+    /// Marks the blow as not solved because the order of two events depends on rounding; returns false.
     bool undecided() {
         fail(translatable("the order of two events hangs on rounding"));
         return false;
@@ -240,37 +254,55 @@ class ContactMarch {
     }
 
     Basis m_basis;
-    WaveQueue<Piece> m_waves;  ///< g of the next round trip without Fa
+    /// Incident wave g of the next round trip, without Fa.
+    WaveQueue<Piece> m_waves;
     const PulseForce* m_pulse = nullptr;
     Impact* m_impact = nullptr;
     MarchLimits m_limits;
     long m_mostPieces = 0;
     std::size_t m_nextHandOver = 0;
-    long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
+    /// Number of pieces after which lookForEnd() is called.
+    long m_nextLook = 0;
     Detail m_detail = Detail::cor;
 
-    ContactLaw<Real> m_law{1, 1};  ///< with the memory of the rock
+    /// Law of bit and rock, which includes the largest force that the rock remembers.
+    ContactLaw<Real> m_law{1, 1};
     Real m_roundTrip = 0;
-    Real m_arrival = 0;                 ///< global time of s = 0
-    typename Basis::Sum m_s;            ///< time at the front end
-    CompensatedSum<Real> m_hammerTime;  ///< how far the hammer force has been used
+    /// Time t/t0 since the start of the blow at which the first wave reaches the bit, where s = 0.
+    Real m_arrival = 0;
+    typename Basis::Sum m_s;  ///< present time s/t0 at the front end
+    /// Time up to which the hammer force has been used, in units of t0.
+    CompensatedSum<Real> m_hammerTime;
     std::size_t m_hammerPiece = 0;
     bool m_everTouched = false;
-    bool m_touching = false;  ///< apart, but by zero: forceless contact
+    /// Whether bit and rock touch without a force while m_line is `apart`.
+    bool m_touching = false;
     bool m_justUnloaded = false;
-    int m_eventsOnTheSpot = 0;                ///< events in a row without progress in time
-    ContactLine m_line = ContactLine::apart;  ///< apart, with a zero gap: also forceless contact
-    Real m_periodsAhead = 0;                  ///< periods of free flight still to come before `m_gap` counts
-    CompensatedSum<Real> m_gap;               ///< distance still to close, displacement unit I0/Z
-    Real m_gapError = 0;                      ///< of it, in e, once it closes
-    Real m_nextProof = never;                 ///< time of the next look whether the rod stays away
-    Real m_opened = 0;                        ///< largest gap since the last separation
-    double m_separatedBefore = 0;             ///< time of the separation before the last one
+    /// Number of events in a row without progress in time.
+    int m_eventsOnTheSpot = 0;
+    /// Present line of the law; `apart` also for contact without force.
+    ContactLine m_line = ContactLine::apart;
+    /// Number of periods of free flight before m_gap counts.
+    Real m_periodsAhead = 0;
+    /// Gap that is still to close, in units of I0/Z.
+    CompensatedSum<Real> m_gap;
+    /// Effect of the error of m_gap on the coefficient of restitution, counted once the gap closes.
+    Real m_gapError = 0;
+    /// Time of the next check whether the rod stays away from the rock, in units of t0.
+    Real m_nextProof = never;
+    /// Largest gap since the last separation, in units of I0/Z.
+    Real m_opened = 0;
+    /// Time of the separation before the last one, in units of t0.
+    double m_separatedBefore = 0;
     Real m_force = 0;
-    Real m_closingSpeed = 0;  ///< of the bit at the last contact, force unit; 0 for the first contact
-    Real m_contactForce = 0;  ///< largest force since then, at the ends of pieces
-    Real m_growth = 1;        ///< Impact::growth
-    typename Basis::Sum m_contactTime;  ///< summed over contacts
+    /// Closing velocity of the bit at the last contact, in units of F0/Z; 0 for the first contact.
+    Real m_closingSpeed = 0;
+    /// Largest force since the last contact, at the ends of pieces, in units of F0.
+    Real m_contactForce = 0;
+    /// Factor by which rounding errors have been amplified so far (Impact::growth).
+    Real m_growth = 1;
+    /// Sum of the durations of all contacts, in units of t0.
+    typename Basis::Sum m_contactTime;
     typename Basis::Sum m_impulse;
     Real m_error = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How ContactMarch takes the next arriving piece and passes it through contact. Included by contact_march.h
-// only.
+// Steps of ContactMarch: taking the next arriving piece of the wave, and its passage through contact.
+// Included by contact_march.h only.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace drillwave {
 
-/// Whether a piece is but the rounding between two breakpoints that coincide; its impulse counts as error.
+/// Returns whether a piece is only due to rounding between two breakpoints that coincide. The impulse of such
+/// a piece is added to the error.
 template <class Basis>
 bool ContactMarch<Basis>::isSliver(const Piece& piece) {
     const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (m_roundTrip + m_hammerTime);
@@ -22,7 +23,7 @@ bool ContactMarch<Basis>::isSliver(const Piece& piece) {
 }
 
 /// Takes the next piece of the incident wave and adds the hammer force that arrives with it. Ends of pieces
-/// that coincide within rounding are taken as one.
+/// that coincide within rounding are merged.
 template <class Basis>
 void ContactMarch<Basis>::nextArrival() {
     while (m_waves.size() > 1 && isSliver(m_waves.front())) m_waves.popFront();
@@ -52,8 +53,8 @@ void ContactMarch<Basis>::nextArrival() {
     }
 }
 
-/// ∫Fa va = ∫Fa (Fa + 2g) over the next `length` of the hammer force [paper (1)], where g is what comes back
-/// to it, now arriving.
+/// Returns the work ∫Fa va dt = ∫Fa (Fa + 2g) dt over the next `length` of the hammer force [paper (1)]. g is
+/// the wave that returns to the hammer, and is now arriving.
 template <class Basis>
 typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSegment& segment, Real into,
                                                                    Real length) {
@@ -61,7 +62,7 @@ typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSe
     return incident().isZero() ? alone : alone + 2 * m_basis.hammerProduct(segment, into, incident(), length);
 }
 
-/// The gap is closed where `length` of `arriving` has passed.
+/// Closes the gap at the end of the first `length` of `arriving`, where contact begins.
 template <class Basis>
 void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_opened = std::max(m_opened, m_gap + 2 * arriving.magnitude() * length);
@@ -86,7 +87,8 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_everTouched = true;
 }
 
-/// The free front end has moved by twice the impulse of what arrived, to the rounding of that wave.
+/// Moves the free front end by twice the impulse of the wave that arrived, and adds its rounding to the
+/// error.
 template <class Basis>
 void ContactMarch<Basis>::drift(const Piece& arriving, Real impulse) {
     m_gap += -2 * impulse;
@@ -108,14 +110,14 @@ void ContactMarch<Basis>::separate() {
     note(ContactEvent::separation);
 }
 
-/// The last separation opened no gap: it was none.
+/// Removes the last separation, because no gap has opened: it was due to rounding.
 template <class Basis>
 void ContactMarch<Basis>::rejoin() {
     m_impact->separationTime = m_separatedBefore;
     if (m_detail >= Detail::events) m_impact->events.pop_back();
 }
 
-/// A stretch of the front end has passed.
+/// Advances the front end by a stretch of the given length, and records it if histories are requested.
 template <class Basis>
 void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real length) {
     ++m_impact->pieces;
@@ -129,7 +131,7 @@ void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real l
     }
 }
 
-/// The first `length` of what arrives goes back into the rod as it came.
+/// Reflects the first `length` of the arriving wave at the free front end, unchanged.
 template <class Basis>
 void ContactMarch<Basis>::leaveFree(Real length) {
     pass(incident(), nullptr, length);
@@ -141,7 +143,7 @@ void ContactMarch<Basis>::leaveFree(Real length) {
     joinLast();
 }
 
-/// The reflected wave of a stretch of contact goes back into the rod.
+/// Adds the wave that a stretch of contact reflects to the waves in the rod.
 template <class Basis>
 void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     pass(m_basis.incidentOf(response), &response.force, length);
@@ -153,7 +155,7 @@ void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     joinLast();
 }
 
-/// Makes the last wave part of the one before it, where that is worth it and exact enough.
+/// Joins the last piece of the wave to the one before it, if this saves work and is accurate enough.
 template <class Basis>
 void ContactMarch<Basis>::joinLast() {
     if constexpr (Basis::joinsPieces) {
@@ -163,7 +165,7 @@ void ContactMarch<Basis>::joinLast() {
     }
 }
 
-/// While the hammer still pushes: the front end is free until the gap is closed.
+/// Advances without contact while the hammer still pushes: the front end is free until the gap closes.
 template <class Basis>
 void ContactMarch<Basis>::advanceApart() {
     const auto contact = m_basis.gapClosure(incident(), m_gap);
@@ -182,7 +184,7 @@ void ContactMarch<Basis>::advanceApart() {
     if (contact.u > 0) incident().dropFront(contact.u);
 }
 
-/// Where the solved stretch ends: at its first event, or at its end.
+/// Returns the end of a solved stretch of contact: its first event, or its length if there is none.
 ///
 ///     line      guard                  ending           then
 ///     apart     the gap has closed     (closeGap)       the line of lineAtContact()
@@ -190,7 +192,7 @@ void ContactMarch<Basis>::advanceApart() {
 ///     primary   F = 0, for γ = 1       separation       apart
 ///     elastic   F = 0                  separation       apart
 ///     elastic   F = Fm                 primaryLoading   primary
-///     primary   F = F_j                corner           primary, of the slope behind it
+///     primary   F = F_j                corner           primary, with the slope after it
 template <class Basis>
 typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& response) {
     Stretch stretch{response.length, Ending::none};
@@ -221,8 +223,9 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
     return stretch;
 }
 
-/// Events repeat on the spot where the force stays at its peak: which branch it is on hangs on rounding, and
-/// either will do for as long as they differ by rounding only. A force that then leaves the peak decides.
+/// Returns whether the contact may stay on its present line although events repeat without progress in time.
+/// The force is then constant at its peak, and rounding decides on the line; any line will do as long as they
+/// differ by rounding only. A force that leaves the peak later decides.
 template <class Basis>
 bool ContactMarch<Basis>::mayStay(const Response& response) {
     if (m_eventsOnTheSpot > mostEventsOnTheSpot) return true;
@@ -232,7 +235,7 @@ bool ContactMarch<Basis>::mayStay(const Response& response) {
                                           : end <= m_law.largestForce() + rounding;
 }
 
-/// Counts the effect of joined wave pieces on the stretch.
+/// Counts the effect on the error of pieces that were joined, for one stretch of contact.
 template <class Basis>
 void ContactMarch<Basis>::countJoining(const Response& response, Real length, Ending ending) {
     if constexpr (Basis::joinsPieces) {
@@ -242,7 +245,7 @@ void ContactMarch<Basis>::countJoining(const Response& response, Real length, En
     }
 }
 
-/// Contact over the piece now arriving, up to the first event or its end.
+/// Advances in contact over the arriving piece, up to the first event or its end.
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
     if (incident().isZero() && m_force <= m_basis.negligibleForce()) {

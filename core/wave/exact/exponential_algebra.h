@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Differences and multiples of exponential sums, term by term.
+// Linear combinations of exponential sums, term by term.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// out = p·g + q·f
+/// Computes out = p·g + q·f for the coefficients of one kind of term.
 inline void combine(double p, const Coefficients& g, double q, const Coefficients& f, Coefficients& out) {
     const int common = std::min(g.count, f.count);
     for (int m = 0; m < common; ++m) out.c[m] = p * g.c[m] + q * f.c[m];
@@ -18,7 +18,8 @@ inline void combine(double p, const Coefficients& g, double q, const Coefficient
     out.count = std::max(g.count, f.count);
 }
 
-/// The slope of Σ c_m φ_m is Σ (c_{m+1} − c_m) φ_m, times the rate: here times `factor`.
+/// Computes the coefficients of a derivative. The derivative of Σ c_m φ_m is λ Σ (c_{m+1} − c_m) φ_m;
+/// `factor` replaces the rate λ.
 inline void differences(const Coefficients& terms, double factor, Coefficients& slope) {
     slope.count = terms.count;
     const int last = terms.count - 1;
@@ -26,12 +27,12 @@ inline void differences(const Coefficients& terms, double factor, Coefficients& 
     if (last >= 0) slope.c[last] = -factor * terms.c[last];
 }
 
-/// The curved terms of out = p·g + q·f, where g or f has any.
+/// Computes the curved terms of out = p·g + q·f, if g or f has any.
 template <int lines>
 void combineCurves(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                    ExponentialSum<lines>& out);
 
-/// out = p·g + q·f; `out` is another sum. It has the length and the decays of g.
+/// Computes out = p·g + q·f; `out` must be a different object. It has the length and the rates of g.
 template <int lines>
 inline void combine(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                     ExponentialSum<lines>& out) {
@@ -46,7 +47,7 @@ inline void combine(double p, const ExponentialSum<lines>& g, double q, const Ex
     out.rates = g.rates;
 }
 
-/// out = −f; both may be the same.
+/// Computes out = −f; both may be the same object.
 template <int lines>
 inline void negate(const ExponentialSum<lines>& f, ExponentialSum<lines>& out) {
     const auto turn = [](const Coefficients& terms, Coefficients& turned) {
@@ -68,9 +69,9 @@ inline void negate(const ExponentialSum<lines>& f, ExponentialSum<lines>& out) {
     out.rates = f.rates;
 }
 
-// Values of a response in closed form at the end of a stretch of contact, and bounds of their errors.
+// Values of a response at the end of a stretch of contact, and bounds of their errors
 
-/// Largest values of φ_m, at y = m.
+/// Maximum of φ_m(y) = e^(−y) y^m/m! over y, at y = m, for each order m.
 inline constexpr double largestDecays[Coefficients::capacity] = {1,
                                                                  0.36787944117144233,
                                                                  0.27067056647322538,
@@ -80,24 +81,34 @@ inline constexpr double largestDecays[Coefficients::capacity] = {1,
                                                                  0.16062314104798003,
                                                                  0.14900277967433771};
 
-/// The decays Σ c_m φ_m(λx) of one rate at x, and over [0, x], in one pass; and the sizes that their
-/// roundings are relative to. Many reflections leave large coefficients of high order, which hardly count
-/// where λx is small: the size of a term is its largest value up to x.
+/// Sum of the decays Σ c_m φ_m(λx) of one rate λ at x, and its integral over [0, x], computed in one pass.
+/// The members `…Size`, `stored` and `integrated` are the sizes to which rounding errors are relative. After
+/// many reflections there are large coefficients of high order, which hardly matter where λx is small. So the
+/// size of a term is its largest value up to x.
 struct DecaysEnd {
-    double first, firstDecay, firstRise;  ///< c_0, φ_0(λx) and 1 − φ_0(λx)
-    double higher = 0;                    ///< the terms from c_1 on: zero at the start
+    /// The coefficient c_0, φ_0(λx) and 1 − φ_0(λx).
+    double first, firstDecay, firstRise;
+    /// Sum of the terms from c_1 on at x; they are zero at x = 0.
+    double higher = 0;
+    /// Sum of the absolute sizes of the terms from c_1 on.
     double higherSize = 0;
-    double integral = 0;    ///< of all
-    double stored = 0;      ///< what the rounding of the coefficients is relative to, over [0, x]
-    double integrated = 0;  ///< and that of the integral
+    /// Integral of all terms over [0, x], in units of t0.
+    double integral = 0;
+    /// Size to which the effect of rounding of the coefficients is relative, integrated over [0, x].
+    double stored = 0;
+    /// Size to which the rounding of the integral is relative.
+    double integrated = 0;
 
-    /// `decay` is e^{−λx}.
+    /// Computes the values at x; `decay` is e^(−λx).
     DecaysEnd(const Coefficients& terms, double rate, double x, double decay);
 
+    /// Returns the sum of the terms at x.
     double value() const { return first * firstDecay + higher; }
+    /// Returns the size to which the rounding of value() is relative.
     double valueSize() const { return std::abs(first) * firstDecay + higherSize; }
-    /// From the start on.
+    /// Returns the change of the sum of the terms from 0 to x.
     double change() const { return higher - first * firstRise; }
+    /// Returns the size to which the rounding of change() is relative.
     double changeSize() const { return std::abs(first) * firstRise + higherSize; }
 };
 

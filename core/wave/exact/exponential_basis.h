@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact solved in closed form, one piece from front to front however long: fast where reflections are few.
+// Contact solved with exponential sums, one piece from front to front, however long: fast if reflections are
+// few.
 #pragma once
 
 #include <algorithm>
@@ -15,62 +16,85 @@
 
 namespace drillwave {
 
-/// Represents waves of ContactMarch by exponential sums (theory §3.2), for pulses of every shape.
+/// Representation of the waves of ContactMarch by exponential sums (theory §3.2), for hammer forces of every
+/// shape.
 ///
-/// One term is added at each reflection in contact, and terms of other rates are divided by the differences
-/// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for lines
-/// nearly as steep as another, and where an event is tangential within rounding.
+/// Each reflection in contact adds one term. Terms of other rates are divided by the differences of the
+/// rates. So it fails after some reflections, for lines of the law of nearly equal slope, and for events that
+/// are tangential within rounding. The caller then uses power series.
 ///
-/// `lines` counts the lines of the law whose slopes it has: the first loading line, the elastic one, and
-/// those after the first corners. It fails where the contact reaches a line beyond them.
+/// `lines` is the number of lines of the law whose slopes are included: the first loading line, the elastic
+/// line, and those after the first corners. It fails if the contact reaches any further line.
 template <int lines>
 class ExponentialBasis {
   public:
     using Real = double;
     using Piece = ExponentialSum<lines>;
-    using Sum = double;                         ///< its pieces are few
-    static constexpr bool joinsPieces = false;  ///< there are few
-    /// Error of each term added to a Sum, relative to the sum.
+    /// Type of sums; plain, because there are few pieces.
+    using Sum = double;
+    /// Whether pieces are joined; not needed, because there are few.
+    static constexpr bool joinsPieces = false;
+    /// Rounding error of each term added to a Sum, relative to the sum.
     static constexpr double roundingOfSums = std::numeric_limits<double>::epsilon() / 2;
 
+    /// Solution of one stretch of contact, with the waves at its start.
     struct Response {
         double length = 0;
         double rate = 0;
-        int line = 0;                     ///< line with that rate
-        const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
+        /// Index of the line of the law that has this rate.
+        int line = 0;
+        /// Arriving wave g, which must outlive the response.
+        const Piece* incident = nullptr;
         Piece force;
-        double start = 0;       ///< the force at the start
-        double arrived = 0;     ///< ∫g up to its end, by endAt() of curved forces
-        double left = 0;        ///< ∫(g − F) up to its end, by endAt() of curved forces
-        double dropped = 0;     ///< rounding that has been left out of it
-        bool hasDrive = false;  ///< drive() has been called
+        /// Force at the start of the stretch, in units of F0.
+        double start = 0;
+        /// Impulse ∫g up to the end of the stretch, set by endAt() for curved forces.
+        double arrived = 0;
+        /// Impulse ∫(g − F) up to the end of the stretch, set by endAt() for curved forces.
+        double left = 0;
+        /// Size of the terms that were dropped because they are below rounding.
+        double dropped = 0;
+        /// Whether drive() has been called for this response.
+        bool hasDrive = false;
     };
 
+    /// Starts a blow with the given law of the rock.
     void begin(const Problem& problem, const ContactLaw<double>& law);
+    /// Returns whether the representation has failed for this blow.
     bool failed() const { return m_failed; }
-    /// The searches for events since begin().
+    /// Returns the number of searches for events, and of points evaluated, since begin().
     SearchCount searchCount() const { return m_count; }
-    /// Events that repeat without progress in time hang on rounding here.
+    /// Reports that events repeat without progress in time; then this representation fails.
     void stall() { m_failed = true; }
-    /// Continues the contact along a line of that slope.
+    /// Continues the contact along a line of the slope `rate`; fails if that line is not included.
     void turnTo(double rate) { m_failed |= lineOf(rate) == lines; }
+    /// Returns the force that is small enough to be ignored, in units of F0.
     double negligibleForce() const { return m_negligible; }
+    /// Returns the rounding error of a momentum, in units of I0.
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
+    /// Returns a wave with a constant value (in F0) over a length (in t0).
     Piece constant(double length, double value) const;
+    /// Returns the length of the hammer force that one piece can hold: all that is left of the segment.
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
+    /// Adds the hammer force over `length` to g; it starts at the time `into` within the segment.
     void addHammer(const PulseSegment& segment, double into, double length, Piece& g) const;
-    /// ∫Fa g over `length`, Fa counted from `into` the segment.
+    /// Returns the integral of the hammer force Fa times the wave g over `length`. The force starts at the
+    /// time `into` within its segment.
     double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
-    /// Solves F' = a(2g − F), F(0) = force, over g [paper (5)] [paper (8)].
+    /// Returns the solution of F' = a(2g − F), F(0) = force, over the piece g with a = `rate` [paper (5)]
+    /// [paper (8)].
     Response& respond(Piece& g, double rate, double force);
+    /// Returns the arriving wave of a response.
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// Writes the wave g − F that runs back, to be cut at the end of the stretch.
+    /// Writes the reflected wave g − F, which the caller cuts at the end of the stretch.
     void reflect(const Response& r, Piece& reflected) const;
-    /// The drive 2g − F = U' = F'/a of a response, until the next.
+    /// Returns the drive 2g − F = U' = F'/a of a response; valid until the next response.
     const Piece& drive(Response& r);
-    /// Ends the stretch. The decays up to there serve every function of it.
+    /// Ends the stretch at `length`, and returns force, impulse and error there. The decays computed for it
+    /// are used for all functions of the stretch.
     StretchEnd<double> endAt(Response& r, double length) const;
+    /// Removes the part of g that has passed in the stretch of the response.
     void dropFront(Piece& g, const Response& r) const {
         g.rates = &m_rates;
         const double rest = g.isCurved ? g.curve.impulse - r.arrived : 0;
@@ -78,36 +102,47 @@ class ExponentialBasis {
         if (g.isCurved) [[unlikely]]
             g.curve.impulse = rest;
     }
+    /// Returns the time at which the incident wave g closes the gap (∫2g equals the gap), if it does so
+    /// within the piece.
     Zero<double> gapClosure(const Piece& g, double gap);
+    /// Returns the time at which the force of a response falls to zero.
     Zero<double> forceVanishes(Response& r);
+    /// Returns the time at which the drive 2g − F of a response changes from positive to negative.
     Zero<double> driveVanishes(Response& r);
+    /// Returns the time at which the force of a response reaches `peak`. `tangential` is set at the start of
+    /// unloading, where F = peak and F' = 0 exactly.
     Zero<double> forceReaches(Response& r, double peak, bool tangential);
+    /// Returns the largest ∫g over [0, x] for any x within the piece, at least 0.
     double largestIntegral(const Piece& g);
-    /// An upper bound of that, and of 0, where that over the whole of g is known; one that is `enough` is not
-    /// made narrower.
+    /// Returns an upper bound of largestIntegral(), given `whole`, the integral over the whole piece. A bound
+    /// that does not exceed `enough` is not made narrower.
     double mostIntegral(const Piece& g, double whole, double enough) const {
         const double most = g.mostIntegral();
         return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g, whole));
     }
-    /// ∫g over the piece.
+    /// Returns the integral ∫g of the wave over the piece, in units of I0.
     static double impulse(const Piece& g) { return g.impulse(); }
-    /// Returns the size that the rounding of impulse() is relative to.
+    /// Returns the size to which the rounding of impulse() is relative.
     static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
+    /// Drops terms that are small enough to be ignored.
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;
         piece.trim(m_negligible);
     }
 
-    /// Returns the largest F over [0, length], or the largest before if that is not exceeded; F at the ends
-    /// must be among those before.
+    /// Returns the larger of `before` and the largest force F of the response over [0, length]. The forces at
+    /// both ends must be included in `before`.
     double largest(Response& r, double length, double before);
+    /// Returns the integral of the product f·g over [0, length].
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
+    /// Appends a stretch of the waves to the histories of an impact; `force` is null without contact.
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
   private:
-    static constexpr int primary = 0, elastic = 1;  ///< lines
+    /// Indices of the first loading line and the elastic line.
+    static constexpr int primary = 0, elastic = 1;
 
-    /// The zero, unless the search was undecided: then failed().
+    /// Returns the zero unchanged; an undecided search makes the representation fail.
     Zero<double> decided(Zero<double> zero) {
         m_failed |= zero.undecided;
         return zero;
@@ -115,7 +150,7 @@ class ExponentialBasis {
 
     using Curve = CurvedTerms<lines>;
 
-    /// The first line of that slope; `lines` where there is none.
+    /// Returns the index of the first line with the slope `rate`, or `lines` if there is none.
     int lineOf(double rate) const {
         int line = 0;
         while (line < lines && m_rates[line] != rate) ++line;

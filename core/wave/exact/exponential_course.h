@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an exponential sum runs over its length, by bounds: what makes most searches for an event needless.
+// Bounds of the course of an exponential sum over its length, which make most searches for events needless.
 #pragma once
 
 #include <algorithm>
@@ -8,17 +8,24 @@
 
 namespace drillwave {
 
-/// Bounds of the slope and of the curvature of a sum over its whole length: each holds, and may be wide.
+/// Bounds of slope and curvature of an exponential sum over its whole length. They are valid, but may be
+/// wide.
 struct ExponentialCourse {
+    /// Lower and upper bound of the slope, per t0.
     double leastSlope = 0, mostSlope = 0;
+    /// Lower and upper bound of the curvature, per t0².
     double leastCurvature = 0, mostCurvature = 0;
 
     template <int lines>
     explicit ExponentialCourse(const ExponentialSum<lines>& f);
 
+    /// Returns whether the sum certainly does not increase anywhere.
     bool falls() const { return mostSlope <= 0; }
+    /// Returns whether the sum certainly does not decrease anywhere.
     bool rises() const { return leastSlope >= 0; }
+    /// Returns whether the sum is certainly convex.
     bool isConvex() const { return leastCurvature >= 0; }
+    /// Returns whether the sum is certainly concave.
     bool isConcave() const { return mostCurvature <= 0; }
 
   private:
@@ -26,9 +33,9 @@ struct ExponentialCourse {
     void addHammer(const HammerTerms& hammer, double length);
 };
 
-/// An upper bound of ∫f over [0, x] for every x up to the length, and 0, from the values at the ends and that
-/// over the `whole`: a convex function lies below its chord, and others above it by no more than their
-/// curvature bends them.
+/// Returns an upper bound, at least 0, of ∫f over [0, x] for every x up to the length. It is computed from
+/// the values at both ends and the integral `whole` over the length. A convex function lies below its chord;
+/// others exceed it by no more than their curvature allows.
 template <int lines>
 double mostIntegralByEnds(const ExponentialSum<lines>& f, double whole);
 
@@ -43,8 +50,8 @@ inline ExponentialCourse::ExponentialCourse(const ExponentialSum<lines>& f) {
     if (f.hasHammer()) addHammer(f.curve.hammer, f.length);
 }
 
-/// The slope of Σ c_m φ_m + Σ q_m ω_m is Σ (c_{m+1} − c_m + q_m) φ_m, times the rate; no φ_m is negative, and
-/// together they are at most 1.
+/// Adds the bounds for terms of one rate λ. The slope of Σ c_m φ_m + Σ q_m ω_m is λ Σ (c_{m+1} − c_m + q_m)
+/// φ_m. No φ_m is negative, and their sum is at most 1.
 inline void ExponentialCourse::addTerms(const Coefficients& decays, const Coefficients& rises, double rate) {
     double next = 0, nextSlope = 0;
     double lowSlope = 0, highSlope = 0, lowBend = 0, highBend = 0;

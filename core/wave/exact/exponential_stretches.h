@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exponential sums as power series on short stretches: for histories, products and extremes.
+// Conversion of exponential sums to power series on short stretches, for histories, products and extremes.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,13 @@
 
 namespace drillwave {
 
-/// Walks over [0, length] in stretches on which each of the functions is one short power series, all on the
-/// same scale: the fastest decay that is still above `negligible` passes by at most 2 in a stretch. The
-/// functions have the same rates; some 20 stretches see one decay out.
+/// Division of [0, length] into stretches on which each of several functions is one short power series, all
+/// on the same scale. In a stretch, λx of the fastest decay that is still above `negligible` increases by at
+/// most 2. All functions must have the same rates. About 20 stretches follow one decay to its end.
 template <int lines, std::size_t count>
 class ExponentialStretches {
   public:
+    /// Creates the division of [0, length] for the given functions; terms below `negligible` are dropped.
     ExponentialStretches(const std::array<const ExponentialSum<lines>*, count>& functions, double length,
                          double negligible)
         : m_length(length), m_negligible(negligible) {
@@ -27,7 +28,8 @@ class ExponentialStretches {
         }
     }
 
-    /// Calls visit(start, series) for each stretch in order; series[i].length is that of the stretch.
+    /// Calls visit(start, series) for each stretch in order; series[i] is function i, with the length of the
+    /// stretch.
     template <class Visit>
     void forEach(Visit visit) {
         double start = 0;
@@ -64,8 +66,8 @@ class ExponentialStretches {
 
     using Series = std::array<double, PowerSeries<double>::capacity>;
 
-    /// Σ c_m φ_m(y), φ_m(y) = e^{−y} y^m/m!, with y = reach·u: the coefficient of u^j is
-    /// reach^j Σ_m c_m/m! (−1)^(j−m)/(j−m)!.
+    /// Returns the power series in u of Σ c_m φ_m(y), φ_m(y) = e^(−y) y^m/m!, with y = reach·u. The
+    /// coefficient of u^j is reach^j Σ_m c_m/m! (−1)^(j−m)/(j−m)!.
     static Series seriesOf(const Coefficients& terms, double reach) {
         static constexpr Series decay = [] {  // of e^{−y}
             Series c{};
@@ -96,14 +98,14 @@ class ExponentialStretches {
         f.count = PowerSeries<double>::capacity;
     }
 
-    /// Adds the decays with y = reach·u.
+    /// Adds the decays Σ c_m φ_m(y) with y = reach·u to the power series f(u).
     static void addDecays(const Coefficients& terms, double reach, PowerSeries<double>& f) {
         if (terms.count == 0) return;
         makeFull(f);
         const Series decays = seriesOf(terms, reach);
         for (int j = 0; j < f.count; ++j) f.c[j] += decays[j];
     }
-    /// And the rises: ω_m is the integral of φ_m.
+    /// Adds the rises Σ c_m ω_m(y) with y = reach·u to the power series f(u); ω_m is the integral of φ_m.
     static void addRises(const Coefficients& terms, double reach, PowerSeries<double>& f) {
         if (terms.count == 0) return;
         makeFull(f);
@@ -111,7 +113,7 @@ class ExponentialStretches {
         for (int j = 1; j < f.count; ++j) f.c[j] += reach * slopes[j - 1] / j;
     }
 
-    /// Adds s sin πx + k cos πx + d e^{−x}, x = length·u.
+    /// Adds s sin πx + k cos πx + d e^(−x) with x = length·u to the power series f(u).
     static void add(const HammerTerms& terms, double length, PowerSeries<double>& f) {
         const double reach = HammerTerms::pi * length;
         double turn = 1, decay = terms.decay;
@@ -142,7 +144,8 @@ class ExponentialStretches {
         return series;
     }
 
-    static constexpr double rateOfSine = 4;  ///< a stretch is half of a half sine, as for SeriesBasis
+    /// Rate for a sine; it makes a stretch at most half of a half sine, as in SeriesBasis.
+    static constexpr double rateOfSine = 4;
 
     double m_length, m_negligible;
     std::array<ExponentialSum<lines>, count> m_rest;

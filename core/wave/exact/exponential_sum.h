@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of constants and decays of the rates that the lines of a law have, and of what ramps and curved hammer
-// forces leave: the fast representation of the exact solver.
+// Exponential sums: constants, decays with the rates of the lines of a law, and terms that ramps and curved
+// hammer forces leave. They are the fast representation of waves in the exact solver.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +10,20 @@
 
 namespace drillwave {
 
-// The terms of an exponential sum: decays and rises of one rate, and what a curved hammer force leaves.
+// Terms of an exponential sum: decays and rises of one rate, and the terms of a curved hammer force
 
-/// The distance from 1 to the next double.
+/// Distance from 1 to the next larger double.
 inline constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 
-/// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate: of the decays φ_m(y) = e^{−y} y^m/m! or of
-/// the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), y = λx.
+/// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate λ. The terms are the decays φ_m(y) = e^(−y)
+/// y^m/m!, or the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), with y = λx.
 ///
-/// The factorials make the resonant response a mere shift: F' + λF = 2λ φ_m gives F = 2 φ_{m+1}, and the same
-/// for ω_m.
+/// Because of the factorials, a response at its own rate only shifts the coefficients: F' + λF = 2λ φ_m has
+/// the solution F = 2 φ_{m+1}, and the same holds for ω_m.
 struct Coefficients {
+    /// Maximum number of coefficients of one kind of term.
     static constexpr int capacity = 8;
+    /// Number of coefficients; those from here on are zero and not stored.
     int count = 0;
     std::array<double, capacity> c;
 
@@ -33,13 +35,16 @@ struct Coefficients {
         return *this;
     }
 
+    /// Returns the coefficient c_m, zero for m ≥ count.
     double operator[](int m) const { return m < count ? c[m] : 0.0; }
+    /// Returns the sum of the absolute coefficients, Σ |c_m|.
     double magnitude() const {
         double sum = 0;
         for (int m = 0; m < count; ++m) sum += std::abs(c[m]);
         return sum;
     }
-    /// Bounds of Σ c_m φ_m, and 0: no φ_m is negative, and together they are at most 1.
+    /// Returns an upper (`most`) or lower (`least`) bound of Σ c_m φ_m, including 0. No φ_m is negative, and
+    /// their sum is at most 1.
     double most() const {
         double largest = 0;
         for (int m = 0; m < count; ++m) largest = std::max(largest, c[m]);
@@ -50,7 +55,8 @@ struct Coefficients {
         for (int m = 0; m < count; ++m) smallest = std::min(smallest, c[m]);
         return smallest;
     }
-    /// Bounds of Σ c_m ω_m, and 0: as 1 ≥ ω_0 ≥ ω_1 ≥ … it is a mean of the partial sums Σ_{k≤m} c_k.
+    /// Returns an upper (`mostRisen`) or lower (`leastRisen`) bound of Σ c_m ω_m, including 0. Since 1 ≥ ω_0
+    /// ≥ ω_1 ≥ …, the sum is a mean of the partial sums Σ_{k≤m} c_k.
     double mostRisen() const {
         double largest = 0, sum = 0;
         for (int m = 0; m < count; ++m) largest = std::max(largest, sum += c[m]);
@@ -61,6 +67,7 @@ struct Coefficients {
         for (int m = 0; m < count; ++m) smallest = std::min(smallest, sum += c[m]);
         return smallest;
     }
+    /// Drops all coefficients if Σ |c_m| is at most `negligible`, otherwise zeros at the end.
     void trim(double negligible) {
         if (count == 0 || std::abs(c[count - 1]) > negligible) return;
         if (magnitude() <= negligible)
@@ -69,14 +76,14 @@ struct Coefficients {
             while (count > 0 && c[count - 1] == 0) --count;
     }
 
-    /// Σ c_m φ_m(y), with e^{−y} given.
+    /// Returns Σ c_m φ_m(y); `decay` is e^(−y).
     double decays(double y, double decay) const {
         if (count == 0) return 0;
         double sum = c[count - 1];
         for (int m = count - 1; m > 0; --m) sum = sum * (y / m) + c[m - 1];
         return sum * decay;
     }
-    /// Σ c_m ω_m(y), to rounding of Σ|c_m| min(1, y).
+    /// Returns Σ c_m ω_m(y), with a rounding error relative to Σ|c_m| min(1, y); `decay` is e^(−y).
     double rises(double y, double decay) const {
         if (count == 0) return 0;
         double omega = y < 0.5 ? -std::expm1(-y) : 1 - decay;
@@ -88,7 +95,7 @@ struct Coefficients {
         }
         return sum;
     }
-    /// The coefficients of the same decays seen from y on.
+    /// Replaces the coefficients by those of the same decays with the origin moved to y; `decay` is e^(−y).
     void shift(double y, double decay) {
         for (int k = 0; k < count; ++k) {
             double sum = c[count - 1];
@@ -96,7 +103,7 @@ struct Coefficients {
             c[k] = sum * decay;
         }
     }
-    /// Σ_{m≥k} c_m for each k: ∫ω_m dy = y − Σ_{k≤m} ω_k.
+    /// Returns the sums Σ_{m≥k} c_m for each k, used for the integral of rises: ∫ω_m dy = y − Σ_{k≤m} ω_k.
     Coefficients sumsFromEach() const {
         Coefficients sums = *this;
         for (int k = count - 2; k >= 0; --k) sums.c[k] += sums.c[k + 1];
@@ -104,27 +111,36 @@ struct Coefficients {
     }
 };
 
+/// Empty list of coefficients, for sums without rises.
 inline const Coefficients noTerms;
 
-/// s sin πx + k cos πx + d e^{−x}, x in t0: what a half sine and an exponential blow leave in every wave.
-/// None of the three grows by reflection, unless a rate of the contact is near that of e^{−x}.
+/// Terms s sin πx + k cos πx + d e^(−x), x in t0, that a half sine and an exponential hammer force leave in
+/// every wave. Reflections do not increase any of them, unless a rate of the contact is near that of e^(−x).
 struct HammerTerms {
+    /// Coefficients of sin πx, cos πx and e^(−x), in units of F0.
     double sine = 0, cosine = 0, decay = 0;
-    bool present = false;  ///< ramps leave none, and should not pay for them
+    /// Whether there are such terms; linear hammer forces leave none, and skip the work for them.
+    bool present = false;
 
+    /// Returns the value of the terms at x = 0, in units of F0.
     double startValue() const { return cosine + decay; }
-    /// Amplitude of the sine.
+    /// Returns an upper bound of the amplitude of the sine, |s| + |k|.
     double amplitude() const { return std::abs(sine) + std::abs(cosine); }
+    /// Returns an upper bound of the absolute value.
     double magnitude() const { return amplitude() + std::abs(decay); }
+    /// Returns whether the value is certainly ≥ 0 for 0 ≤ x ≤ length.
     bool allAtLeastZero(double length) const {
         // at most a half sine: a stretch below zero in it would hold an end or the middle
         return !present ||
                (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 && wave(length) >= 0);
     }
+    /// Returns whether the value is certainly ≤ 0 for 0 ≤ x ≤ length.
     bool allAtMostZero(double length) const { return negated().allAtLeastZero(length); }
     HammerTerms negated() const { return {-sine, -cosine, -decay, present}; }
 
+    /// Returns the value of the terms at x, in units of F0.
     double value(double x) const { return wave(x) + (decay == 0 ? 0 : decay * std::exp(-x)); }
+    /// Returns the integral of the terms from 0 to x, in units of I0.
     double integral(double x) const {
         double sum = decay == 0 ? 0 : -decay * std::expm1(-x);
         if (hasSine()) {
@@ -133,7 +149,7 @@ struct HammerTerms {
         }
         return sum;
     }
-    /// Moves the origin to x: value(y) becomes what value(x + y) was.
+    /// Moves the origin to x: value(y) becomes what value(x + y) was before.
     void dropFront(double x) {
         if (hasSine()) {
             const double s = std::sin(pi * x), c = std::cos(pi * x), before = sine;
@@ -142,11 +158,13 @@ struct HammerTerms {
         }
         if (decay != 0) decay *= std::exp(-x);
     }
+    /// Sets all terms to zero if their absolute value is at most `negligible`.
     void trim(double negligible) {
         if (magnitude() <= negligible) *this = {};
     }
 
     static constexpr double pi = 3.14159265358979323846;
+    /// Returns whether there is a sine or cosine term.
     bool hasSine() const { return sine != 0 || cosine != 0; }
 
   private:
@@ -155,30 +173,35 @@ struct HammerTerms {
     }
 };
 
-/// Does `of(i)` for each of the lines of a law, one after the other and not in a loop: that of two terms
-/// costs as much as they.
+/// Calls of(i) for each line of a law, without a loop, whose overhead would be as large as the work for two
+/// terms.
 template <int lines, class Of>
 [[gnu::always_inline]] inline void eachLine(Of of) {
 #pragma GCC unroll 8
     for (int i = 0; i < lines; ++i) of(i);
 }
 
-/// The terms of each of the rates of a sum.
+/// Coefficients of one kind of term for each rate of a sum.
 template <int lines>
 using TermsOfLines = std::array<Coefficients, lines>;
 
-/// c1 x + Σ q_m ω_m of each rate + hammer: what ramps and curved blows leave besides constants and decays.
+/// Terms that ramps and curved hammer forces leave in a wave besides constants and decays: c1 x + Σ q_m ω_m
+/// for each rate, and the terms of the hammer force.
 ///
-/// Ramps leave rises: x − ω_0(λx)/λ and what follows from it would be differences of large constants and
-/// decays where λx is small.
+/// Ramps leave rises ω_m. Written with constants and decays, x − ω_0(λx)/λ and its reflections would be
+/// differences of large numbers where λx is small.
 template <int lines>
 struct CurvedTerms {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+    /// Slope c1 of the linear term, in units of F0/t0.
     double c1 = 0;
+    /// Coefficients q_m of the rises for each rate.
     TermsOfLines<lines> rises;
+    /// Terms s sin πx + k cos πx + d e^(−x) of a curved hammer force.
     HammerTerms hammer;
-    /// ∫ of the whole sum over its length, or unknown: whoever sets coefficients from outside makes it so.
+    /// Integral of the whole exponential sum over its length, or `unknown`. It must be set to `unknown`
+    /// whenever coefficients are changed from outside.
     mutable double impulse = unknown;
 
     bool hasRises() const {
@@ -187,25 +210,31 @@ struct CurvedTerms {
     bool isZero() const { return c1 == 0 && !hasRises() && !hammer.present; }
 };
 
-/// The rates of F' = a(2g − F), per t0, which are the slopes of the lines of the law (T16): β, β/γ, and s_j β
-/// behind each corner.
+/// Rates of F' = a(2g − F), per t0. They are the slopes of the lines of the law (T16): β, β/γ, and s_j β
+/// after each corner.
 template <int lines>
 using LineRates = std::array<double, lines>;
 
-/// f(x) = c0 + Σ decays of each rate (+ curve) on 0 ≤ x ≤ length.
+/// Wave f(x) = c0 + Σ decays of each rate (+ curved terms) on 0 ≤ x ≤ length, x in t0.
 ///
-/// Blows made of steps leave nothing but constants and decays, and should not pay for more: a sum that is not
-/// curved neither copies nor looks at its curved terms, which may hold what an earlier one has left. Nor
-/// should a law without corners pay for their rates: how many there are, the compiler knows.
+/// Hammer forces made of steps leave only constants and decays, so a sum that is not curved neither copies
+/// nor reads its curved terms; these may have an old content. The number of rates is known to the compiler,
+/// so that laws without corners take no extra time.
 template <int lines>
 struct ExponentialSum {
     using Curve = CurvedTerms<lines>;
 
+    /// Length of the interval, in units of t0.
     double length = 0;
+    /// Constant term c0 of the wave, in units of F0.
     double c0 = 0;
+    /// Rates of the decays and rises; must outlive the sum.
     const LineRates<lines>* rates = nullptr;
-    mutable std::array<double, lines> wholeDecays = notComputed();  ///< e^{−rate·length}; negative: not yet
+    /// Values e^(−rate·length); negative until they are computed.
+    mutable std::array<double, lines> wholeDecays = notComputed();
+    /// Whether the sum has curved terms: a linear term, rises, or terms of a curved hammer force.
     bool isCurved = false;
+    /// Coefficients of the decays for each rate, in units of F0.
     TermsOfLines<lines> decays;
     Curve curve;
 
@@ -229,7 +258,7 @@ struct ExponentialSum {
         f.length = length;
         return f;
     }
-    /// Its curved terms, none before.
+    /// Returns the curved terms for writing; they are zero if there were none before.
     Curve& makeCurved() {
         if (!isCurved) curve = {};
         isCurved = true;
@@ -244,24 +273,26 @@ struct ExponentialSum {
     }
     bool isConstant() const { return !isCurved && !hasDecays(); }
     bool isZero() const { return c0 == 0 && isConstant(); }
-    /// Returns whether it has terms of that rate.
+    /// Returns whether the sum has decays or rises of rate number i.
     bool hasLine(int i) const { return decays[i].count || (isCurved && curve.rises[i].count); }
-    /// Returns the rises of that rate.
+    /// Returns the rises of rate number i; empty if the sum is not curved.
     const Coefficients& risesOf(int i) const { return isCurved ? curve.rises[i] : noTerms; }
     bool hasHammer() const { return isCurved && curve.hammer.present; }
     bool hasSine() const { return hasHammer() && curve.hammer.hasSine(); }
 
+    /// Returns the value at x = 0, in units of F0.
     double startValue() const {
         double steps = c0;
         eachLine<lines>([&](int i) { steps += decays[i][0]; });
         return isCurved ? steps + curve.hammer.startValue() : steps;
     }
+    /// Returns an upper bound of |f|, in units of F0.
     double magnitude() const {
         double steps = std::abs(c0);
         eachLine<lines>([&](int i) { steps += decays[i].magnitude(); });
         return isCurved ? steps + curveMagnitude() : steps;
     }
-    /// Whether bounds say that f ≥ 0: enough for it, not needed.
+    /// Returns whether bounds prove that f ≥ 0. A result of false does not mean that f is negative anywhere.
     bool isAtLeastZero() const {
         double steps = c0;
         eachLine<lines>([&](int i) { steps += decays[i].least(); });
@@ -273,12 +304,12 @@ struct ExponentialSum {
         return steps <= 0 &&
                (!isCurved || (steps + mostOfRises() <= 0 && curve.hammer.allAtMostZero(length)));
     }
-    /// An upper bound of f.
+    /// Returns an upper bound of f, in units of F0.
     double mostValue() const {
         const double steps = mostOfSteps();
         return isCurved ? steps + mostOfRises() + mostOfHammer() : steps;
     }
-    /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
+    /// Returns an upper bound, at least 0, of ∫f over [0, x] for every x up to the length, in units of I0.
     double mostIntegral() const {
         double most = std::max(c0, 0.0) * length;
         eachLine<lines>([&](int i) {
@@ -287,8 +318,8 @@ struct ExponentialSum {
         return isCurved ? most + mostIntegralOfCurve() : most;
     }
 
-    /// An upper bound of what the terms add up to over the length, whatever their signs: what the rounding of
-    /// ∫f is relative to.
+    /// Returns an upper bound of the integral of the absolute values of all terms over the length, in units
+    /// of I0. The rounding of ∫f is relative to it.
     double integralOfSizes() const {
         constexpr double lasting = Coefficients::capacity;  // for so many 1/λ at most a decay is that large
         double sum = std::abs(c0) * length;
@@ -298,12 +329,13 @@ struct ExponentialSum {
         return isCurved ? sum + curveMagnitude() * length : sum;
     }
 
-    /// e^{−λx} of that rate.
+    /// Returns e^(−λx) for rate number i.
     double decayOver(int i, double x) const {
         if (x != length) return std::exp(-(*rates)[i] * x);
         if (wholeDecays[i] < 0) wholeDecays[i] = std::exp(-(*rates)[i] * x);
         return wholeDecays[i];
     }
+    /// Returns the value at x, in units of F0.
     double value(double x) const {
         if (isCurved) [[unlikely]]
             return valueOfCurved(x);
@@ -313,6 +345,7 @@ struct ExponentialSum {
         });
         return f;
     }
+    /// Returns the integral from 0 to x, in units of I0.
     double integral(double x) const {
         if (isCurved) [[unlikely]]
             return integralOfCurved(x);
@@ -322,13 +355,15 @@ struct ExponentialSum {
         });
         return f;
     }
-    /// ∫f over the length. Free flight asks for it in every round trip: what is curved keeps it.
+    /// Returns ∫f over the length, in units of I0. Curved sums store it, because free flight needs it in
+    /// every round trip.
     double impulse() const {
         if (isCurved) [[unlikely]]
             return impulseOfCurved();
         return integral(length);
     }
-    /// The function seen from x on, with the decays up to there given, where it has terms of their rates.
+    /// Removes the interval [0, x] and moves the origin to x. `decaysTo` holds e^(−λx) for the rates of which
+    /// there are terms.
     void dropFront(double x, const std::array<double, lines>& decaysTo) {
         if (isCurved) [[unlikely]]
             dropFrontOfCurve(x, decaysTo);
@@ -343,6 +378,7 @@ struct ExponentialSum {
         eachLine<lines>([&](int i) { decaysTo[i] = hasLine(i) ? decayOver(i, x) : 0; });
         dropFront(x, decaysTo);
     }
+    /// Shortens the interval of the wave to [0, x], x in units of t0.
     void shorten(double x) {
         if (x == length) return;
         length = x;
@@ -350,7 +386,7 @@ struct ExponentialSum {
         if (isCurved) [[unlikely]]
             curve.impulse = Curve::unknown;
     }
-    /// Drops what is at most that.
+    /// Drops terms that are at most `negligible`, in units of F0.
     void trim(double negligible) {
         eachLine<lines>([&](int i) { decays[i].trim(negligible); });
         if (isCurved) [[unlikely]]
@@ -359,6 +395,7 @@ struct ExponentialSum {
             c0 = 0;
     }
 
+    /// Returns an upper bound of the absolute value of the curved terms, in units of F0.
     double curveMagnitude() const;
 
   private:
@@ -372,7 +409,7 @@ struct ExponentialSum {
         eachLine<lines>([&](int i) { steps += decays[i].most(); });
         return steps;
     }
-    // the same for sums that are curved, out of the way of those that are not
+    // Parts of the functions above for curved sums, kept apart so that others do not pay for them
     double mostOfHammer() const;
     double mostOfRises() const;
     double leastOfRises() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first zero of an exponential sum: where an event ends a piece of contact or of free flight.
+// First zero of an exponential sum, where an event ends a piece of contact or of free flight.
 #pragma once
 
 #include "core/numeric/first_zero.h"
@@ -7,23 +7,26 @@
 
 namespace drillwave {
 
-/// Where a search begins, and what it may leave out.
+/// Start of a search for a zero, and what it may ignore.
 struct Search {
+    /// Start of the search within the interval, in units of t0.
     double start = 0;
-    bool startsAtZero = false;  ///< by construction, whatever rounding says
-    double negligible = 0;      ///< a function that stays below has no zero
+    /// Whether the function is exactly zero at the start, whatever rounding shows.
+    bool startsAtZero = false;
+    /// Absolute value below which a function is treated as having no zero, in units of the function.
+    double negligible = 0;
 };
 
-/// Returns whether a formula gives the first zero of f: for up to three decays, all of one rate.
+/// Returns whether a formula gives the first zero of f: it has at most three decays, all of one rate.
 template <int lines>
 bool hasZeroByFormula(const ExponentialSum<lines>& f);
 
-/// First zero in (start, f.length] of f + c2 x², which is positive, or zero, at the start: steps from a lower
-/// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A
-/// function that starts at zero and turns down has its zero there.
+/// Returns the first zero in (start, f.length] of f + c2 x², which must be ≥ 0 at the start. Steps from a
+/// lower bound of the curvature never pass a zero; once a zero is certainly near, Halley's method finds it. A
+/// function that is zero at the start and then decreases has its zero there.
 ///
-/// Adds the search to `tally`. Undecided where rounding hides what follows, and where very many steps do not
-/// suffice.
+/// The search is added to `tally`. The result is undecided if rounding hides the sign, or if the number of
+/// steps reaches its limit.
 template <int lines>
 Zero<double> firstZero(const ExponentialSum<lines>& f, double c2, const Search& search, SearchCount& tally);
 

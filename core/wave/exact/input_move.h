@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the result of a blow hangs on the last digits of its input (theory §11.2).
+// Sensitivity of the result of a blow to the last digits of its input (theory §11.2).
 #pragma once
 
 #include <algorithm>
@@ -11,40 +11,44 @@
 
 namespace drillwave {
 
-/// Moves the input by a few units of rounding, β(1 + beta·ε) and τ(1 + tau·ε), ε of the arithmetic in use.
+/// Change of the input by a few units of rounding: β(1 + beta·ε) and τ(1 + tau·ε), with the machine epsilon
+/// ε.
 struct InputMove {
     int beta = 0;
     int tau = 0;
 };
 
-/// Rounding made in one contact is multiplied by the contacts that follow: where the bit chatters, e may have
-/// few digits or none although each step was right to the last one. Up to this growth (Impact::growth, a
-/// worst case) the rounding that a march sums up, multiplied by it, covers it.
+/// Largest growth of rounding errors (Impact::growth, a worst case) that the summed error covers if
+/// multiplied by it. Contacts multiply the rounding of earlier ones. If there are many, the coefficient of
+/// restitution may have few digits or none, although each step was accurate to the last digit.
 inline constexpr double coveredGrowth = 8;
 
-/// Rounding of e in a march without that growth, whatever it sums up: an upper bound of all cases seen.
+/// Upper bound of the rounding error of the coefficient of restitution without growth by contacts; no case
+/// seen exceeded it.
 inline constexpr double ordinaryRounding = 1e-13;
 
-/// Returns whether the rounding of a solved blow may have grown beyond its stated error.
+/// Returns whether the rounding error of a solved blow may have grown beyond its stated error.
 inline bool mayOutgrowItsError(const Impact& impact) {
     return impact.growth > coveredGrowth && impact.growth * ordinaryRounding > impact.corError;
 }
 
-/// Returns the error of e due to the rounding of a given hammer force; the rock may reflect it once.
+/// Returns the error of the coefficient of restitution due to the rounding of the points of a hammer force.
+/// The factor of two allows for one reflection by the rock.
 inline double roundingOfHammer(const PulseForce& hammer) {
     return 2 * hammer.rounding;
 }
 
-/// Raises impact.corError, the error that a march has summed up, to cover its growth in contacts.
+/// Raises impact.corError so that it covers the growth of rounding errors in contacts.
 ///
-/// Where contacts may have multiplied it by more than is covered, a single march cannot show how much of that
-/// growth is real, but a second one with moved input grows in the same way: solve(InputMove) marches again
-/// for e only. Where a moved blow cannot be solved, neither is the impact.
+/// If contacts may have multiplied these errors by more than coveredGrowth, a single solution cannot show how
+/// much of the growth is real. A solution with a slightly changed input grows in the same way:
+/// solve(InputMove) solves the blow again for e only. If the changed blow cannot be solved, `impact` becomes
+/// not solved.
 ///
-/// β and τ are moved together, 16 ε up and down, since moves that keep βτ may have little effect; the second
-/// move is left out if the first changes far less than is stated anyway, for a small change may be luck.
-/// Eight times the larger change, added to the sum, covers the error of more than 999 in 1000 chattering
-/// blows (tst_chatter).
+/// β and τ are changed together, by 16 ε up and down, since changes that keep βτ may have little effect. The
+/// second change is left out if the first one has far less effect than the stated error. A small effect may
+/// be chance. So eight times the larger change is added to the error; this covers more than 999 in 1000 blows
+/// with many contacts (tst_chatter).
 template <class Solve>
 void coverGrowth(Impact& impact, const Solve& solve) {
     if (impact.outcome != Outcome::rebounded) return;

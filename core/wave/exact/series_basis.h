@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact solved in power series on short pieces: robust for every rate, pulse and number of reflections.
+// Contact solved with power series on short pieces: robust for every rate, hammer force and number of
+// reflections.
 #pragma once
 
 #include "core/contact/bit_rock_law.h"
@@ -13,31 +14,42 @@
 
 namespace drillwave {
 
-/// The representation of ContactMarch by truncated power series.
+/// Representation of the waves of ContactMarch by truncated power series.
 ///
-/// A piece of contact with rate a and length ℓ: for aℓ ≲ 2 the recurrence of F' = a(2g − F) is summed
-/// directly. For larger aℓ the piece is cut, except where F follows the slow solution F = 2g − F'/a, which is
-/// an exact polynomial for a polynomial g: there one piece does, however large a is.
+/// For a piece of contact with rate a and length ℓ, the recurrence of F' = a(2g − F) is summed directly if aℓ
+/// ≲ 2. If aℓ is larger, the piece is cut, unless F follows the slow solution F = 2g − F'/a. For a polynomial
+/// g that is an exact polynomial, so one piece is enough, however large a is.
 template <class RealType>
 class SeriesBasis {
   public:
     using Real = RealType;
     using Piece = WavePiece<Real>;
     using Sum = CompensatedSum<Real>;
-    static constexpr Real roundingOfSums = 0;  ///< they are compensated
+    /// Rounding error of each term added to a Sum, relative to the sum; 0, because sums are compensated.
+    static constexpr Real roundingOfSums = 0;
+    /// Whether neighbouring pieces are joined to save work.
     static constexpr bool joinsPieces = true;
 
-    /// Solved stretch of contact: g and F on one scale.
+    /// Solution of a stretch of contact: g and F on the same scale.
     struct Response {
+        /// Length of the stretch, in units of t0.
         Real length = 0;
-        const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response, or `cut`
-        Piece cut;                        ///< a part of it, on its own scale
+        /// Arriving wave g, which must outlive the response; it may point to `cut`.
+        const Piece* incident = nullptr;
+        /// Part of the arriving wave, on a scale of its own.
+        Piece cut;
+        /// Impact force F over the stretch, in units of F0.
         Piece force;
-        Real alpha = 0;       ///< aℓ
-        bool isSlow = false;  ///< F = 2g − F'/a without a layer: F' does not start from 2g − F
-        Real size = 0;        ///< Σ|coefficients|, to which rounding is relative
+        /// Product aℓ of the contact's rate a and the length ℓ of the stretch.
+        Real alpha = 0;
+        /// Whether F is the slow solution 2g − F'/a without an initial layer, so that its slope does not
+        /// follow from 2g − F.
+        bool isSlow = false;
+        /// Sum of the absolute coefficients, to which rounding errors are relative, in units of F0.
+        Real size = 0;
     };
 
+    /// Starts a blow with the given law of the rock.
     void begin(const Problem& problem, const ContactLaw<Real>& law) {
         m_undecided = false;
         m_count = {};
@@ -49,19 +61,23 @@ class SeriesBasis {
         m_joiningError.begin(budget, law.slopes().elastic);
         m_negligible = std::ldexp(m_scale, negligibleExponent);
     }
-    /// Pieces in a round trip from which joining them is worth the effort.
+    /// Number of pieces in a round trip from which on joining them saves work.
     static constexpr std::size_t manyPieces = 32;
 
+    /// Returns whether a search for an event has failed.
     bool failed() const { return m_undecided; }
-    /// The searches for events since begin().
+    /// Returns the number of searches for events, and of points evaluated, since begin().
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
-    /// Continues the contact along a line of that slope, of any value.
+    /// Continues the contact along a line of any slope; nothing needs to be done.
     void turnTo(Real) const {}
+    /// Returns the force that is small enough to be ignored, in units of F0.
     Real negligibleForce() const { return m_negligible; }
-    /// Returns the rounding of a sum of impulses of order one, and the error of joined pieces.
+    /// Returns the rounding error of a sum of impulses of order one, plus the error of joined pieces, in
+    /// units of I0.
     Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }
 
+    /// Returns a wave with a constant value (in F0) over a length (in t0).
     Piece constant(Real length, Real value) const {
         Piece f = Piece::zero(length);
         f.count = 1;
@@ -69,7 +85,7 @@ class SeriesBasis {
         return f;
     }
 
-    /// The part of the hammer force from `left` on that one series can hold.
+    /// Returns the length of the hammer force that one series can hold, at most `left`, in units of t0.
     Real hammerPieceLength(const PulseSegment& segment, Real left) const {
         switch (segment.kind) {
             case PulseSegment::Kind::linear:
@@ -82,7 +98,7 @@ class SeriesBasis {
         return left;
     }
 
-    /// The hammer force from `into` the segment over `length`.
+    /// Returns the hammer force over `length` as a series; it starts at the time `into` within the segment.
     const Piece& hammerPiece(const PulseSegment& segment, Real into, Real length) {
         m_hammer = Piece::zero(length);
         auto& c = m_hammer.c;
@@ -118,7 +134,8 @@ class SeriesBasis {
         return m_hammer;
     }
 
-    /// Adds the hammer force from `into` the segment to `g` over `length`, on the scale of `length`.
+    /// Adds the hammer force over `length` to g, on the scale of `length`; it starts at the time `into`
+    /// within the segment.
     void addHammer(const PulseSegment& segment, Real into, Real length, Piece& g) {
         const Piece& hammer = hammerPiece(segment, into, length);
         if (g.scale != length) g.rescale(length);
@@ -128,7 +145,8 @@ class SeriesBasis {
         g.forgetWay();
     }
 
-    /// ∫Fa g over that length.
+    /// Returns the integral of the hammer force Fa times the wave g over `length`. The force starts at the
+    /// time `into` within its segment.
     Real hammerProduct(const PulseSegment& segment, Real into, const Piece& g, Real length) {
         const Piece& hammer = hammerPiece(segment, into, length);
         Piece scaled = g;
@@ -136,8 +154,9 @@ class SeriesBasis {
         return Piece::productIntegral(hammer, scaled, length);
     }
 
-    /// Solves as much of F' = a(2g − F), F(0) = force, over g as one piece can hold [paper (5)] [paper (8)].
-    /// Once for every piece of contact: a call costs 3 %.
+    /// Returns the solution of F' = a(2g − F), F(0) = force, over as much of g as one piece can hold, with a
+    /// = `rate` [paper (5)] [paper (8)]. It is inlined because it is needed for every piece of contact, and a
+    /// call costs 3 %.
     [[gnu::always_inline]] Response& respond(const Piece& g, Real rate, Real force) {
         Response& r = m_response;
         r.incident = &g;
@@ -156,7 +175,7 @@ class SeriesBasis {
     }
 
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// Writes the wave g − F that runs back, to be cut at the end of the stretch.
+    /// Writes the reflected wave g − F, which the caller cuts at the end of the stretch.
     void reflect(const Response& r, Piece& reflected) const {
         const Piece &g = *r.incident, &force = r.force;
         reflected.length = force.length;
@@ -168,7 +187,7 @@ class SeriesBasis {
         reflected.displaceLike(g);
         reflected.forgetWay();
     }
-    /// The drive 2g − F = U' = F'/a of a response, until the next.
+    /// Returns the drive 2g − F = U' = F'/a of a response; valid until the next response.
     const Piece& drive(const Response& r) {
         const Piece &g = *r.incident, &force = r.force;
         Piece& d = m_drive;
@@ -185,17 +204,18 @@ class SeriesBasis {
         for (int k = common; k < force.count; ++k) d.c[k] = -force.c[k];
         return d;
     }
-    /// The stretch ends at `length`, by an event or at its end.
+    /// Ends the stretch at `length`, and returns force, impulse and error there.
     StretchEnd<Real> endAt(Response& r, Real length) const {
         r.length = length;
         const Real size = r.size + r.incident->magnitude();
         return {r.force.value(length), r.force.integral(length),
                 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length};
     }
-    /// Drops g before the end of that stretch.
+    /// Removes the part of g that has passed in the stretch of the response.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
-    /// Returns the time when ∫2g closes the gap.
+    /// Returns the time at which the incident wave g closes the gap (∫2g equals the gap), if it does so
+    /// within the piece.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
         if (gap > 2 * g.way().most) return {};
@@ -204,16 +224,18 @@ class SeriesBasis {
         for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * Piece::inverse(k + 1);
         return scaled(firstZero(c, g.count + 1, g.length / g.scale, m_count), g.scale, g.length);
     }
-    /// F is a positive mean of 2g and of what it was: a compressive wave cannot pull the rod off.
+    /// Returns the time at which the force falls to zero. F is a positive mean of 2g and of the earlier
+    /// force, so a compressive wave cannot make it zero.
     Zero<Real> forceVanishes(const Response& r) {
         if (r.incident->isZero()) return {};
         const Real start = r.incident->startValue();
         if (start + start >= r.incident->magnitude()) return {};
         return zeroOf(r.force, r);
     }
+    /// Returns the time at which the drive 2g − F of a response changes from positive to negative.
     Zero<Real> driveVanishes(const Response& r) { return zeroOf(drive(r), r); }
-    /// Returns the time when F rises to `peak`; `tangential` at the start of unloading, where F = peak and F'
-    /// = 0 by construction.
+    /// Returns the time at which F reaches `peak`. `tangential` is set at the start of unloading, where F =
+    /// peak and F' = 0 exactly.
     Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) {
         Real c[Piece::capacity];
         c[0] = tangential ? Real(0) : peak - r.force.startValue();
@@ -231,8 +253,8 @@ class SeriesBasis {
                       r.force.scale, r.length);
     }
 
-    /// Returns the largest F over [0, length], or the largest before if that is not exceeded; F at the ends
-    /// must be among those before.
+    /// Returns the larger of `before` and the largest force F of the response over [0, length]. The forces at
+    /// both ends must be included in `before`.
     Real largest(const Response& r, Real length, Real before) {
         if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
         Real most = before;
@@ -240,35 +262,41 @@ class SeriesBasis {
             !forEachMaximum(drive(r), length, [&](Real x) { most = std::max(most, r.force.value(x)); });
         return most;
     }
-    /// Largest ∫0..x g over the piece, at least 0.
+    /// Returns the largest ∫g over [0, x] for any x within the piece, at least 0.
     Real largestIntegral(const Piece& g) {
         Real most = std::max(Real(0), g.integral(g.length));
         m_undecided |= !forEachMaximum(g, g.length, [&](Real x) { most = std::max(most, g.integral(x)); });
         return most;
     }
 
-    /// Returns an upper bound of that.
+    /// Returns an upper bound of largestIntegral(g).
     Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
-    /// Returns ∫g over the piece.
+    /// Returns the integral ∫g of the wave over the piece, in units of I0.
     static Real impulse(const Piece& g) { return g.way().whole; }
-    /// Returns the size that the rounding of impulse() is relative to.
+    /// Returns the size to which the rounding of impulse() is relative.
     static Real impulseSize(const Piece& g) { return g.way().size; }
 
+    /// Drops terms that are small enough to be ignored.
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
+    /// Joins `next` to `last` if that is accurate enough, and adds the effect to `error`; returns whether it
+    /// did.
     bool join(Piece& last, const Piece& next, Real& error) { return m_joiner.join(last, next, error); }
-    /// `length` of elastic line has passed.
+    /// Counts the error by joined pieces over a stretch of the given length on the elastic line.
     void passElastic(Real length) { m_joiningError.passElastic(length); }
-    /// An event ends the stretch at `length`; so much of the wave `arriving` has not passed.
+    /// Counts the error by joined pieces at an event that ends the stretch at `length`. `arriving` is the
+    /// length of the arriving piece that has not passed yet.
     void passEvent(ContactEvent event, const Response& r, Real length, Real arriving) {
         m_joiningError.pass(event, length > 0 ? r.incident->displaced : r.incident->displacedAtStart,
                             arriving);
     }
 
+    /// Returns the integral of the product f·g over [0, length].
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
         return Piece::productIntegral(f, g, length);
     }
 
+    /// Appends a stretch of the waves to the histories of an impact; `force` is null without contact.
     void record(const Piece& incident, const Piece* force, Real length, Impact& impact) const {
         double c[Piece::capacity];
         const auto copy = [&](const Piece& f) {
@@ -281,22 +309,28 @@ class SeriesBasis {
     }
 
   private:
-    /// Terms below that power of two of the largest wave force are dropped: 2^-10 and less of a rounding.
+    /// Power of two, relative to the largest wave force, below which terms are dropped: 2^-10 of a rounding
+    /// error or less.
     static constexpr int negligibleExponent = std::numeric_limits<Real>::digits == 53 ? -62 : -80;
-    /// Factor from the last coefficient to the order of a rounding.
+    /// Factor from the largest acceptable last coefficient to the size of a rounding error.
     static constexpr Real seenByRounding = 1024;
-    /// Coefficients that add up to so much more than any wave force cancel, and lose as many digits.
+    /// Largest sum of absolute coefficients relative to the wave force; larger ones would cancel and lose as
+    /// many digits.
     static constexpr Real mostCancellation = 256;
 
-    // Series over longer pieces would need more coefficients than there are, or cancel.
-    static constexpr Real longestSine = 0.5;  ///< of the half sine, t0
-    static constexpr Real longestDecay = 2;   ///< of an exponential, t0
-    static constexpr Real layer = 2;          ///< aℓ of a piece of contact
-    static constexpr Real widestLayer = 6;  ///< aℓ where the layer is faint: e^6 cancels three digits of it
+    // Limits of the length of a piece; longer pieces would need more coefficients than there are, or cancel.
+    /// Longest piece of a half sine, in units of t0.
+    static constexpr Real longestSine = 0.5;
+    /// Longest piece of an exponential, in units of t0.
+    static constexpr Real longestDecay = 2;
+    /// Largest product aℓ of rate and length for one piece of contact.
+    static constexpr Real layer = 2;
+    /// Largest aℓ of a piece with a faint layer; e^6 cancels three of its digits.
+    static constexpr Real widestLayer = 6;
     static constexpr Real lastOrder = Piece::capacity - 2;
 
-    /// Whether aℓ is so large that F may follow the slow solution 2g − F'/a: each term of that is then small
-    /// beside the one before, k/(aℓ) < 1/4 for all k up to the degree of g.
+    /// Returns whether aℓ is so large that F may follow the slow solution 2g − F'/a. Each term of that series
+    /// is then small compared with the one before: k/(aℓ) < 1/4 for all k up to the degree of g.
     static bool isStiff(Real alpha, const Piece& g) { return alpha >= Real(16 + 4 * g.count); }
 
     Zero<Real> scaled(Zero<Real> zero, Real scale, Real length) {
@@ -308,7 +342,7 @@ class SeriesBasis {
         return scaled(firstZero(f.c.data(), f.count, r.length / f.scale, m_count), f.scale, r.length);
     }
 
-    /// The first `length` of the incident wave, on a scale of that.
+    /// Sets the incident wave of the response to its first `length`, on a scale of that length.
     void takeFront(Response& r, Real length) const {
         if (r.incident->scale == length) return;
         if (r.incident != &r.cut) r.cut = *r.incident;
@@ -318,7 +352,7 @@ class SeriesBasis {
         r.cut.length = length;
     }
 
-    /// F = 2g − F'/a as the exact polynomial; false while the layer in front of it still matters.
+    /// Computes F = 2g − F'/a as the exact polynomial. Returns false while the initial layer still matters.
     bool slowSolution(Response& r, Real alpha, Real force) {
         takeFront(r, r.incident->length);
         const Piece& g = *r.incident;
@@ -339,8 +373,8 @@ class SeriesBasis {
         return true;
     }
 
-    /// How much of a long piece to take: aℓ = 2 in general, more where only a faint layer remains, of which
-    /// the series may leave out a larger share: (aℓ)^n/n! of it, n being the last order.
+    /// Returns the length to take of a long piece: aℓ = 2 in general, more if only a faint layer remains. The
+    /// series may then neglect a larger share of the layer, (aℓ)^n/n! with the last order n.
     Real layerLength(const Piece& g, Real rate, Real alpha) const {
         if (!isStiff(alpha, g)) return g.length / std::ceil(alpha / layer);
         const Real faint = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
@@ -348,8 +382,8 @@ class SeriesBasis {
         return std::min(g.length, std::clamp(wide, layer, widestLayer) / rate);
     }
 
-    /// The recurrence F_{k+1} = α (2g_k − F_k)/(k+1). False where the series does not converge in its
-    /// capacity.
+    /// Computes the recurrence F_{k+1} = α (2g_k − F_k)/(k+1) for aℓ = `alpha`. Returns false if the series
+    /// does not converge within its capacity.
     bool sumSeries(Response& r, Real alpha, Real force) {
         const Piece& g = *r.incident;
         r.length = r.force.length = r.force.scale = g.length;
@@ -375,11 +409,15 @@ class SeriesBasis {
         return (converged && size <= mostCancellation * m_scale) || g.length * m_scale < m_negligible;
     }
 
-    bool m_undecided = false;  ///< a search for an event ended without an answer
+    /// Whether a search for an event ended without a result.
+    bool m_undecided = false;
     SearchCount m_count;
-    Real m_scale = 1;       ///< largest wave force of this blow
-    Real m_negligible = 0;  ///< size of dropped terms
-    Real m_layer = 0;       ///< distance of F from the slow solution
+    /// Largest wave force of this blow, in units of F0.
+    Real m_scale = 1;
+    /// Size of dropped terms, in units of F0.
+    Real m_negligible = 0;
+    /// Distance of F from the slow solution, in units of F0.
+    Real m_layer = 0;
     SeriesJoiner<Real> m_joiner;
     JoiningError<Real> m_joiningError;
     Piece m_hammer, m_drive;

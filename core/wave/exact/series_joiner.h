@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joins neighbouring wave pieces where one power series follows both: what keeps long contacts affordable.
+// Joining of neighbouring pieces of a wave if one power series follows both, which keeps long contacts
+// affordable.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +13,24 @@
 
 namespace drillwave {
 
-// Allowed error of joined wave pieces, from how much work they save.
+// Permitted error of joined pieces of waves, which depends on the work that they save
 
-/// The bounds of joining for one blow, in double precision. A contact with soft rock lasts about 1.6/√(βτ)
-/// round trips, or 1.6/√β with small γ, where the front end returns only at every pass of the blow. Each trip
-/// leaves its kinks, and every later one passes them: work grows with the square of the trips. From hundreds
-/// of trips on, fewer digits of e are required.
+/// Limits of joining for one blow, in double precision. A contact with soft rock lasts about 1.6/√(βτ) round
+/// trips; with small γ it is 1.6/√β, because the front end returns only when the blow passes. Each round trip
+/// leaves kinks in the wave, which pass in every later one, so work grows with the square of their number.
+/// From hundreds of round trips on, fewer digits of e are required.
 struct JoiningBudget {
-    double passes = 1;         ///< about how many times a piece of wave meets the rock, ≥ 1
-    double smoothEffect = 0;   ///< of one joint on the impulse in all passes, without events in it
-    double mostDisplaced = 0;  ///< of the way of the bit by one joint, I0
-    double mostDeviation = 0;  ///< of the wave force, F0
-    double loadingWeight = 1;  ///< of an impulse displaced before the last peak on that of the rebound
+    /// Approximate number of times that a piece of the wave meets the rock; ≥ 1.
+    double passes = 1;
+    /// Largest effect of one joint on the impulse over all passes, without events in the joined piece, in
+    /// units of I0.
+    double smoothEffect = 0;
+    /// Largest error of the bit's path that joining two pieces may cause, in units of I0/Z.
+    double mostDisplaced = 0;
+    /// Largest deviation of the wave force, in units of F0.
+    double mostDeviation = 0;
+    /// Weight of an impulse error before the last force peak, relative to one during the rebound; 0 … 1.
+    double loadingWeight = 1;
 
     explicit JoiningBudget(const Problem& problem) {
         const double gamma = problem.law.gamma, tau = problem.transitTime();
@@ -52,34 +59,40 @@ struct JoiningBudget {
     }
 
   private:
-    static constexpr double fewPasses = 100;     ///< cheap, whatever each one leaves
-    static constexpr double leastError = 1e-15;  ///< of e, for up to so many passes
-    static constexpr double mostError = 5e-10;   ///< of e, for any number of passes
+    /// Number of passes that are cheap without joining.
+    static constexpr double fewPasses = 100;
+    /// Permitted error of the coefficient of restitution up to fewPasses passes.
+    static constexpr double leastError = 1e-15;
+    /// Permitted error of the coefficient of restitution for any number of passes.
+    static constexpr double mostError = 5e-10;
 };
 
-// Effect of joined wave pieces on the impulse of the rock, through the events that fall into them.
+// Effect of joined pieces on the impulse of the rock, through events inside them
 
-/// Sums up what joining does to e. The force depends on the way of the bit and on the largest one before. The
-/// way is displaced inside a joined piece only, by D there; but a peak inside keeps D for ever: until the
-/// primary line is reached again the force errs by (β/γ) 2D, at most, and by no more than 2D in impulse after
-/// each change, as F follows the wave.
+/// Sum of the errors of the coefficient of restitution that joining pieces of the wave causes. The impact
+/// force depends on the path of the bit, and on its largest penetration so far. Joining makes the path wrong
+/// by D, but only inside a joined piece; a force peak inside the piece keeps the error for ever. Until the
+/// primary line is reached again, the force is wrong by at most (β/γ) 2D. Each change contributes at most 2D
+/// to the impulse, since F follows the wave.
 ///
-/// An impulse displaced before the last peak changes the energy stored there, of which the rod gets the share
-/// γ: it counts √γ times. Impulses displaced after it count in full.
+/// An impulse error before the last peak changes the energy stored there, of which the rod receives the share
+/// γ; so it counts √γ times. Errors after the peak count in full.
 template <class Real>
 class JoiningError {
   public:
-    /// `fastest` is the larger rate of the contact, β/γ.
+    /// Starts a blow; `fastest` is the larger rate of the contact, β/γ.
     void begin(const JoiningBudget& budget, Real fastest) {
         m_fastest = fastest;
         m_loadingWeight = Real(budget.loadingWeight);
         m_loading = m_rebound = m_peak = 0;
     }
 
-    /// `length` of elastic line has passed.
+    /// Counts a stretch of the given length on the elastic line.
     void passElastic(Real length) { m_rebound += displacedBy(m_peak, length); }
 
-    /// An event in a piece of wave that is displaced by `displaced`, of which `length` is not passed yet.
+    /// Counts a contact event inside a joined piece of the wave. `displaced` is the error of the bit's path
+    /// by joining there, in units of I0/Z; `length` is the part of the piece that has not passed yet, in
+    /// units of t0.
     void pass(ContactEvent event, Real displaced, Real length) {
         m_rebound += displacedBy(displaced, length);
         if (event == ContactEvent::unloading) m_peak = displaced;
@@ -89,67 +102,79 @@ class JoiningError {
         }
     }
 
-    /// Returns the bound of e, four times the plain sum. Errors are up to half of that sum (tst_joining).
+    /// Returns the upper bound of the error of the coefficient of restitution by joining, four times the
+    /// plain sum. Actual errors are up to half of that sum (tst_joining).
     Real bound() const { return 4 * (m_rebound + m_loadingWeight * m_loading); }
 
   private:
-    /// Returns the impulse displaced by a displaced way of the bit while the force follows it for `length`.
+    /// Returns the error of the impulse, in units of I0, if the bit's path is wrong by `way` (I0/Z) while the
+    /// force follows it for `length` (t0).
     Real displacedBy(Real way, Real length) const { return 2 * way * std::min(Real(1), m_fastest * length); }
 
-    Real m_fastest = 0;        ///< β/γ
-    Real m_loadingWeight = 1;  ///< √γ
-    Real m_loading = 0;        ///< impulse displaced before the last return to the primary line, I0
-    Real m_rebound = 0;        ///< and since then
-    Real m_peak = 0;           ///< displacement of the largest way of the bit, I0
+    Real m_fastest = 0;        ///< larger rate β/γ of the contact, per t0
+    Real m_loadingWeight = 1;  ///< weight √γ of impulse errors before the last force peak
+    /// Error of the impulse up to the last return to the primary line, in units of I0.
+    Real m_loading = 0;
+    /// Error of the impulse since the last return to the primary line, in units of I0.
+    Real m_rebound = 0;
+    /// Error of the bit's path at its largest penetration, in units of I0/Z.
+    Real m_peak = 0;
 };
 
-// A piece of the wave in the rod, and how far joining it to its neighbours has displaced it.
+// Piece of the wave in the rod, with the error of the bit's path by joining it to neighbours
 
-/// A wave force on a short interval, and what joining may have made of its integral, the way of the bit.
-/// Joined pieces keep the impulse of both, so that the way is right before and behind them, and wrong
-/// between.
+/// Wave force on a short interval, possibly joined from several pieces. A joined piece keeps their total
+/// impulse. The path of the bit, its integral, is therefore correct at both ends and slightly wrong between.
 template <class Real>
 struct WavePiece : PowerSeries<Real> {
-    Real displaced = 0;         ///< about the largest |∫(joined − exact)| up to any place in it, I0
-    Real displacedAtStart = 0;  ///< the same at its start: 0 unless it was cut out of a joined piece
+    /// Approximate largest error of the bit's path within the piece by joining, |∫(joined − exact)|, in units
+    /// of I0; 0 if the piece was not joined.
+    Real displaced = 0;
+    /// Error of the bit's path at the start of the piece, in units of I0; 0 unless the piece was cut out of a
+    /// joined one.
+    Real displacedAtStart = 0;
 
     WavePiece() = default;
     WavePiece(const PowerSeries<Real>& exact) : PowerSeries<Real>(exact) {}
 
-    /// Integrals that free flight needs of every piece in every round trip: computed once.
+    /// Integrals of a piece that free flight needs in every round trip; computed only once.
     struct Way {
-        Real whole;  ///< ∫ over the length
-        Real most;   ///< an upper bound of ∫ over [0, x] for every x up to the length, and 0
-        Real size;   ///< ≥ ∫|·|, what the rounding of the first is relative to
+        /// Integral over the whole length, in units of I0.
+        Real whole;
+        /// Upper bound, at least 0, of the integral over [0, x] for every x up to the length, in units of I0.
+        Real most;
+        /// Upper bound of the integral of |f|, to which the rounding of `whole` is relative, in units of I0.
+        Real size;
     };
+    /// Returns the integrals of the piece, and stores them.
     const Way& way() const {
         if (m_hasWay) return m_way;
         m_way = {this->integral(this->length), this->mostIntegral(), this->integralOfSizes()};
         m_hasWay = true;
         return m_way;
     }
-    /// To be called when coefficients have been changed from outside.
+    /// Discards the stored integrals; must be called when coefficients were changed from outside.
     void forgetWay() { m_hasWay = false; }
 
-    /// The interval [x, length]: it begins inside what was joined.
+    /// Reduces the interval to [x, length], which begins inside a joined piece.
     void dropFront(Real x) {
         PowerSeries<Real>::dropFront(x);
         displacedAtStart = displaced;
         forgetWay();
     }
-    /// Ends the interval at x.
+    /// Ends the interval of the wave at x, in units of t0 from its start.
     void shorten(Real x) {
         if (x == this->length) return;
         this->length = x;
         forgetWay();
     }
-    /// Displaced like `other`, from which it is made.
+    /// Sets the path errors to those of the piece `other`, from which this one is made.
     void displaceLike(const WavePiece& other) {
         displaced = other.displaced;
         displacedAtStart = other.displacedAtStart;
     }
-    /// Joined to a piece behind it at the price of `more`. Displacements have either sign, and add up as
-    /// such.
+    /// Adds `more`, the path error by joining this piece to `next`. Such errors have either sign, so they are
+    /// added as squares.
     void displace(const WavePiece& next, Real more) {
         const Real before = std::max(displaced, next.displaced);
         displaced = std::sqrt(before * before + more * more);
@@ -160,18 +185,19 @@ struct WavePiece : PowerSeries<Real> {
     mutable bool m_hasWay = false;
 };
 
-/// Every event leaves a kink in the reflected wave, and kinks stay for ever: thousands of round trips would
-/// carry thousands of pieces each. Most of these kinks are far too small to matter.
+/// Joining of pieces of the wave in the rod. Every event leaves a kink in the reflected wave, and kinks stay
+/// for ever: after thousands of round trips there would be thousands of pieces in each. Most of the kinks are
+/// far too small to matter.
 ///
-/// A joined piece keeps the moments 0 to 3 of both. A contact that passes it without an event then ends as it
-/// would have, to the fourth order of aℓ: the rest is counted here. The effect of an event inside it on the
-/// displaced way of the bit is counted when it happens (JoiningError).
+/// A joined piece keeps the moments 0 to 3 of both. A contact without an event in it then ends as before, up
+/// to the fourth order of aℓ; the remainder is counted here. Events inside a joined piece have an effect
+/// through the displaced path of the bit, which JoiningError counts when they happen.
 template <class Real>
 class SeriesJoiner {
   public:
     using Piece = WavePiece<Real>;
 
-    /// `fastest` is the larger rate of the contact, β/γ.
+    /// Starts a blow; `fastest` is the larger rate of the contact, β/γ.
     void begin(const JoiningBudget& budget, Real fastest) {
         const Real precision =
             std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon());
@@ -182,7 +208,8 @@ class SeriesJoiner {
         m_mostDeviation = Real(budget.mostDeviation) * precision;
     }
 
-    /// Joins `next` to `last` if that is accurate enough, and adds what it costs without events to `error`.
+    /// Joins `next` to `last` if that is accurate enough, and adds its effect without events to `error`.
+    /// Returns whether the pieces were joined.
     bool join(Piece& last, const Piece& next, Real& error) {
         const Real whole = last.length + next.length;
         const Real weight = whole * m_fastest;
@@ -216,22 +243,24 @@ class SeriesJoiner {
   private:
     using Series = PowerSeries<Real>;
 
-    /// aℓ: a longer piece has a layer of a stiff contact in it, which no other series follows.
+    /// Largest aℓ of a joined piece. A longer piece would include the layer of a stiff contact, which no
+    /// other series follows.
     static constexpr double layer = 0.5;
 
-    /// A jump between constants, the commonest reason not to join, seen at once.
+    /// Returns the jump between two constant pieces, otherwise 0. It is the most frequent reason not to join,
+    /// and quickly computed.
     static Real jump(const Piece& last, const Piece& next) {
         return last.count <= 1 && next.count <= 1 ? std::abs(last.startValue() - next.startValue()) : Real(0);
     }
 
-    /// ∫|f| over its length, or somewhat more.
+    /// Returns ∫|f| over the length of f, or a slightly larger value.
     static Real displacement(const Series& f) {
         Real sum = 0;
         for (int k = 0; k < f.count; ++k) sum += std::abs(f.c[k]) / Real(k + 1);
         return sum * f.length;
     }
 
-    /// f − g on the scale of f's length.
+    /// Returns the difference f − g of two power series, on the scale of f's length.
     static Series difference(const Series& f, const Series& g) {
         Series result = f, subtracted = g;
         result.rescale(f.length);
@@ -242,8 +271,8 @@ class SeriesJoiner {
         return result;
     }
 
-    Real m_fastest = 0;  ///< β/γ
-    Real m_passes = 1;   ///< JoiningBudget
+    Real m_fastest = 0;  ///< larger rate β/γ of the contact, per t0
+    Real m_passes = 1;   ///< number of passes, see JoiningBudget
     Real m_smoothEffect = 0;
     Real m_mostDisplaced = 0;
     Real m_mostDeviation = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference case on very soft rock: a rigid mass on a spring, with the first correction for its waves.
+// Reference case on very soft rock: a rigid mass on a spring, with the first-order correction for its waves.
 #pragma once
 
 #include "core/wave/impact.h"
@@ -7,15 +7,19 @@
 
 namespace drillwave {
 
-/// Whether softReference() gives every digit: βτ/γ is so small that the waves take millions of round trips
-/// through a contact, and matter less than rounding.
+/// Returns whether softReference() is exact to rounding for a blow: the reference case (a rod that arrives as
+/// a rigid body) with βτ/γ ≤ 1e-12. Waves then make millions of round trips in one contact, and have less
+/// effect than rounding.
 bool isSoftReference(const Problem& problem);
 
-/// The reference case for βτ → 0, expanded to the first order (the next, (βτ)^(3/2), is below rounding):
-///   e = √γ + (1 − γ)βτ/(6√γ),   Fm = √(β/τ)(1 − βτ/6)      (T30),
-/// loading for (π/2)√(τ/β)(1 + βτ/6), unloading for √γ times as long with βτ/γ instead of βτ (T31). |error of
-/// e| ≤ corError = (βτ)^(3/2)/γ + rounding, checked against the march where both exist. Has no histories:
-/// Detail::histories is refused as not solved.
+/// Returns the solution of the reference case for βτ → 0, expanded to the first order; the next order,
+/// (βτ)^(3/2), is below rounding:
+///
+///     e = √γ + (1 − γ)βτ/(6√γ),   Fm = √(β/τ)(1 − βτ/6)      (T30).
+///
+/// Loading takes (π/2)√(τ/β)(1 + βτ/6), unloading √γ times as long with βτ/γ instead of βτ (T31). |error of
+/// e| ≤ corError = (βτ)^(3/2)/γ + rounding, checked against ExactSolver where both exist. There are no
+/// histories: Detail::histories gives a blow that is not solved.
 Impact softReference(const Problem& problem, Detail detail);
 
 }  // namespace drillwave

@@ -4,12 +4,16 @@
 
 namespace drillwave {
 
-/// The end of a stretch of contact, as a representation of the waves sees it.
+/// Force, impulse and error at the end of a stretch of contact.
 template <class Real>
 struct StretchEnd {
-    Real force = 0;    ///< F there, below zero by no more than rounding
-    Real impulse = 0;  ///< bound of the error of the impulse of the blow, by rounding and cutting in it
-    Real error = 0;    ///< what rounding and cutting in it do to the impulse of the blow, at most
+    /// Impact force F at the end of the stretch, in units of F0; negative by rounding at most.
+    Real force = 0;
+    /// Impulse of the impact force over the stretch, in units of I0.
+    Real impulse = 0;
+    /// Upper bound of the error of the blow's impulse due to rounding and truncation in this stretch, in
+    /// units of I0.
+    Real error = 0;
 };
 
 }  // namespace drillwave

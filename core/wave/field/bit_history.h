@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves at the bit at any time: the record of the contact read beyond its end and across what it leaves
-// out.
+// Waves, force and position of the bit at any time, read from the recorded histories of a blow on a uniform
+// rod.
 #pragma once
 
 #include <functional>
@@ -14,41 +14,52 @@ namespace drillwave {
 // Everything here needs an impact solved with Detail::histories. Times s are in t0 from the arrival of the
 // first wave at the bit (impact.frontArrival), forces in F0, impulses in I0.
 
-/// Incident wave g(s) = −Np at the bit for any s: before the first front 0 (1/(2τ) in the reference case),
-/// then the recorded history, after its end periodic with 2τ.
+/// Returns the incident wave g(s) = −Np at the bit, in units of F0, compression positive, for any s. Before
+/// the first front it is 0, or 1/(2τ) in the reference case (a rod that arrives as a rigid body). After the
+/// end of the recording it repeats with period 2τ.
 double incidentWave(const Impact& impact, double s);
 
-/// Impact force F(s) ≥ 0 for any s. The reflected wave is r = F − g, which satisfies [paper (4)] and [paper
-/// (7)].
+/// Returns the impact force F(s) ≥ 0 in units of F0 for any s. The reflected wave is r = F − g, which
+/// satisfies [paper (4)] and [paper (7)].
 double impactForce(const Impact& impact, double s);
 
-/// Impulse of the impact force up to s, ∫F.
+/// Returns the impulse of the impact force up to the time s, ∫F ds, in units of I0; 0 for s ≤ 0.
 double impactImpulse(const Impact& impact, double s);
 
-/// Impulse that the incident wave has brought to the bit up to s, ∫g, for any s; less than 0 before s = 0 in
-/// the reference case.
+/// Returns the impulse that the incident wave has brought to the bit up to the time s, ∫g ds, in units of I0,
+/// for any s. In the reference case (a rod that arrives as a rigid body) it is negative before s = 0.
 double incidentImpulse(const Impact& impact, double s);
 
-/// The time s at which a point of the recording was reached: later by the periods left out before it.
+/// Returns the time s of a point of the recording: its recorded time plus the periods that were left out
+/// before it.
 double timeOfRecorded(const Impact& impact, double recorded);
 
-// Where the bit is: how deep in the rock, or how far from it.
+// Position of the bit: its penetration into the rock, or its distance from the rock.
 
-/// Displacement of the front end towards the rock since the beginning of the blow (since first contact in the
-/// reference case, negative before it), u = ∫(2g − F) ds / 2 [d0], at the global time t/t0.
+/// Returns the displacement of the front end of the rod towards the rock, u = ∫(2g − F) ds / 2, in units of
+/// d0, at the time t/t0 since the start of the blow. In the reference case (a rod that arrives as a rigid
+/// body) it is counted from first contact, and negative before.
 double bitDisplacement(const Impact& impact, double t);
 
+/// Contact state of bit and rock at one time.
 struct BitState {
+    /// Whether bit and rock are in contact.
     bool touching = false;
-    double penetration = 0;  ///< U [d0] below the first surface of the rock; meaningful while touching
-    double gap = 0;          ///< to the bottom of the crater [d0], while apart
+    /// Penetration U of the bit below the original surface of the rock, in units of d0; valid only in
+    /// contact.
+    double penetration = 0;
+    /// Distance from the bit to the bottom of the crater, in units of d0, ≥ 0; 0 in contact.
+    double gap = 0;
 };
 
-/// Returns the state at the global time t/t0; `contacts` are contactIntervals() of the impact, `delta` the
-/// first gap δ [d0]. Accurate to 1e-15 of the displacement so far. Requires an impact with Detail::histories.
+/// Returns the contact state of bit and rock at the time t/t0 since the start of the blow. `contacts` are the
+/// contactIntervals() of the impact, `delta` is the initial gap δ in units of d0. The rounding error is 1e-15
+/// of the displacement so far. Requires an impact with Detail::histories.
 BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t);
 
-/// Returns the same for a bit with this displacement towards the rock at each time.
+/// Returns the contact state of bit and rock at the time t/t0. `displacementAt` gives the displacement of the
+/// bit towards the rock at any time, in units of d0. `contacts` are the intervals of contact in order of
+/// time, `delta` is the initial gap δ.
 BitState bitState(const std::function<double(double)>& displacementAt,
                   std::span<const ContactInterval> contacts, double delta, double t);
 

@@ -8,36 +8,39 @@
 
 namespace drillwave {
 
-// Where in the recorded histories of an impact the state of any time is found.
+// Conversion between the time at the bit and the time in the recorded histories of an impact.
 
 // Requires an impact solved with Detail::histories. Times s are counted at the front end from
-// impact.frontArrival, in t0; recorded times are those of impact.incident and impact.force, which leave out
-// impact.skips and end where nothing but a repetition with the round trip 2τ follows.
+// impact.frontArrival, in t0. Recorded times are those of impact.incident and impact.force. They leave out
+// the periods of impact.skips, and end where everything repeats with the round trip 2τ.
 
-/// Returns the recorded time at which g and F are those of time s; s itself before the recording begins.
+/// Returns the recorded time at which g and F have the values of the time s, both in units of t0. For s
+/// before the start of the recording it returns s itself.
 double recordedTime(const Impact& impact, double s);
 
-/// Returns the time from s to the next place where a reader has to jump to another part of the recording.
+/// Returns how long, from the time s on, the recorded time advances with s without a jump, in units of t0.
 double uninterrupted(const Impact& impact, double s);
 
-/// Duration of the periods left out before a recorded time.
+/// Returns the total duration of the periods that were left out of the recording before a recorded time, in
+/// units of t0.
 double unrecordedBefore(const Impact& impact, double recorded);
 
-/// g at times s < 0: the uniform wave 1/(2τ) of the reference case before first contact; 0 where a hammer
-/// blow arrives later.
+/// Returns the incident wave g/F0 before the first wave arrives (s < 0). It is 1/(2τ) in the reference case,
+/// whose rod already moves, and 0 after a blow of a hammer.
 double waveBeforeArrival(const Impact& impact);
 
-/// Returns exactly what incidentWave() and impactForce() do, but walks from piece to piece instead of
-/// searching for each time. Requires an impact solved with Detail::histories, which must outlive the reader.
+/// Reader of the waves at the bit for many times in succession. Values equal those of incidentWave() and
+/// impactForce(); but the reader walks from piece to piece instead of searching for each time. Requires an
+/// impact solved with Detail::histories, which must outlive the reader.
 class HistoryReader {
   public:
     explicit HistoryReader(const Impact& impact);
 
-    /// g(s), any s [t0 → F0].
+    /// Returns the incident wave g(s)/F0 at any time s/t0.
     double incident(double s);
-    /// r(s) = F(s) − g(s), any s [t0 → F0].
+    /// Returns the reflected wave r(s) = F(s) − g(s), in units of F0, at any time s/t0.
     double reflected(double s);
-    /// Pieces looked at on the way so far.
+    /// Returns the number of pieces of the histories that were examined so far, a measure of the work.
     long steps() const { return m_steps; }
 
   private:
@@ -46,9 +49,9 @@ class HistoryReader {
     std::size_t find(double recorded);
 
     const Impact& m_impact;
-    const double m_before;  // g at s < 0
+    const double m_before;  // incident wave g/F0 at s < 0
     std::size_t m_index = 0;
-    double m_local = 0;  // time since the piece began
+    double m_local = 0;  // time since the start of the current piece, in units of t0
     long m_steps = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time in which something happens in the rod that is worth looking at.
+// Interval of time that a picture of a blow shows at first.
 #pragma once
 
 #include "core/model/pulse_force.h"
@@ -7,20 +7,22 @@
 
 namespace drillwave {
 
-/// A stretch of global time t/t0.
+/// Interval of time t/t0 since the start of the blow.
 struct TimeSpan {
     double begin = 0;
     double end = 1;
     bool operator==(const TimeSpan&) const = default;
 };
 
-/// Returns the span from the beginning of a blow to a round trip after its last separation. Leaves out most
-/// of a long flight before the first contact, and everything later than a dozen round trips. Requires an
-/// impact solved with Detail::events or more.
+/// Returns the interval of time that a picture of a blow shows at first: from the start to one round trip
+/// after the last separation. It leaves out most of a long flight before the first contact, and everything
+/// after a dozen round trips. Requires an impact solved with Detail::events or more.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
-/// Returns the span from the first contact of bit and rock to their last separation (NaN where they never
-/// meet), at least to when the waves of the blow have arrived.
+/// Returns the interval of time that a picture of a blow shows at first, in units of t0. `contact` lasts from
+/// the first contact to the last separation; NaN if there is no contact. The interval ends one round trip
+/// after `contact`, or after `arrival`, the arrival of the whole blow at the bit, if that is later. It leaves
+/// out most of a long flight before the contact, and is at most a dozen round trips long.
 TimeSpan interestingTime(const TimeSpan& contact, double arrival, double roundTrip);
 
 }  // namespace drillwave

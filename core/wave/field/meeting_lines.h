@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest sum of two waves over the delay at which they meet.
+// Largest sum of two opposite waves in a rod, as a function of the delay between them.
 #pragma once
 
 #include <limits>
@@ -12,37 +12,50 @@ namespace drillwave {
 
 // For the files of this folder only. Times are recorded times at the front end in t0, sizes in F0.
 
-/// A straight stretch of a wave.
+/// Straight line that approximates a wave over an interval of recorded time.
 struct WaveStretch {
+    /// Start and end of the interval, in units of t0.
     double begin = 0, end = 0;
-    double first = 0, last = 0;  ///< values at both ends
+    /// Values of the wave at start and end, in units of F0.
+    double first = 0, last = 0;
 
+    /// Returns the wave at a time, in units of F0; outside the interval, the value at the nearer end.
     double at(double time) const;
+    /// Returns the slope of the line in F0/t0.
     double slope() const { return (last - first) / (end - begin); }
 };
 
-/// A straight stretch of the largest sum over the delay between the times of the two waves.
+/// Straight part of the largest sum of two waves as a function of their delay. The delay is the time between
+/// the departure of one wave from the bit and the arrival of the other.
 struct MeetingLine {
-    double begin = 0, end = 0;                   ///< delays
-    double first = 0, last = 0;                  ///< sums at both ends
-    double incidentFirst = 0, incidentLast = 0;  ///< times of the incoming wave at both ends
+    /// Range of delays between the two waves, in units of t0.
+    double begin = 0, end = 0;
+    /// Largest sums of the two waves at both ends of the range, in units of F0.
+    double first = 0, last = 0;
+    /// Times at which the incoming wave of the largest sum reaches the bit, for both ends of the range, in
+    /// units of t0.
+    double incidentFirst = 0, incidentLast = 0;
 
+    /// Returns the largest sum at a delay in units of t0, by linear interpolation.
     double at(double delay) const;
-    /// The part of it over [from, to].
+    /// Returns the part of this line over the delays [from, to].
     MeetingLine part(double from, double to) const;
 };
 
-/// The upper edge of many lines over 0 ≤ delay ≤ span; 0 at first.
+/// Upper envelope of many lines over 0 ≤ delay ≤ span; zero before the first line is added.
 class UpperEdge {
   public:
-    /// Lines no more than `rounding` above the edge do not raise it.
+    /// Creates an envelope over the delays 0 … span. Lines that exceed the envelope by no more than
+    /// `rounding` (in units of F0) do not raise it.
     UpperEdge(double span, double rounding);
 
+    /// Raises the envelope to the line wherever the line is higher.
     void raise(const MeetingLine& line);
-    /// The least of the edge over a stretch of delays, or anything below `enough` where it is less than that.
+    /// Returns the minimum of the envelope over the delays [begin, end], plus the rounding. As soon as a
+    /// value below `enough` is found, the search ends and returns that value.
     double leastOver(double begin, double end,
                      double enough = -std::numeric_limits<double>::infinity()) const;
-    /// Returns the lines by delay; each begins where the one before ends.
+    /// Returns the lines of the envelope in order of delay; each begins where the previous one ends.
     std::vector<MeetingLine> lines() const;
 
   private:
@@ -51,26 +64,31 @@ class UpperEdge {
     bool isRaisedBy(const MeetingLine& line) const;
 
     double m_rounding;
-    Lines m_lines;  ///< by their begin
+    Lines m_lines;  ///< keys are the delays at which the lines begin
 };
 
-/// Which stretches of the two waves are in the rod together.
+/// Limits for the pairs of waves that can be in the rod at the same time.
 struct MeetingLimits {
-    double roundTrip = 0;  ///< 0 ≤ delay ≤ 2τ
-    /// Meetings at the recorded time `end` at the latest: the times of both waves have the mean `end` or
-    /// less.
+    double roundTrip = 0;  ///< round trip 2τ of a wave, the largest delay of a pair
+    /// Latest recorded time of a meeting, in units of t0. Two waves meet at the mean of their two times at
+    /// the bit.
     double end = std::numeric_limits<double>::infinity();
 };
 
+/// Largest sums of two opposite waves for all delays between them, the result of largestMeetings().
 struct LargestMeetings {
+    /// Largest sums over the delay, in order of delay.
     std::vector<MeetingLine> lines;
-    double missed = 0;  ///< by how much a line may be too low; 0 where all pairs were looked at
-    long steps = 0;     ///< pairs that were looked at
+    /// Amount by which a line may be too low, in units of F0; 0 if all pairs were examined.
+    double missed = 0;
+    /// Number of pairs examined, a measure of the work.
+    long steps = 0;
 };
 
-/// Returns the largest incoming(a) + reflected(a − delay) for every delay. Pairs of stretches are tried in
-/// the order of their upper bounds, first in whole groups; those that cannot raise the edge by more than 2e-5
-/// of the largest sum are left out, and after `mostSteps`, or a stop, all others.
+/// Returns the largest incoming(a) + reflected(a − delay) over all times a, for every delay from 0 to a round
+/// trip. Pairs of straight stretches are tried in the order of their upper bounds, first in whole groups.
+/// Pairs that cannot raise the result by more than 2e-5 of the largest sum are skipped. After `mostSteps`
+/// pairs or a stop request, all remaining pairs are left out.
 LargestMeetings largestMeetings(std::span<const WaveStretch> incoming, std::span<const WaveStretch> reflected,
                                 const MeetingLimits& limits, long mostSteps, const std::stop_token& stop);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of waves whose histories are too long to be kept.
+// Number of force peaks, and largest forces in a rod, for blows whose histories are too long to be kept.
 #pragma once
 
 #include <cstddef>
@@ -11,44 +11,52 @@
 
 namespace drillwave {
 
-// How often the impact force rises to a peak.
+// Counting of the peaks of the impact force.
 
-/// Counts the peaks of F above 1 % of the largest force, piece by piece in order of time. Every maximum
-/// inside a smooth piece is found; two that are parted by less than 1e-9 of the largest force, which rounding
-/// could do, are one.
+/// Counter of the peaks of the impact force that exceed 1 % of the largest force. Pieces of the force are
+/// added in order of time; every maximum inside a smooth piece is found. Two peaks count as one if the dip
+/// between them is less than 1e-9 of the largest force, as rounding can make such dips.
 class ForcePeaks {
   public:
+    /// Creates a counter for a force whose largest value is `largest`, in units of F0.
     explicit ForcePeaks(double largest);
+    /// Adds the next piece of the impact force, in order of time.
     void add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece);
-    /// Counts the end of the force as well, after which there may be no more pieces.
+    /// Returns the number of peaks, including one that ends with the force itself. No pieces may be added
+    /// afterwards.
     int count();
 
   private:
     void pass(double force);
 
     double m_least, m_dip;
-    double m_turn = 0;  ///< the last extremum so far
+    double m_turn = 0;  ///< last maximum or minimum of the force so far, in units of F0
     bool m_rising = true;
     int m_peaks = 0;
 };
 
-/// Returns the number of peaks of F. Requires an impact solved with Detail::histories.
+/// Returns the number of peaks of the impact force above 1 % of the largest force. Requires an impact solved
+/// with Detail::histories.
 int forcePeaks(const Impact& impact);
 
-/// Peaks of the impact force and largest forces in the rod, as by forcePeaks() and largestRodForces(), from
-/// histories that arrive in parts: a force in the rod is made by waves of one round trip.
+/// Number of peaks of the impact force and largest forces in the rod, computed while the histories arrive in
+/// parts. The results are those of forcePeaks() and largestRodForces(). Only the last two round trips of the
+/// histories are kept, since a force in the rod depends on the waves of one round trip.
 class PassingWaves {
   public:
-    /// `solved` is the same impact, solved with Detail::summary or more.
+    /// Creates the object for a blow that is computed a second time. `solved` is its result with
+    /// Detail::summary or more, `pulse` its hammer force. `choice` selects the forces to find.
     PassingWaves(const Impact& solved, const PulseForce& pulse, const RodForceChoice& choice);
 
-    /// Takes everything recorded so far except the last round trips. Returns the number of pieces for the
-    /// next time.
+    /// Processes the histories recorded so far, and removes all but the last two round trips from
+    /// `recording`. Returns the number of recorded pieces at which to call it again.
     std::size_t take(Impact& recording);
-    /// The rest: the blow is over.
+    /// Processes the rest of the histories, after the blow has ended.
     void takeLast(Impact& recording);
 
+    /// Returns the number of peaks of the impact force.
     int peaks() { return m_peaks.count(); }
+    /// Returns the largest forces in the rod found so far.
     const RodForces& forces() const { return m_forces; }
 
   private:
@@ -56,8 +64,8 @@ class PassingWaves {
 
     PulseForce m_pulse;
     RodForceChoice m_choice;
-    Impact m_window;         ///< the impact with the last part of its histories
-    std::size_t m_seen = 0;  ///< pieces of it that were in the part before
+    Impact m_window;         ///< impact with the last part of its histories
+    std::size_t m_seen = 0;  ///< number of its pieces already processed
     ForcePeaks m_peaks;
     RodForces m_forces;
 };

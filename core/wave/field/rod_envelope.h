@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest forces at every section of the rod, with the times at which they occur (theory §3.1).
+// Largest forces at every section of the rod, with the times at which they occur (theory §3.1).
 #pragma once
 
 #include <stop_token>
@@ -11,27 +11,31 @@
 
 namespace drillwave {
 
-/// Largest forces over the rod as points to be joined by straight lines, in their sizes and in their times,
-/// from the struck end to the bit. A section occurs twice where the line jumps, or where the wave changes
-/// that is the largest there.
+/// Largest force at every section of the rod, as points from the struck end to the bit, to be joined by
+/// straight lines. Forces and times are interpolated in the same way. Two points have the same section where
+/// the line jumps, or where another wave becomes the largest.
 using EnvelopeLine = std::vector<RodForce>;
 
-/// A line for each that RodForces has.
+/// Four lines of the largest forces over the rod: compression and tension, during and after the blow.
 struct RodEnvelope : OfLoads<EnvelopeLine> {
-    RodForces largest;  ///< of the whole rod: the largest of each line
-    double missed = 0;  ///< [F0] by how much a line may be too low where the work had an end, else 0
-    long steps = 0;     ///< pairs of stretches of the two waves that were looked at
+    /// Largest force of each line over the whole rod.
+    RodForces largest;
+    /// Amount by which a line may be too low because the work limit was reached, in units of F0; otherwise 0.
+    double missed = 0;
+    /// Number of pairs of wave stretches examined, a measure of the work.
+    long steps = 0;
 };
 
-/// Returns the lines of the largest forces. Requires an impact solved with Detail::histories. Made of the
-/// same instants as largestRodForces(), and exact where these are: a wave is a straight line between two of
-/// them, and so is the sum of two such lines that pass each other, over the sections where they meet. A
-/// smooth maximum may be missed by 2e-4 of the largest force. At a jump both sides count. The work is limited
-/// to `mostSteps` for each of the lines, and ends early after a stop.
+/// Returns the largest forces at every section of the rod, during and after the blow. Between neighbouring
+/// instants the waves are taken as straight lines, with the same instants as in largestRodForces(). The sum
+/// of two lines that pass each other is exact over the sections where they meet. A smooth maximum may be
+/// missed by 2e-4 of the largest force. At a jump both sides count. Each of the four lines takes at most
+/// `mostSteps` steps; a stop request ends the work early. Requires an impact solved with Detail::histories.
 RodEnvelope rodEnvelope(const Impact& impact, const PulseForce& pulse, const std::stop_token& stop = {},
                         long mostSteps = 1'000'000);
 
-/// Returns the largest force at the section ξ; size 0 where the line has no points.
+/// Returns the largest force at the section ξ = x/L, interpolated between the points of the line; size 0 if
+/// there are none.
 RodForce forceAt(const EnvelopeLine& line, double section);
 
 }  // namespace drillwave

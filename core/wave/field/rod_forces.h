@@ -8,50 +8,59 @@
 
 namespace drillwave {
 
-/// Largest normal force in the rod, with one place and time at which it occurs (others may have the same).
+/// Largest normal force in the rod, with one section and time at which it occurs. Other sections and times
+/// may have the same force.
 struct RodForce {
-    double size = 0;     ///< |N|/F0, ≥ 0
-    double section = 0;  ///< ξ = x/L: rear end 0, front end 1
-    double time = 0;     ///< global time t/t0
+    /// Magnitude |N|/F0 of the normal force; ≥ 0.
+    double size = 0;
+    /// Section ξ = x/L at which the force occurs: rear end 0, front end 1.
+    double section = 0;
+    /// Time t/t0 of the force since the start of the blow.
+    double time = 0;
     bool operator==(const RodForce&) const = default;
 };
 
-/// Largest −N and N while the blow lasts, to one transit after the last separation; later those of the
-/// residual waves, which nothing damps in the model, with time and place of their first meeting. Sizes are 0
-/// where the rod is never pushed or pulled.
+/// Largest compression −N and tension N in the rod, during and after the blow. The blow lasts until one
+/// transit after the last separation. The residual waves after it are undamped in the model; for them, time
+/// and section are those of their first meeting. Sizes are 0 if the rod is never compressed or stretched.
 using RodForces = OfLoads<RodForce>;
 
-/// Selected forces; the others stay 0.
+/// Selection of the forces to compute: compression, tension, and both of them after the blow. Forces that are
+/// not selected stay 0.
 struct RodForceChoice {
     bool compression = true, tension = true, after = true;
 };
 
-/// Returns the largest −N and N = Np + Nn over the whole rod, during the blow and of the residual waves after
+/// Returns the largest compression −N and tension N = Np + Nn over the whole rod, during the blow and after
 /// it. Requires an impact solved with Detail::histories.
 ///
-/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ: every pair of times 0 ≤ a − b ≤ 2τ
-/// meets at some section at t = (a + b)/2 + τ, so a sliding maximum of r is added to g. Exact at breakpoints
-/// and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force. Stretches whose waves
-/// are not large enough are skipped; `looked` is raised by the number of the others.
+/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ. Every pair of times with 0 ≤ a − b
+/// ≤ 2τ meets at some section at t = (a + b)/2 + τ, so a sliding maximum of r is added to g. The result is
+/// exact at breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
+/// Stretches whose waves are too small to matter are skipped. If `looked` is given, the number of examined
+/// stretches is added to it.
 RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice = {},
                            long* looked = nullptr);
 
-// Place and time where two waves meet in the rod (theory §3.1).
+// Section and time at which two waves meet in the rod (theory §3.1).
 
 // For the files of this folder only; requires an impact solved with Detail::histories.
 
-/// Returns a force of that size, made by the wave that reaches the front end at the recorded time `incident`
-/// [t0] and the one that left it `delay` earlier, 0 ≤ delay ≤ 2τ: they meet at 1 − ξ = delay/2τ.
+/// Returns a force of the given size, with the section and time at which two waves meet. One wave reaches the
+/// front end at the recorded time `incident`; the other left that end `delay` earlier, 0 ≤ delay ≤ 2τ. They
+/// meet at 1 − ξ = delay/2τ. Times are in units of t0.
 RodForce meetingInRod(const Impact& impact, double size, double incident, double delay);
 
-/// Returns the same for waves that repeat with 2τ: the first such meeting from the global time `begin` on.
+/// Returns a force of the given size, with the section and time at which two residual waves meet. The waves
+/// repeat with 2τ; the time is that of their first meeting at or after `begin`, in units of t0 since the
+/// start of the blow. `incident` and `delay` are the arguments of meetingInRod().
 RodForce laterMeetingInRod(const Impact& impact, double size, double incident, double delay, double begin);
 
-/// Returns the global time from which only the residual waves run through the rod: one transit after the last
-/// separation and after the end of the hammer force.
+/// Returns the time t/t0 since the start of the blow from which only residual waves run through the rod. This
+/// is one transit after the last separation of bit and rock, and after the end of the hammer force.
 double startOfWavesLeft(const Impact& impact, const PulseForce& pulse);
 
-/// The peak of the hammer force, which at the rear end is the force in the rod.
+/// Returns the peak of the hammer force as a force in the rod, at the rear end ξ = 0, with its time.
 RodForce hammerPeak(const PulseForce& pulse);
 
 }  // namespace drillwave

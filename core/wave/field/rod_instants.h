@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Both waves at the front end as straight lines between instants: where the largest forces in the rod are
-// looked for.
+// Both waves at the front end as straight lines between instants, in which the largest forces in the rod are
+// searched.
 #pragma once
 
 #include <algorithm>
@@ -14,49 +14,64 @@ namespace drillwave {
 // For the files of this folder only; of an impact solved with Detail::histories. Times are recorded times
 // (history_reader.h) in t0, forces in F0.
 
-/// Side of a breakpoint on which a value is taken.
+/// Side of a breakpoint of a wave from which its value is taken: the start of a piece, its inside, or its
+/// end.
 enum class Side { start, inside, end };
 
-/// Both waves at one time of the front end.
+/// Values of both waves at the front end of the rod at one time.
 struct Instant {
+    /// Recorded time at the front end, in units of t0.
     double time;
+    /// Side from which the values are taken, if the time is a breakpoint.
     Side side;
-    double incident;   ///< g
-    double reflected;  ///< r = F − g
+    /// Incident wave g, in units of F0, compression positive.
+    double incident;
+    /// Reflected wave r = F − g, in units of F0, compression positive.
+    double reflected;
 };
 
-/// Bounds of the deviation of a wave from its chords within a piece of length l: over a chord of length d,
-/// the wave is at most above·(d/l)² above the chord and at most below·(d/l)² below it.
+/// Bounds of the deviation of a wave from its chords, in units of F0, both ≥ 0, for a piece of length l. Over
+/// a chord of length d, the wave is at most above·(d/l)² above the chord and at most below·(d/l)² below it.
 struct WaveBends {
     double above = 0, below = 0;
 };
 
-/// The same of both waves, and into how many parts their piece is cut for that.
+/// Deviations of both waves from their chords in one piece of the histories, and the number of chords that
+/// the piece needs.
 struct PieceBends {
+    /// Bounds of the deviation of the incident and reflected wave from their chords.
     WaveBends incident, reflected;
-    double rounding = 0;  ///< of their values and of their bends; none where both are constant
-    int parts = 1;        ///< of equal length: chords miss the waves by no more than 1e-4 of the peak force
+    /// Rounding error of the values and deviations of both waves, in units of F0; 0 if both are constant.
+    double rounding = 0;
+    /// Number of parts of equal length whose chords miss neither wave by more than 1e-4 of the peak force; 1
+    /// … 64.
+    int parts = 1;
 };
+/// Returns the bounds and the number of parts for piece number `index` of the recorded histories.
 PieceBends bendsOfPiece(const Impact& impact, std::size_t index);
 
-/// Returns both waves in piece `index` at the distance x from its start.
+/// Returns both waves in piece number `index` of the histories, at the time x after its start, in units of
+/// t0.
 Instant instantIn(const Impact& impact, std::size_t index, double x, Side side);
 
-/// Returns the end of part number `part` of `parts` of piece `index`; for part 0 the start of the piece.
+/// Returns the end of part number `part` (1 … `parts`) of piece number `index`, as a time since the start of
+/// the piece, in units of t0. For part 0 it returns the start of the piece, 0.
 inline double endOfPart(const Impact& impact, std::size_t index, int part, int parts) {
     const double length = impact.incident.pieces()[index].length;
     return part == parts ? length : length * part / parts;
 }
+/// Returns the side of the end of part number `part`: the start of the piece for 0, its end for `parts`,
+/// otherwise its inside.
 inline Side sideOfPart(int part, int parts) {
     return part == 0 ? Side::start : part == parts ? Side::end : Side::inside;
 }
 
-/// The first piece that ends at `from` or later.
+/// Returns the number of the first piece of the histories that ends at the recorded time `from` or later.
 std::size_t firstPieceUntil(const Impact& impact, double from);
 
-/// Calls pass(piece, x, side) in order of time for both ends of every piece that ends behind `from` and
-/// begins until `until`, for points between where a wave is curved, and for the times of `also` within it,
-/// which must rise.
+/// Calls pass(piece, x, side) in order of time, x being the time since the start of the piece. The points are
+/// both ends of every piece between the recorded times `from` and `until`, and the ends of the parts of a
+/// curved piece. The times of `also`, which must increase, are added if they are inside these pieces.
 template <class Pass>
 void forEachPoint(const Impact& impact, double from, double until, const std::vector<double>& also,
                   Pass pass) {
@@ -75,89 +90,112 @@ void forEachPoint(const Impact& impact, double from, double until, const std::ve
     }
 }
 
-/// Calls pass(instant) for the same points from `from` on.
+/// Calls pass(instant) with the values of both waves in order of time, from the recorded time `from` to the
+/// end of the recording. The instants are the ends of all pieces, points between them where a wave is curved,
+/// and the times of `also`, which must increase.
 template <class Pass>
 void forEachInstant(const Impact& impact, double from, const std::vector<double>& also, Pass pass) {
     forEachPoint(impact, from, impact.incident.end(), also,
                  [&](std::size_t piece, double x, Side side) { pass(instantIn(impact, piece, x, side)); });
 }
 
-/// The recorded time of the front end at which the blow is over: one transit after the last separation.
+/// Returns the recorded time at the front end at which the blow is over: one transit after the last
+/// separation.
 double recordedEndOfBlow(const Impact& impact);
 
-/// Returns counterparts: when waves meet at the recorded time `end`, one arrives as much later as the other
-/// has left before. From `first` to `last`, of all instants within half a round trip of `end`.
+/// Returns the times b = 2·end − a, increasing, for all instants a of the histories within half a round trip
+/// of `end`. A wave that reaches the front end at a and one that left it at b meet in the rod at the recorded
+/// time `end`. Only times b from `first` to `last` are included.
 std::vector<double> counterparts(const Impact& impact, double end, double first, double last);
-/// Returns all counterparts.
+/// Returns the times b = 2·end − a for all instants a within half a round trip of `end`. Waves with the times
+/// a and b at the front end meet in the rod at the recorded time `end`.
 std::vector<double> counterparts(const Impact& impact, double end);
 
-/// Returns the state before the first front arrives, at a time ≤ 0: no waves, or a uniform motion.
+/// Returns incident and reflected wave at the front end before the first front arrives, at a time ≤ 0. They
+/// are 0, or those of a uniform motion in the reference case (a rod that arrives as a rigid body).
 Instant instantBeforeFront(const Impact& impact, double time);
 
-/// Returns the last period of the recording, which repeats for ever: instants of one round trip.
+/// Returns the instants of the last round trip of the recording, which then repeats for ever.
 std::vector<Instant> lastPeriod(const Impact& impact);
 
-/// Returns the rounding error of the interval between `time` and one round trip earlier.
+/// Returns the rounding error of the interval between `time` and one round trip earlier, in units of t0.
 double roundingOfTrip(double time, double roundTrip);
 
-// Stretches of both waves at the front end, and how large the waves are in them at most: where the largest
-// forces need not be looked for.
+// Upper bounds of both waves over stretches of time, used to skip stretches in which the largest force cannot
+// lie.
 
 // For the files of this folder only; of an impact solved with Detail::histories.
 
-/// Place where a span is cut in two.
+/// Place at which a span of parts is split in two.
 enum class Cut {
     middle,
-    front,  ///< after its first part
-    back,   ///< before its last part
+    /// Cut after the first part of the span.
+    front,
+    /// Cut before the last part of the span.
+    back,
 };
 
-/// Some neighbouring parts of a piece of both waves, between two instants.
+/// Neighbouring parts of one piece of both waves, between two instants.
 struct WaveSpan {
     std::size_t piece = 0;
-    int first = 0, last = 1;  ///< from the end of part number `first` to that of part `last`
-    PieceBends bends;         ///< of the piece, and into how many parts that is cut
+    /// Range of the parts: from the end of part number `first` to the end of part number `last`.
+    int first = 0, last = 1;
+    /// Deviation of the waves from their chords in the whole piece, and its number of parts.
+    PieceBends bends;
+    /// Values of both waves at the two ends of the span.
     Instant begin, end;
+    /// Place at which the span is to be split.
     Cut cut = Cut::middle;
 
+    /// Returns whether the span is a single part, which cannot be split.
     bool isOnePart() const { return last - first == 1; }
 };
 
-/// Returns whether `next` begins where `span` ends, in the same piece.
+/// Returns whether `next` begins where `span` ends, in the same piece of the histories.
 inline bool follows(const WaveSpan& span, const WaveSpan& next) {
     return span.piece == next.piece && span.last == next.first;
 }
 
-/// Upper bounds of the waves, times `sign`, in a span.
+/// Upper bounds of both waves within a span, in units of F0, for waves multiplied by a sign of 1 or −1.
 struct SpanBound {
     double incident = 0, reflected = 0;
 };
+/// Returns upper bounds of the two waves multiplied by `sign` (1 or −1) within the span.
 SpanBound boundOf(const WaveSpan& span, double sign);
 
-/// Returns where to cut a span that matters for its incident wave, times `sign`: where that is steep and
-/// largest at an end of the piece, all but the part there may soon be left out.
+/// Returns where to split a span for its incident wave multiplied by `sign` (1 or −1). If the wave is steep
+/// and largest at an end of the piece, only the outermost part is split off, because the others can probably
+/// be skipped. Otherwise the span is halved.
 Cut cutForIncident(const WaveSpan& span, double sign);
+/// Returns where to split a span for its reflected wave multiplied by `sign` (1 or −1), by the rule of
+/// cutForIncident().
 Cut cutForReflected(const WaveSpan& span, double sign);
 
-/// Returns the pieces that end at `from` or later and begin until `until`, whole.
+/// Returns one span for each whole piece that ends at the recorded time `from` or later and begins at `until`
+/// or before.
 std::vector<WaveSpan> wholePieces(const Impact& impact, double from, double until);
 
-/// Writes all spans into `parts`, cleared first; those of more than one part are split where `cut` says.
+/// Writes the spans into `parts`, which is cleared first. Spans of more than one part are split in two at
+/// their member `cut`.
 void cut(const Impact& impact, const std::vector<WaveSpan>& spans, std::vector<WaveSpan>& parts);
 
-/// Writes the instants at their ends into `instants`, which is cleared first: each once, in order of time.
+/// Writes the instants at the ends of the spans into `instants`, which is cleared first. Each instant appears
+/// once, in order of time.
 void endsOf(const std::vector<WaveSpan>& spans, std::vector<Instant>& instants);
 
-/// Largest of neighbouring numbers, found in a time that grows with the logarithm of their count.
+/// Maximum over ranges of a sequence of numbers. A query takes a time proportional to the logarithm of their
+/// count.
 class RangeMaximum {
   public:
+    /// Replaces the sequence of numbers that over() searches.
     void assign(const std::vector<double>& numbers);
-    /// Returns the largest number from `first` to before `behind`; minus infinity if there are none.
+    /// Returns the largest of the numbers with index `first` ≤ i < `behind`; minus infinity if there are
+    /// none.
     double over(std::size_t first, std::size_t behind) const;
 
   private:
     std::size_t m_count = 0;
-    std::vector<double> m_tree;  ///< m_count inner nodes, then the numbers
+    std::vector<double> m_tree;  ///< binary tree: m_count inner nodes, then the numbers
 };
 
 }  // namespace drillwave

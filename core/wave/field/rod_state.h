@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of rod or string during a blow at one instant.
+// State of rod or string during a blow at one instant.
 #pragma once
 
 #include <vector>
@@ -10,37 +10,54 @@
 
 namespace drillwave {
 
-/// Returns the momentum of the rod, p = ∫Fa dt − ∫F ds [I0] (T20), towards the rock positive, at the global
-/// time t/t0: the impulse of the hammer less `taken`, the impulse of the impact force so far. In the
-/// reference case the hammer gives it before the first contact.
+/// Returns the momentum of the rod, p = ∫Fa dt − ∫F ds (T20), in units of I0, positive towards the rock. The
+/// first integral is the impulse of the hammer force up to the time t/t0 since the start of the blow. The
+/// second one is `taken`, the impulse of the impact force until then. In the reference case (a rod that
+/// arrives as a rigid body) the rod has its momentum 1 from the start.
 double rodMomentum(const PulseForce& pulse, double t, double taken);
 
-/// Returns the same, looking up the impulse of F. Requires an impact solved with Detail::histories.
+/// Returns the momentum of the rod at the time t/t0, in units of I0, positive towards the rock. Requires an
+/// impact solved with Detail::histories, from which it takes the impulse of the impact force.
 double rodMomentum(const Impact& impact, const PulseForce& pulse, double t);
 
-/// Normal forces are positive in tension, everything else towards the rock; fields that a uniform rod does
-/// not have are 0. Times in t0, forces in F0; of two units, the first one is that of a rod, the second that
-/// of a string.
+/// State of bit, rod and rock at one time. Normal forces are positive in tension, all other quantities
+/// towards the rock. Fields that a uniform rod does not have are 0. Times are in t0 and forces in F0. Where
+/// two units are given, the first one is for a uniform rod, the second one for a drill string.
 struct RodState {
+    /// Time t/t0 since the start of the blow.
     double time = 0;
-    double impactForce = 0;    ///< F ≥ 0 of bit and rock
-    double impulse = 0;        ///< ∫F so far [I0; p0 of a followed hammer]
-    double momentum = 0;       ///< given impulse less that [I0; p0]: p if nothing is lost (T20)
-    double penetration = 0;    ///< of the bit below the first surface of the rock [d0; v0 t0]
-    double frontVelocity = 0;  ///< of the bit [d0/t0; v0]
-    double faceForce = 0;      ///< of hammer and string ≥ 0; 0 for a rod
-    double normalForce = 0;    ///< N at the section (T2)
-    double positiveWave = 0;   ///< Np there, which runs towards the bit
-    double negativeWave = 0;   ///< Nn there, which runs back
-    double velocity = 0;       ///< of the string there [v0]; 0 for a rod
+    /// Impact force F/F0 between bit and rock; ≥ 0.
+    double impactForce = 0;
+    /// Impulse of the impact force so far, ∫F, in units of I0, or of the hammer's momentum p0.
+    double impulse = 0;
+    /// Impulse of the hammer less that of the impact force, in units of I0 or p0. Without losses it is the
+    /// momentum of rod or string (T20).
+    double momentum = 0;
+    /// Penetration of the bit below the original surface of the rock, in units of d0 or v0 t0; negative
+    /// before the bit reaches it.
+    double penetration = 0;
+    /// Velocity of the bit towards the rock, in units of d0/t0 or v0.
+    double frontVelocity = 0;
+    /// Force between hammer and string, in units of F0; ≥ 0. It is 0 for a uniform rod.
+    double faceForce = 0;
+    /// Normal force N/F0 at the section, tension positive (T2).
+    double normalForce = 0;
+    /// Wave Np/F0 at the section, which runs towards the bit; tension positive.
+    double positiveWave = 0;
+    /// Wave Nn/F0 at the section, which runs towards the hammer; tension positive.
+    double negativeWave = 0;
+    /// Particle velocity of the string at the section, in units of v0; 0 for a uniform rod.
+    double velocity = 0;
 };
 
-/// Returns the exact state at any time, also after the end of the recording; without penetration and velocity
-/// of the bit. At the section ξ = x/L and the global time t/t0. Requires an impact with Detail::histories.
+/// Returns the exact state of a uniform rod at the section ξ = x/L and the time t/t0 since the start of the
+/// blow. The time may be after the end of the recording. Penetration and velocity of the bit are left at 0.
+/// Requires an impact with Detail::histories.
 RodState rodState(const Impact& impact, const PulseForce& pulse, double xi, double t);
 
-/// Returns the states of the bit at the times of sampleHistory(): `positiveWave` is the one that arrives; N
-/// and the other wave are 0. Requires an impact with Detail::histories.
+/// Returns the states of the bit of a uniform rod at the times of sampleHistory(). `positiveWave` is the wave
+/// that arrives at the bit; `normalForce` and `negativeWave` are left at 0. Requires an impact with
+/// Detail::histories.
 std::vector<RodState> sampledStates(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves in hammer and string by places along both: values, pictures, fronts.
+// Waves in hammer and string as functions of position and time.
 #pragma once
 
 #include <cstddef>
@@ -11,29 +11,39 @@
 
 namespace drillwave {
 
-/// Reads waves that were kept, which must outlive it. Places x are in lengths of the string from the shank:
-/// the hammer is below 0, the bit at 1. Times in t0; forces in F0 and velocities in F0/Z as of a uniform rod,
-/// tension and motion towards the rock positive; NaN outside of hammer and string, and later than the blow
-/// was followed.
+/// Reader of the waves in hammer and string at any position and time. It keeps a reference to the
+/// StringWaves, which must outlive it. Positions x are in lengths of the string from the shank: the hammer is
+/// at x < 0, the bit at x = 1. Times are in t0, forces in F0 (tension positive), velocities in F0/Z (positive
+/// towards the rock). Values are NaN outside hammer and string, and after the end of the computation.
 class StringField {
   public:
-    /// `joints`: where each section begins, the rear of the hammer first, and where the last one ends.
+    /// Creates a reader of `waves`. `joints` are the positions x at which the sections begin, from the rear
+    /// end of the hammer, and the position at which the last section ends.
     StringField(const StringWaves& waves, const std::vector<double>& joints);
 
+    /// Returns the position x of the rear end of the hammer, in lengths of the string; ≤ 0.
     double rear() const { return m_joints.front(); }
+    /// Returns the time t/t0 to which the waves were recorded.
     double end() const { return m_waves->end(); }
-    /// Returns the section at a place; where two meet, the one after it.
+    /// Returns the number of the uniform piece of hammer or string at the position x, counted from the
+    /// hammer's rear end. Where two pieces meet, it is the one on the hammer side.
     std::size_t sectionAt(double x) const;
+    /// Returns normal force or velocity at the position x and the time t/t0; NaN outside hammer, string and
+    /// recording.
     double value(WaveQuantity quantity, double x, double t) const;
-    /// Returns values exact at the centre of every cell, as for a uniform rod; the work grows with the cells.
+    /// Returns the quantity at the centre of every cell of the grid, without interpolation. The work grows
+    /// with the number of cells.
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
 
-    /// Returns the travel time from the shank to the bit; below, from the hammer face to its rear and back.
+    /// Returns the travel time of a wave from the shank to the bit, in units of t0.
     double arrival() const { return m_arrival; }
+    /// Returns the travel time of a wave from the hammer face to the hammer's rear end and back, in units of
+    /// t0.
     double hammerRoundTrip() const { return m_hammerRoundTrip; }
-    /// Returns the paths of a front that leaves the shank at the time `start` and runs to and fro in the
-    /// string, section by section; the front of the first touch also runs in the hammer. Reflections at
-    /// joints have no front.
+    /// Returns the paths of a wave front that leaves the shank at the time `start` and runs to and fro in the
+    /// string. There is one straight path for each uniform piece; those outside the times `begin` … `end` are
+    /// left out. For start = 0, the front of the first touch, the path in the hammer is included. Reflections
+    /// at joints are not followed. Times are in units of t0.
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
   private:

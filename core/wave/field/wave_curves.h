@@ -13,61 +13,81 @@ namespace drillwave {
 // Everything here needs an impact solved with Detail::histories. Times are global, in t0, forces in F0,
 // impulses in I0. ξ = x/L: rear end 0, bit 1.
 
-/// Curve as points to be joined by straight lines; a time occurs twice where the curve jumps.
+/// Curve as points to be joined by straight lines. A time occurs twice where the curve jumps.
 struct SampledCurve {
-    std::vector<double> time;  ///< [t0], not decreasing
+    std::vector<double> time;  ///< Times of the points in units of t0, not decreasing.
+    /// Values of the curve at these times.
     std::vector<double> value;
 };
 
-/// Wave N0p, N1n, N2p, N3n … at a section, over one round trip from its arrival (paper, Fig. 3).
+/// Wave number 0, 1, 2, 3 … at a section (N0p, N1n, N2p, N3n …), over one round trip from its arrival (paper,
+/// Fig. 3).
 struct SectionWave {
-    int number = 0;  ///< 0, 1, 2, 3: even ones run to +x, odd ones to −x
+    /// Number of the wave in order of arrival, from 0: even waves run to +x (the bit), odd ones to −x.
+    int number = 0;
+    /// The wave as a normal force over time, in units of F0, tension positive.
     SampledCurve curve;
 };
 
-/// The first `count` waves at the section ξ. The chords follow the curve to about 1e-4 of its pieces' size.
+/// Returns the first `count` waves at the section ξ = x/L. The chords deviate from the curve by about 1e-4 of
+/// the size of each piece.
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
 
-/// Returns one of them, until `end` at the latest.
+/// Returns wave number `number` at the section ξ = x/L, up to the time `end` at the latest, in units of t0.
 SectionWave sampledWave(const Impact& impact, double xi, int number,
                         double end = std::numeric_limits<double>::infinity());
 
-/// The wave of that number at the section ξ, exactly; NaN before its arrival and after that round trip.
+/// Returns the exact value of wave number `number` at the section ξ and time t, in units of F0, tension
+/// positive; NaN before its arrival and after one round trip from then.
 double sectionWave(const Impact& impact, double xi, int number, double t);
 
-/// ∫ of that wave up to t from some fixed time on; constant where there is no wave.
+/// Returns the integral of wave number `number` over time up to t, in units of I0; only differences between
+/// two times are meaningful. It is constant while the wave is not at the section ξ.
 double sectionWaveImpulse(const Impact& impact, double xi, int number, double t);
 
-/// Histories at the bit on common times.
+/// Histories of force, impulse and incident wave at the bit, sampled at the same times.
 struct SampledHistory {
-    std::vector<double> time;   ///< [t0], not decreasing, from the first arrival to the end of the recording
-    std::vector<double> force;  ///< F [F0]
-    std::vector<double> impulse;   ///< ∫F so far [I0]
-    std::vector<double> incident;  ///< g [F0]
+    /// Times in units of t0, not decreasing, from the first arrival at the bit to the end of the recording.
+    std::vector<double> time;
+    /// Impact force F at these times, in units of F0.
+    std::vector<double> force;
+    /// Impulse of the impact force so far, ∫F, in units of I0.
+    std::vector<double> impulse;
+    /// Incident wave g at the bit, in units of F0, compression positive.
+    std::vector<double> incident;
 };
 
-/// Every breakpoint is included, jumps from both sides; the chords follow the curves to about 1e-4 of their
-/// pieces' size, more coarsely in recordings of more than 10 000 pieces (at most a million chords, or one for
-/// each piece). Periods that were not recorded (impact.skips) are left out.
+/// Returns the histories at the bit as points to be joined by straight lines. Every breakpoint is included,
+/// jumps from both sides. The chords deviate from the curves by about 1e-4 of the size of each piece.
+/// Recordings of more than 10 000 pieces are sampled more coarsely, with at most a million chords, or one for
+/// each piece. Periods that were not recorded (impact.skips) are left out.
 SampledHistory sampleHistory(const Impact& impact);
 
-// The normal force at a section over time, and the waves that make it.
+// Normal force at a section over time, and the waves whose sum it is.
 
 // Everything here needs an impact solved with Detail::histories. Times are global, in t0, forces in F0,
 // tension positive, impulses in I0. ξ = x/L: rear end 0, bit 1.
 
-/// Force in a strain gauge at a section, and the waves after the first ones.
+/// Normal force that a strain gauge measures at a section of the rod, and the waves that follow the first
+/// ones there.
 struct SectionForce {
-    SampledCurve force;    ///< N = Np + Nn (T2), from time 0 or the first wave there if that is earlier
-    SampledCurve toBit;    ///< waves N4p, N6p …, where four waves are known, one after the other
-    SampledCurve fromBit;  ///< waves N5n, N7n …
+    /// Normal force N = Np + Nn (T2), from time 0, or from the first wave at the section if that is earlier;
+    /// tension positive.
+    SampledCurve force;
+    /// Waves towards the bit that follow the given first ones, joined in order of time; N4p, N6p … after four
+    /// waves.
+    SampledCurve toBit;
+    /// Waves from the bit that follow the given first ones, joined in order of time; N5n, N7n … after four
+    /// waves.
+    SampledCurve fromBit;
 };
 
-/// Returns the force at the section ξ until the time `end` (at most half a million points); `first` are
-/// sectionWaves() there, an even number of them, that end before.
+/// Returns the normal force at the section ξ = x/L up to the time `end`, with at most half a million points.
+/// `first` are the sectionWaves() of this section, an even number of waves that end before `end`.
 SectionForce sectionForce(const Impact& impact, double xi, std::span<const SectionWave> first, double end);
 
-/// Returns ∫N dt at the section from a fixed time to t.
+/// Returns the integral of the normal force at the section ξ over time up to t, in units of I0, tension
+/// positive. Only differences between two times are meaningful.
 double sectionImpulse(const Impact& impact, double xi, double t);
 
 }  // namespace drillwave

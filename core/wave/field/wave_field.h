@@ -9,29 +9,35 @@
 
 namespace drillwave {
 
-// How long waves take between a section of the uniform rod and the bit: the one place where that is known.
+// Travel times of waves between a section of the uniform rod and the bit. No other file computes them.
 
-/// Which way a wave runs.
+/// Direction in which a wave runs: towards the bit, or from the bit towards the hammer.
 enum class Heading { toBit, fromBit };
 
-/// The delays of one blow, for the files of this folder only. s is the time at the bit since the arrival of
-/// the first wave there, t the global time, ξ = x/L: rear end 0, bit 1; times in t0.
+/// Travel times of waves in the rod for one blow, for the files of this folder only. s is the time at the bit
+/// since the arrival of the first wave there, t the time since the start of the blow, both in units of t0. ξ
+/// = x/L is 0 at the rear end and 1 at the bit.
 class RodDelays {
   public:
     explicit RodDelays(const Impact& impact)
         : m_arrival(impact.frontArrival), m_roundTrip(impact.roundTrip) {}
 
-    double arrival() const { return m_arrival; }            ///< global time of s = 0
-    double roundTrip() const { return m_roundTrip; }        ///< 2τ
-    double transitTime() const { return m_roundTrip / 2; }  ///< τ
+    /// Returns the time t/t0 at which the first wave reaches the bit, where s = 0.
+    double arrival() const { return m_arrival; }
+    /// Returns the round trip 2τ of a wave in the rod, in units of t0.
+    double roundTrip() const { return m_roundTrip; }
+    /// Returns the one-way transit time τ of a wave in the rod, in units of t0.
+    double transitTime() const { return m_roundTrip / 2; }
 
-    /// Returns the time when the wave at ξ at time t reaches the bit, s = t + (1 − ξ)τ − arrival, or left it,
-    /// t − (1 − ξ)τ − arrival.
+    /// Returns the time s/t0 at which the wave that is at the section ξ at the time t is at the bit. A wave
+    /// towards the bit arrives there at s = t + (1 − ξ)τ − arrival. A wave from the bit left it at s = t − (1
+    /// − ξ)τ − arrival.
     double atBit(Heading heading, double xi, double t) const {
         const double way = (1 - xi) * m_roundTrip / 2;
         return heading == Heading::toBit ? t - m_arrival + way : t - m_arrival - way;
     }
-    /// Returns the difference t − s for the wave that is at ξ at the time t.
+    /// Returns the difference t − s between the time at the section ξ and the time at the bit, for a wave in
+    /// the given direction, in units of t0.
     double shift(Heading heading, double xi) const {
         return m_arrival + (heading == Heading::toBit ? -1 : 1) * (1 - xi) * transitTime();
     }
@@ -40,71 +46,95 @@ class RodDelays {
     double m_arrival, m_roundTrip;
 };
 
-/// Waves and motion of the rod at any time: t is the global time in t0 from the beginning of the hammer force
-/// (from first contact in the reference case); ξ = x/L, rear end 0 … bit 1. Forces in F0, impulses in I0.
+/// Waves, forces and motion of a uniform rod at any section and time. t is the time in t0 since the start of
+/// the hammer force, or since first contact in the reference case (a rod that arrives as a rigid body). ξ =
+/// x/L is 0 at the rear end and 1 at the bit. Forces are in F0, impulses in I0.
 ///
-/// Needs an impact solved with Detail::histories, which must outlive the field; arrival() and roundTrip() are
-/// known with Detail::summary.
+/// Requires an impact solved with Detail::histories, which must outlive the field; arrival() and roundTrip()
+/// only require Detail::summary.
 class WaveField {
   public:
     explicit WaveField(const Impact& impact) : m_impact(&impact), m_delays(impact) {}
 
-    /// Returns when the first wave reaches the bit; 0 in the reference case, which begins there.
+    /// Returns the time t/t0 at which the first wave reaches the bit; 0 in the reference case (a rod that
+    /// arrives as a rigid body), which starts with contact.
     double arrival() const { return m_delays.arrival(); }
-    /// Returns the round-trip time of a wave in the rod. Residual waves repeat themselves after it.
+    /// Returns the round-trip time of a wave in the rod, in units of t0. Residual waves repeat with this
+    /// period.
     double roundTrip() const { return m_delays.roundTrip(); }
 
-    double impactForce(double t) const;    ///< F(t) ≥ 0 of bit and rock
-    double impactImpulse(double t) const;  ///< ∫F up to t
+    /// Returns the impact force F(t)/F0 between bit and rock; ≥ 0.
+    double impactForce(double t) const;
+    /// Returns the impulse of the impact force up to the time t, ∫F, in units of I0.
+    double impactImpulse(double t) const;
 
-    double positiveWave(double xi, double t) const;  ///< Np, which runs to +x, the bit; tension positive
-    double negativeWave(double xi, double t) const;  ///< Nn, which runs to −x; tension positive
-    double force(double xi, double t) const;         ///< N = Np + Nn, tension positive
-    double velocity(double xi, double t) const;      ///< v = (Nn − Np)/Z [F0/Z], positive towards the rock
+    /// Returns the wave Np/F0 at the section ξ, which runs to +x, towards the bit; tension positive.
+    double positiveWave(double xi, double t) const;
+    /// Returns the wave Nn/F0 at the section ξ, which runs to −x, towards the hammer; tension positive.
+    double negativeWave(double xi, double t) const;
+    /// Returns the normal force N = Np + Nn at the section ξ, in units of F0, tension positive.
+    double force(double xi, double t) const;
+    /// Returns the particle velocity v = (Nn − Np)/Z at the section ξ, in units of F0/Z, positive towards the
+    /// rock.
+    double velocity(double xi, double t) const;
 
   private:
     const Impact* m_impact;
     RodDelays m_delays;
 };
 
-// Force and particle velocity over a grid of sections and times: the x–t picture of a blow.
+// Force and particle velocity over a grid of sections and times, for the x–t picture of a blow.
 
-/// Quantity shown in the rod.
+/// Quantity that an x–t picture of the rod shows.
 enum class WaveQuantity {
-    force,     ///< N = Np + Nn [F0], tension positive
-    velocity,  ///< v = (−Np + Nn)/Z [F0/Z], positive towards the rock
+    /// Normal force N = Np + Nn, in units of F0, tension positive.
+    force,
+    /// Particle velocity v = (Nn − Np)/Z, in units of F0/Z, positive towards the rock.
+    velocity,
 };
 
-/// Cells of equal size over a rectangle of ξ = x/L and global time t/t0.
+/// Grid of cells of equal size over a rectangle in the plane of section ξ = x/L and time t/t0 since the start
+/// of the blow.
 struct RasterGrid {
+    /// Range of sections ξ that the columns cover.
     double xiBegin = 0, xiEnd = 1;
+    /// Number of columns, one for each section; ≥ 0.
     int columns = 0;
+    /// Range of times t/t0 that the rows cover.
     double timeBegin = 0, timeEnd = 1;
+    /// Number of rows, one for each time; ≥ 0.
     int rows = 0;
     bool operator==(const RasterGrid&) const = default;
 
-    /// Centre of a cell; may lie outside the rod.
+    /// Returns the section ξ at the centre of a column, which may be outside the rod.
     double xi(int column) const { return xiBegin + (xiEnd - xiBegin) * (column + 0.5) / columns; }
+    /// Returns the time t/t0 at the centre of a row.
     double time(int row) const { return timeBegin + (timeEnd - timeBegin) * (row + 0.5) / rows; }
+    /// Returns the index of a cell in WaveRaster::values.
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(column);
     }
 };
 
-/// The quantity at the centres of the cells.
+/// Values of a quantity at the centres of the cells of a grid.
 struct WaveRaster {
     WaveQuantity quantity = WaveQuantity::force;
     RasterGrid grid;
-    std::vector<float> values;  ///< row by row from timeBegin; NaN outside the rod
-    long steps = 0;             ///< pieces of the histories looked at: a few for each cell at most
+    /// Values row by row from timeBegin, in the unit of the quantity; NaN outside the rod.
+    std::vector<float> values;
+    /// Number of pieces of the histories that were examined, a measure of the work: at most a few for each
+    /// cell.
+    long steps = 0;
 };
 
-/// Exact at every centre: jumps stay jumps at any size of the cells. Needs an impact solved with
-/// Detail::histories. The work grows with the number of cells, hardly with that of pieces or of round trips.
+/// Returns the quantity at the centre of every cell of the grid, in a uniform rod. The values are exact, so
+/// jumps stay jumps at any size of the cells. The work grows with the number of cells, but hardly with the
+/// number of pieces or round trips. Requires an impact solved with Detail::histories.
 WaveRaster waveRaster(const Impact& impact, WaveQuantity quantity, const RasterGrid& grid);
 
-/// The quantity at one place, dimensionless as above.
+/// Returns the quantity at the section ξ = x/L and the time t/t0 since the start of the blow. Force is in F0,
+/// velocity in F0/Z.
 double waveValue(const Impact& impact, WaveQuantity quantity, double xi, double t);
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fronts of the blow in the rod, and when bit and rock touch: the lines of an x–t diagram.
+// Wave fronts of the blow in the rod, and intervals of contact between bit and rock: the lines of an x–t
+// diagram.
 #pragma once
 
 #include <vector>
@@ -10,24 +11,33 @@
 
 namespace drillwave {
 
-/// Times at which the force of the hammer begins, jumps or ends [t0], increasing: from each of them a front
-/// starts that runs through the rod for ever. Jumps below a fiftieth of the peak are left out, and so is the
-/// end of a force that only fades away. The reference case has one, at its first contact.
+/// Returns the times at which the hammer force begins, jumps or ends, in units of t0, increasing. From each
+/// of them a front starts that runs through the rod for ever. Jumps below a fiftieth of the peak are left
+/// out, and so is the end of a force that only fades away. In the reference case (a rod that arrives as a
+/// rigid body) the only time is 0, its first contact.
 std::vector<double> pulseFronts(const PulseForce& pulse);
 
-/// Path of a front through the rod, or through a section of a string: a straight line in the x–t diagram.
+/// Path of a wave front through the rod, or through one section of a string: a straight line in the x–t
+/// diagram.
 struct FrontRun {
-    long number = 0;  ///< of the wave that begins with it, as SectionWave::number
+    /// Number of the wave that begins with this front, from 0: even numbers run towards the bit, odd ones
+    /// away from it.
+    long number = 0;
+    /// Direction in which the front runs.
     Heading heading = Heading::toBit;
-    double timeAtFront = 0;      ///< at the end towards the bit, global [t0]
-    double transitTime = 0;      ///< [t0]
-    double rear = 0, front = 1;  ///< where it begins and ends, x/L
+    /// Time t/t0 at which the front is at the end `front`, on the side of the bit.
+    double timeAtFront = 0;
+    /// Time that the front needs from one end to the other, in units of t0; > 0.
+    double transitTime = 0;
+    /// Both ends of the path, x/L: `rear` towards the hammer, `front` towards the bit.
+    double rear = 0, front = 1;
 
-    /// Return the time when it passes the section ξ, and its place at the global time t (beyond its ends
-    /// before and after it).
+    /// Returns the time t/t0 at which the front passes the section ξ = x/L.
     double timeAt(double xi) const {
         return timeAtFront - direction() * (front - xi) / (front - rear) * transitTime;
     }
+    /// Returns the section ξ = x/L at which the front is at the time t/t0. The line is extended beyond both
+    /// ends of the path.
     double sectionAt(double t) const {
         return front + direction() * (t - timeAtFront) / transitTime * (front - rear);
     }
@@ -36,18 +46,20 @@ struct FrontRun {
     double direction() const { return heading == Heading::toBit ? 1 : -1; }
 };
 
-/// The ways of the front that the hammer sends off at the time `start` (one of pulseFronts()) which are under
-/// way between two global times, in the order in which they reach or leave the bit.
+/// Returns the paths of one front that are travelled between the times `begin` and `end`, in the order in
+/// which they reach or leave the bit. The front leaves the hammer at the time `start`, one of pulseFronts().
+/// Times are in t0 since the start of the blow.
 std::vector<FrontRun> frontRuns(const Impact& impact, double start, double begin, double end);
 
-/// Bit and rock touch from one time to the other (global, t/t0).
+/// Interval of time during which bit and rock are in contact, in units of t0 since the start of the blow.
 struct ContactInterval {
     double begin = 0;
     double end = 0;
     bool operator==(const ContactInterval&) const = default;
 };
 
-/// Returns the contacts in order of time. Requires an impact solved with Detail::events or more.
+/// Returns the intervals of contact of bit and rock in order of time. Requires an impact solved with
+/// Detail::events or more.
 std::vector<ContactInterval> contactIntervals(const Impact& impact);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hammer force as the lattice sees it: its mean over each step.
+// Mean of the hammer force over each time step.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace drillwave {
 
-/// Means of Fa/F0 over [0, Δ), [Δ, 2Δ) …, one after the other. For any pulse and step, the steps together
-/// have the impulse of the pulse.
+/// Means of the hammer force Fa/F0 over consecutive time steps [0, Δ), [Δ, 2Δ) … Their sum has the impulse of
+/// the pulse, for any pulse and step.
 class HammerCells {
   public:
-    /// Has no force.
+    /// Creates a sequence without a force.
     HammerCells() = default;
-    /// `pulse` must outlive the cells; `step` is Δ in t0, > 0.
+    /// Creates the sequence for a pulse, which must outlive it; `step` is Δ in units of t0, > 0.
     HammerCells(const PulseForce& pulse, double step);
 
-    /// The mean over the next step; 0 from the end of the pulse on.
+    /// Returns the mean over the next step, in units of F0; 0 from the end of the pulse on.
     double next() { return m_ended ? 0.0 : nextMean(); }
-    /// Returns whether all later steps are 0.
+    /// Returns whether the pulse is over, so that all later means are 0.
     bool ended() const { return m_ended; }
 
   private:
@@ -28,8 +28,10 @@ class HammerCells {
 
     const PulseForce* m_pulse = nullptr;
     double m_step = 1;
-    double m_count = 0;         ///< steps taken: whole, and beyond the range of int for long pulses
-    std::size_t m_segment = 0;  ///< the one in which the next step begins
+    /// Number of steps taken; a whole number, but beyond the range of int for long pulses.
+    double m_count = 0;
+    /// Index of the segment of the pulse in which the next step begins.
+    std::size_t m_segment = 0;
     bool m_ended = true;
 };
 

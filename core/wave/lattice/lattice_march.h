@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The march of the lattice: step after step at the front end of the rod (paper, Appendix A).
+// Lattice method: computation of a blow in time steps at the front end of the rod (paper, Appendix A).
 #pragma once
 
 #include <algorithm>
@@ -21,25 +21,27 @@
 
 namespace drillwave {
 
-// Histories that are constant in each step of the lattice.
+// Histories that are constant in each time step
 
-/// Appends the steps of the front end to the histories of an impact; steps that are alike become one piece.
+/// Recorder that appends time steps at the front end to the histories of an impact. Successive steps with
+/// equal values become one piece.
 class StepHistory {
   public:
+    /// Starts a recording with the time step `step`, in units of t0.
     void begin(double step) {
         m_step = step;
         m_count = 0;
         m_pieces = 0;
     }
 
-    /// Adds a step with incident wave g and force F.
+    /// Adds a step with the incident wave g and the impact force F, both in units of F0.
     void add(double g, double force, Impact& impact) {
         if (m_count > 0 && (g != m_incident || force != m_force)) flush(impact);
         m_incident = g;
         m_force = force;
         ++m_count;
     }
-    /// Passes on the steps not yet in the histories.
+    /// Appends the steps that are not yet in the histories.
     void flush(Impact& impact) {
         if (m_count == 0) return;
         const double length = double(m_count) * m_step;
@@ -48,6 +50,7 @@ class StepHistory {
         ++m_pieces;
         m_count = 0;
     }
+    /// Returns the number of pieces appended so far.
     std::size_t pieces() const { return m_pieces; }
 
   private:
@@ -61,25 +64,28 @@ class StepHistory {
     std::size_t m_pieces = 0;
 };
 
-/// Solves one blow on a lattice. `Waves` keeps the waves in the segments: MovedWaves or RingWaves.
+/// Solver for one blow by the lattice method. `Waves` stores the waves in the segments: MovedWaves or
+/// RingWaves.
 template <class Waves>
 class LatticeMarch {
   public:
-    /// Solves into `impact`; does not set its corError.
+    /// Computes a blow with `segments` segments of the rod, and writes the result into `impact`, except its
+    /// corError.
     void solve(const Problem& problem, int segments, Detail detail, const std::stop_token& stop,
                Impact& impact);
 
-    /// Rounding of the impulse, of order one, in the last solve.
+    /// Returns the rounding error of the impulse in the last solution, in units of I0.
     double roundingError() const { return roundingAfter(m_step); }
 
   private:
-    // About a second of work for the ring buffer and twenty for moved waves; 200 MB of history.
+    // Limits for about one second of work with the ring buffer and twenty with moved waves, and for 200 MB of
+    // histories.
     static constexpr double mostSteps = 1e8;
     static constexpr double mostMoves = 1e11;
     static constexpr std::size_t mostRecorded = 2'000'000;
-    /// Stop requests are looked for after so many moves.
+    /// Number of moves of a wave to the next segment between two checks for a stop request.
     static constexpr long movesPerCheck = 1L << 20;
-    /// An impulse that a contact shorter than a step may have unnoticed: it is of rounding errors.
+    /// Largest impulse [I0] of a contact shorter than a step that is ignored; it can be due to rounding.
     static constexpr double negligibleImpulse = 1e-12;
 
     void begin(const Problem& problem, int segments, Detail detail, Impact& impact);
@@ -100,7 +106,7 @@ class LatticeMarch {
     void note(ContactEvent kind, double time) {
         if (m_detail != Detail::cor) m_impact->events.push_back({kind, time});
     }
-    /// Global time of a fraction of the step that has just been made.
+    /// Returns the time t/t0 of a fraction (0 … 1) of the last step, since the start of the blow.
     double timeAt(double fraction) const {
         return m_arrival + m_skipped + (double(m_step - 1) + fraction) * m_duration;
     }
@@ -110,30 +116,35 @@ class LatticeMarch {
     double impulse() const { return m_forces * m_duration; }
 
     Waves m_waves;
-    HammerCells m_hammer;  ///< as it arrives at the front end
+    HammerCells m_hammer;  ///< hammer force as it arrives at the front end
     StepLaw m_law{ContactLaw<>(1, 1), 1, 0, 0};
     StepHistory m_history;
     Impact* m_impact = nullptr;
     Detail m_detail = Detail::cor;
     bool m_over = false;
 
-    double m_duration = 1;    ///< Δ
-    double m_arrival = 0;     ///< global time of s = 0
-    double m_skipped = 0;     ///< periods of free flight left out, in t0
-    double m_negligible = 0;  ///< force of no consequence
-    long m_step = 0;          ///< steps since the first arrival
-    long m_period = 0;        ///< steps of a round trip: 2L
+    double m_duration = 1;    ///< time step Δ, in units of t0
+    double m_arrival = 0;     ///< time t/t0 at which the first wave reaches the bit (s = 0)
+    double m_skipped = 0;     ///< total duration of the periods left out, in units of t0
+    double m_negligible = 0;  ///< force that has no effect on the result, in units of F0
+    long m_step = 0;          ///< number of steps since the first wave arrived
+    long m_period = 0;        ///< number of steps in a round trip, 2L
     long m_movesPerStep = 1, m_untilCheck = 0;
     double m_moves = 0;
 
-    CompensatedSum<double> m_forces;                      ///< ΣF; the impulse is Δ times that
-    CompensatedSum<double> m_hammerPowers, m_rockPowers;  ///< ΣFa (2g − Fa), ΣF (2g − F)
+    /// Sum ΣF over the steps; times Δ it is the impulse.
+    CompensatedSum<double> m_forces;
+    /// Sums ΣFa (2g − Fa) and ΣF (2g − F); times Δ they are works.
+    CompensatedSum<double> m_hammerPowers, m_rockPowers;
     double m_contactStart = 0, m_impulseAtContact = 0;
-    double m_periodsAhead = 0;  ///< periods of free flight before the gap counts
+    /// Number of periods of free flight before the bit can reach the rock.
+    double m_periodsAhead = 0;
 
-    long m_freeSteps = 0;  ///< in a row, without contact and hammer force
+    /// Number of successive steps without contact and hammer force.
+    long m_freeSteps = 0;
     double m_freeMomentum = 0, m_freeEnergy = 0;
-    double m_farthest = 0;  ///< largest Σg since the free flight began
+    /// Largest Σg since the free flight began.
+    double m_farthest = 0;
 };
 
 template <class Waves>
@@ -183,7 +194,8 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
     impact.hammerWork = uniform;  // ½ m v0²: the rod arrives with it
 }
 
-/// Whether the steps are short enough for the rock and few enough for the hammer.
+/// Returns whether the steps are short enough for the rock and few enough for the hammer force; otherwise the
+/// blow is marked as not solved.
 template <class Waves>
 bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     const double steepest = ContactLaw<>(problem.law).slopes().elastic * m_duration;
@@ -206,7 +218,7 @@ bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     return true;
 }
 
-/// Skips the time before the first wave arrives, when nothing happens at the front end.
+/// Advances to the time at which the first wave arrives; before it nothing happens at the front end.
 template <class Waves>
 void LatticeMarch<Waves>::reachFrontEnd(int segments, const std::stop_token& stop) {
     for (long ahead = Waves::stepsAhead(segments); ahead > 0 && !m_over; --ahead) {
@@ -265,7 +277,7 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
     }
 }
 
-/// Takes a period without hammer and rock; after a whole one it decides how to go on.
+/// Counts a step without hammer force and contact; after a whole period it decides how to continue.
 template <class Waves>
 void LatticeMarch<Waves>::flyFree(double g) {
     if (m_freeSteps++ == 0) m_freeMomentum = m_freeEnergy = m_farthest = 0;
@@ -277,8 +289,8 @@ void LatticeMarch<Waves>::flyFree(double g) {
     m_freeSteps = 0;
 }
 
-/// Decides after one whole period without contact, when the incident wave is periodic: either the blow is
-/// over, or the rod drifts on and hits again later (theory §3).
+/// Decides how to continue after one whole period without contact, when the incident wave is periodic. Either
+/// the blow is over, or the rod drifts towards the rock and hits it again later (theory §3.3).
 template <class Waves>
 void LatticeMarch<Waves>::decide() {
     if (m_periodsAhead > 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's own algorithm (Appendix A) as a second, independent solver (theory §6).
+// Algorithm of the paper (Appendix A), as a second, independent solver (theory §6).
 #pragma once
 
 #include <memory>
@@ -10,42 +10,53 @@
 
 namespace drillwave {
 
-/// Storage of the waves of the lattice. The results are identical to the last bit.
+/// Storage of the waves in the segments of the rod. The results are identical to the last bit.
 enum class LatticeWaves {
-    moved,  ///< moved from segment to segment as in the paper: O(L) per step
-    ring,   ///< standing in a ring buffer: O(1) per step
+    /// Waves are moved from segment to segment in each step; the work per step grows with the number L of
+    /// segments.
+    moved,
+    /// Waves stay in a ring buffer; the work per step does not depend on the number of segments.
+    ring,
 };
 
-/// Whether coarser lattices are also solved, to estimate the error.
+/// Choice whether rods of fewer segments are also solved, to estimate the error.
 enum class ErrorEstimate { none, fromOtherLattices };
 
-/// The paper's choice is 10 000 segments, and 20 000 "for accurate determination of the COR".
+/// Options of the lattice method. The paper uses 10 000 segments, and 20 000 "for accurate determination of
+/// the COR".
 struct LatticeOptions {
-    int segments = 10'000;  ///< L, minimumSegments … maximumSegments
+    /// Number L of segments of the rod, minimumSegments … maximumSegments.
+    int segments = 10'000;
+    /// Storage of the waves; it does not change the results.
     LatticeWaves waves = LatticeWaves::ring;
+    /// Whether the error is estimated from rods of fewer segments.
     ErrorEstimate estimate = ErrorEstimate::fromOtherLattices;
     bool operator==(const LatticeOptions&) const = default;
 };
 
+/// Allowed range of LatticeOptions::segments.
 inline constexpr int minimumSegments = 10;
 inline constexpr int maximumSegments = 1'000'000;
 
-/// Solves one blow after another on a rod of equal segments, time step Δ = τ/L, keeping its memory.
+/// Solver for blows on a rod of L equal segments with the time step Δ = τ/L, which reuses its memory.
 ///
-/// The hammer force enters by its means over the steps; the impact force is constant in each step and does
-/// exactly the work of the bilinear law (StepLaw). It stops on the same proof as ExactSolver: a whole
-/// period without contact and momentum not towards the rock; free flights of many periods are skipped.
+/// The hammer force is replaced by its means over the steps. The impact force is constant in each step, and
+/// does exactly the work of the bilinear law (StepLaw). The solution ends with the same proof as in
+/// ExactSolver: a whole period without contact, and momentum not towards the rock. Free flights of many
+/// periods are skipped.
 ///
-/// The result: `cor` has an error that falls with Δ² where γ = 1 or fronts fall on ends of steps, between Δ
-/// and Δ² elsewhere. `corError` is twice the range of the results of this lattice and eight coarser ones
-/// (comparisonLattices(); finer ones where those are too coarse), plus rounding. It is an estimate, not a
-/// bound; the factor covers what eight samples miss of the range of an error that falls with Δ only, and
-/// makes it ten times too large, typically, where the error falls with Δ². It is NaN with
-/// ErrorEstimate::none. `pieces` are the steps from the first arrival on; `peakForce` and events are those of
-/// the force–penetration curve that the steps follow; the histories are constant in each step.
+/// The error of `cor` is proportional to Δ² if γ = 1 or if fronts fall on ends of steps; otherwise it is
+/// between Δ and Δ². `corError` is an estimate, not a bound: twice the range of the results of this lattice
+/// and of eight coarser ones, plus rounding. The coarser ones are comparisonLattices(); finer ones are used
+/// if those are too coarse. The factor of two covers what eight samples miss of the range if the error is
+/// proportional to Δ. If the error is proportional to Δ², the estimate is typically ten times too large. It
+/// is NaN with ErrorEstimate::none.
 ///
-/// Not solved, with the reason: β/γ·Δ > 2 (a step would overshoot the unloading line), a contact with impulse
-/// that is shorter than a step, more steps than permitted, stopped.
+/// `pieces` is the number of steps from the first arrival on. `peakForce` and events are those of the
+/// force–penetration curve that the steps follow. The histories are constant in each step.
+///
+/// A blow is not solved, with a reason, if β/γ·Δ > 2 (a step would overshoot the unloading line), or if a
+/// contact with impulse is shorter than a step. The same holds after too many steps or a stop request.
 class LatticeSolver {
   public:
     LatticeSolver();
@@ -53,7 +64,8 @@ class LatticeSolver {
     LatticeSolver(LatticeSolver&&) noexcept;
     LatticeSolver& operator=(LatticeSolver&&) noexcept;
 
-    /// The problem is as for ExactSolver::solve(). Checks `stop` at least every few milliseconds.
+    /// Returns the solution of a blow, with the requirements on `problem` of ExactSolver::solve(). `stop` is
+    /// checked at least every few milliseconds.
     Impact solve(const Problem& problem, Detail detail, const LatticeOptions& options,
                  const std::stop_token& stop = {});
 

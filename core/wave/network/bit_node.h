@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bit on the rock: the wave that arrives, the force of the rock, the wave that leaves (strings §5).
+// Contact of bit and rock: arriving wave, force on the rock, and reflected wave (strings §5).
 #pragma once
 
 #include <array>
@@ -14,113 +14,151 @@
 
 namespace drillwave {
 
-/// Sums and extremes at the bit up to a time.
+/// Sums and extremes of the impact force up to a time, in the dimensionless units of Problem (problem.h):
+/// times in t0, forces in F0, impulses in I0.
 struct BitRecord {
-    double impulse = 0;          ///< ∫F dt
-    double impulseMoment = 0;    ///< ∫F t dt
-    double peakForce = 0;        ///< largest F
-    double peakTime = 0;         ///< when
-    double firstContact = -1;    ///< when; negative: never
-    double lastContact = -1;     ///< when the last one began; negative: never
-    double lastSeparation = -1;  ///< when; negative: never
-    double contactDuration = 0;  ///< summed over contacts
+    /// Impulse of the impact force, ∫F dt, in units of I0.
+    double impulse = 0;
+    /// First moment of the impact force over time, ∫F t dt, in units of I0 t0.
+    double impulseMoment = 0;
+    /// Largest impact force F between bit and rock, in units of F0.
+    double peakForce = 0;
+    /// Time t/t0 of the largest impact force.
+    double peakTime = 0;
+    /// Time t/t0 of the first contact; negative if there was none.
+    double firstContact = -1;
+    /// Time t/t0 at which the last contact began; negative if there was none.
+    double lastContact = -1;
+    /// Time t/t0 of the last separation; negative if there was none.
+    double lastSeparation = -1;
+    /// Sum of the durations of all contacts, in units of t0.
+    double contactDuration = 0;
+    /// Number of contacts that have begun.
     int contacts = 0;
 };
 
-/// State of bit and rock, and its history.
+/// State of bit and rock at one time, with the record of the contact so far. Lengths are in I0/Zr, forces in
+/// F0, velocities in F0/Zr.
 struct BitNodeState {
+    /// Creates a bit on a default rock, without a gap.
     BitNodeState() : BitNodeState(ContactLaw<double>(BitRockLaw{}), 0) {}
+    /// Creates a bit at the distance `gap` ≥ 0 from a rock with the law `untouched`.
     BitNodeState(const ContactLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
 
-    ContactLaw<double> law;  ///< with the memory of the rock
+    /// Law of bit and rock, which includes the largest force that the rock remembers.
+    ContactLaw<double> law;
+    /// Line of the law on which bit and rock are now; `apart` if they do not touch.
     ContactLine line = ContactLine::apart;
+    /// Impact force F of bit and rock, in units of F0; ≥ 0.
     double force = 0;
-    double velocity = 0;  ///< of the bit mass
-    double distance;      ///< distance from the present face of the rock, while apart
+    /// Velocity of the bit mass in units of F0/Zr, positive towards the rock; not used without a bit mass.
+    double velocity = 0;
+    /// Distance from the bit to the rock or to the bottom of its crater, in units of I0/Zr; valid only while
+    /// they are apart.
+    double distance;
+    /// Sums and extremes of the impact force so far.
     BitRecord record;
 
+    /// Returns whether bit and rock are apart.
     bool isApart() const { return line == ContactLine::apart; }
-    /// Returns U, from the undisturbed face of the rock.
+    /// Returns the penetration U of the bit, from the original surface of the rock, in units of I0/Zr.
     double penetration() const {
         return isApart() ? law.residualPenetration() - distance : law.penetration(force);
     }
 };
 
-/// End of the string, with or without the mass of a bit:
+/// Front end of the string, with or without the mass of a bit:
 ///
 ///     M U'' + Z U' + F(U) = 2g,    b = g − Z U'        (M = 0: U' = (2g − F)/Z, b = F − g)
 ///
-/// F of straight lines with memory. A cell without an event is one product with a matrix; otherwise it is
-/// followed from event to event and projected.
+/// g is the arriving wave, b the reflected wave, F the piecewise linear law of bit and rock with memory. A
+/// cell (time step) without a contact event is one product with a matrix. Other cells are solved from event
+/// to event and projected to cubics.
 class BitNode {
   public:
     BitNode() : BitNode(1, 0, {}, 0) {}
+    /// Creates the end of a section of this impedance, with a bit of this mass (0 for none), at the distance
+    /// `gap` from the rock. Units are the dimensionless ones of Problem (problem.h).
     BitNode(double impedance, double mass, const BitRockLaw& law, double gap);
 
-    /// Sets the widths of the cells that follow [t0], in turn.
+    /// Sets the widths of the cells (time steps) that follow, in units of t0; step() refers to them by index.
     void setWidths(const std::vector<double>& widths);
 
-    /// Takes one cell of width number `index` that begins at `time` [t0]: from the arriving wave g to the
-    /// leaving wave b. If it sets a place to cut, the cell must be taken again in parts.
+    /// Advances the bit by one cell (time step): computes the reflected wave b from the arriving wave g. The
+    /// cell has the width number `index` and begins at `time`, in units of t0. If `jump` returns a place,
+    /// nothing else is valid: all cells must be cut there, and the step repeated.
     void step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump);
-    /// State after the first `share` of that cell, and the wave that has left over that share.
+    /// State at a time within a cell, and the reflected wave up to that time.
     struct Part {
         BitNodeState state;
         WaveCell leaving;
     };
+    /// Returns the state after the fraction `share` (0 … 1) of the next cell, without advancing the bit. g is
+    /// the arriving wave, `index` the number of the cell's width, `time` its start in units of t0.
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
-    /// Takes a step of a bit without mass that stays away from the rock: −g leaves. False, and nothing done,
-    /// if it may not stay away.
+    /// Advances a bit without mass that certainly stays away from the rock; it reflects −g. Returns false and
+    /// changes nothing if the bit may touch the rock in this cell, or has a mass.
     bool flyStep(const WaveCell& g, std::size_t index) {
         return m_mass == 0 && m_now.isApart() && fly(g, m_maps[index].width);
     }
 
-    // Many blows (drilling §4)
+    // Functions for a sequence of blows (drilling §4)
 
-    /// Changes of the rock between two cycles.
+    /// Changes of the rock between two blows of a sequence.
     struct Turned {
-        double penetration = 0;  ///< growth of its residual penetration
-        double lostEnergy = 0;   ///< of a rock that was pressed, and then replaced
+        /// Growth of the residual penetration of the rock since the last blow, in units of I0/Zr.
+        double penetration = 0;
+        /// Elastic energy lost because a compressed rock was replaced by new rock [I0²/(Zr t0)].
+        double lostEnergy = 0;
     };
-    /// Starts a new record. On new rock the bottom of the crater is the new face, and a force that presses
-    /// continues along the first line: F becomes γF on a straight one.
+    /// Starts the record of the next blow, and returns the changes of the rock since the last one. With
+    /// `isFresh`, the bottom of the crater becomes the surface of new rock. A force that acts then continues
+    /// along the first loading line; on a straight line, F becomes γF.
     Turned beginCycle(bool isFresh);
-    /// Records peaks also below the largest force that the rock remembers.
+    /// Requests that the record includes peaks that are below the largest force that the rock remembers.
     void notePeaksOfCycles() { m_notesAllPeaks = true; }
+    /// Sets the velocity of the bit mass, in units of F0/Zr, positive towards the rock.
     void setVelocity(double velocity) { m_now.velocity = velocity; }
-    /// Returns U from the bottom of the crater, negative while apart.
+    /// Returns the position of the bit relative to the bottom of the crater, in units of I0/Zr; positive into
+    /// the rock, negative while apart.
     double placeFromBottom() const {
         return m_now.isApart() ? -m_now.distance : m_now.law.elasticWay(m_now.force);
     }
-    /// Moves the bit there, on a rock that remembers this largest force.
+    /// Moves the bit to a position relative to the bottom of the crater (in I0/Zr, positive into the rock).
+    /// The rock then remembers `largestForce` (in F0).
     void putAt(double placeFromBottom, double largestForce);
 
-    /// Returns F over the cell that was stepped last.
+    /// Returns the impact force over the cell of the last step.
     const WaveCell& cellForce() const { return m_cellForce; }
 
+    /// Returns the state of bit and rock after the last step.
     const BitNodeState& state() const { return m_now; }
+    /// Restores an earlier state of bit and rock, with its record.
     void setState(const BitNodeState& state) { m_now = state; }
-    /// Records events there; nullptr: nowhere.
+    /// Sets the list to which contact events are appended; nullptr for none.
     void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
+    /// Returns the mass of the bit M/(Zr t0); 0 for none.
     double mass() const { return m_mass; }
-    /// Returns the rate at which the force follows on the elastic line [1/t0].
+    /// Returns the rate at which the force approaches 2g on the elastic line, in units of 1/t0. With a bit
+    /// mass, it is the fastest rate of the oscillation.
     double fastestRate() const;
-    /// Adds all rates at which the force follows [1/t0].
+    /// Appends to `rates` all rates at which the force follows the wave, in units of 1/t0.
     void addRates(std::vector<double>& rates) const;
-    /// Returns the number of pieces in cells with events.
+    /// Returns the number of pieces computed in cells with contact events, a measure of the work.
     long pieces() const { return m_pieces; }
-    /// Returns why the node could not go on; empty if it could.
+    /// Returns the reason why an event could not be located; empty if there was no such failure.
     std::string_view failureReason() const { return m_failureReason; }
 
   private:
     struct CellMaps;
     struct EventPiece;
-    /// Early end of a piece, and the line that follows.
+    /// Event that ends a piece of a cell, and the line of the law that follows it.
     struct LineEvent {
         Zero<double> zero;
         ContactLine line;
-        bool isCorner = false;  ///< the same line continues, with another slope
+        /// Whether the same line of the law continues with another slope.
+        bool isCorner = false;
     };
 
     CellMaps mapsOf(double width) const;
@@ -139,30 +177,40 @@ class BitNode {
     void touch(double time);
     double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }
 
-    /// Response of the force along a loading line.
+    /// Linear maps of the force along one loading line of the law, for one cell width.
     struct LineMaps {
-        std::size_t line = 0;  ///< ContactLaw::loadingLine()
-        Relaxation free;       ///< M = 0
-        Oscillation mass;      ///< M > 0
+        /// Number of the line, ContactLaw::loadingLine().
+        std::size_t line = 0;
+        /// Map for a bit without mass (M = 0).
+        Relaxation free;
+        /// Map of velocity and force for a bit with mass (M > 0).
+        Oscillation mass;
     };
     LineMaps mapsOfLine(double width) const;
     const LineMaps& loadingMaps(CellMaps& maps) const;
 
     struct CellMaps {
         double width = 0;
-        LineMaps loading;         ///< of one line, at first the first one
-        Relaxation elastic;       ///< of the force, M = 0
-        Relaxation apart;         ///< of the velocity, M > 0
-        Oscillation elasticMass;  ///< of both
+        /// Maps for the current loading line, at first the first one.
+        LineMaps loading;
+        /// Map of the force on the elastic line, for M = 0.
+        Relaxation elastic;
+        /// Map of the velocity while apart, for M > 0.
+        Relaxation apart;
+        /// Map of velocity and force on the elastic line, for M > 0.
+        Oscillation elasticMass;
     };
 
     double m_impedance;
     double m_mass;
-    double m_toSpeed;  ///< 2/Z: of a free end, from the wave that arrives
+    /// 2/Z: velocity of a free end per arriving wave.
+    double m_toSpeed;
     std::vector<CellMaps> m_maps;
-    std::vector<CellMaps> m_mapsBefore;  ///< only for its memory
+    /// Maps of the previous widths, reused if a width occurs again.
+    std::vector<CellMaps> m_mapsBefore;
     ContactLaw<double> m_untouched{BitRockLaw{}};
-    double m_residual = 0;  ///< penetration when the cycle began
+    /// Residual penetration at the start of the present blow, in units of I0/Zr.
+    double m_residual = 0;
     bool m_notesAllPeaks = false;
     BitNodeState m_now;
     WaveCell m_cellForce;

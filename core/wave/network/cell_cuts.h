@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where every cell is cut, so that jumps lie between parts.
+// Places at which every cell (time step) is cut, so that jumps of waves lie between its parts.
 #pragma once
 
 #include <cstddef>
@@ -11,48 +11,62 @@
 
 namespace drillwave {
 
-/// Fineness of cells behind a front, where some quantity follows fast.
+/// Fineness of the parts of a cell after a wave front, where some quantity changes fast.
 struct Grading {
-    double first;   ///< width of the first part times the fastest rate
-    double growth;  ///< of each part relative to the one before
-    int mostCuts;   ///< maximum number of jumps that get a place of their own
+    /// Width of the first part after the front, times the fastest rate.
+    double first;
+    /// Ratio of the width of each part to that of the part before.
+    double growth;
+    /// Maximum number of wave fronts for which cells are cut.
+    int mostCuts;
     bool operator==(const Grading&) const = default;
 };
 
-/// Parts of a cell: in a string whose round trips share a cell, a jump stays at its place in every cell.
+/// Division of every cell (time step) into parts. If all round trips of the string are whole numbers of
+/// cells, a jump of a wave is at the same place of every cell; so all cells are cut at the same places.
 class CellCuts {
   public:
     CellCuts() = default;
+    /// Creates uncut cells of the size `cell` [t0]; see begin().
     CellCuts(double cell, const std::vector<double>& rates, const Grading& grading) {
         begin(cell, rates, grading);
     }
-    /// Starts cells of this size [t0] on which quantities follow each other at these rates [1/t0].
+    /// Starts with uncut cells of the size `cell` [t0]. `rates` are those at which quantities follow each
+    /// other [1/t0]; they and `grading` decide how finely a cell is divided after a front.
     void begin(double cell, const std::vector<double>& rates, const Grading& grading);
 
+    /// Returns the number of parts of each cell.
     std::size_t count() const { return m_places.size(); }
-    /// Returns where each part begins, in cells: 0 = places()[0] < … < 1.
+    /// Returns the place in the cell at which each part begins, as a fraction of the cell: 0 = places()[0] <
+    /// … < 1.
     const std::vector<double>& places() const { return m_places; }
-    /// Returns the length of each part [t0].
+    /// Returns the width of each part, in units of t0.
     const std::vector<double>& widths() const { return m_widths; }
 
-    /// Return the start and width of `step` [t0], on a clock that counts parts from a whole cell on.
+    /// Returns the time at which part number `step` starts, in units of t0. Parts are counted from the start
+    /// of a whole cell at the time 0, and may be negative.
     double clock(long step) const { return Walk(*this, step).clock(); }
+    /// Returns the width of part number `step`, in units of t0.
     double width(long step) const { return Walk(*this, step).width(); }
 
-    /// Walks from part to part, without a division for each.
+    /// Iterator over consecutive parts, which avoids a division for each part.
     class Walk {
       public:
+        /// Starts at part number `step`, counted from the start of a whole cell at the time 0.
         Walk(const CellCuts& cuts, long step) : m_cuts(cuts) {
             const long parts = static_cast<long>(cuts.count());
             m_cell = step >= 0 ? step / parts : -((parts - 1 - step) / parts);
             m_part = static_cast<std::size_t>(step - m_cell * parts);
         }
+        /// Returns the index of the present part within its cell.
         std::size_t part() const { return m_part; }
-        /// Return start and width of the part.
+        /// Returns the time at which the present part starts, in units of t0.
         double clock() const {
             return m_cuts.m_cell * (static_cast<double>(m_cell) + m_cuts.m_places[m_part]);
         }
+        /// Returns the width of the present part, in units of t0.
         double width() const { return m_cuts.m_widths[m_part]; }
+        /// Advances to the next part, in the next cell if necessary.
         void next() {
             if (++m_part < m_cuts.count()) return;
             m_part = 0;
@@ -65,21 +79,25 @@ class CellCuts {
         std::size_t m_part;
     };
 
-    /// Returns whether there are enough cuts.
+    /// Returns whether the maximum number of cuts is reached.
     bool isFull() const;
-    /// Also cuts at this place, and after it as finely as after a front. Returns false if that is cut
-    /// already, or if there are enough cuts.
+    /// Cuts every cell at `place` (a fraction of the cell), and after it as finely as after a front. Returns
+    /// false and changes nothing if cells are cut there already, or if the maximum number of cuts is reached.
     bool cutAt(double place);
 
-    /// Also ends a part at this place, where no wave bends.
+    /// Cuts every cell at `place` (a fraction of the cell) where no wave bends, so that a part ends there; it
+    /// adds no finer parts.
     void endPartAt(double place);
 
-    /// Splits whole cells, in consecutive parts from part number `first` of `coarse` on, into `parts` of
-    /// this, which has all places of `coarse`: count() for every coarse.count() of them.
+    /// Splits whole cells, given as consecutive parts of the coarser division `coarse`, into parts of this
+    /// division. `cells` starts with part number `first` of `coarse`; the result is written to `parts`. It
+    /// has count() entries for every coarse.count() entries of `cells`. This division must contain all places
+    /// of `coarse`.
     void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
                std::span<WaveCell> parts) const;
 
-    /// Writes means over whole cells of consecutive parts from `step` on, one for each count() of them.
+    /// Writes the mean of each whole cell to `means`. `parts` are consecutive parts from part number `step`
+    /// on, count() of them for each mean.
     void meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const;
 
   private:
@@ -89,32 +107,36 @@ class CellCuts {
     void measure();
 
     double m_cell = 1;
-    std::vector<double> m_rates;  ///< times cell
+    std::vector<double> m_rates;  ///< rates [1/t0] times the size of a cell
     Grading m_grading{};
     int m_jumps = 0;
     std::vector<double> m_places;
     std::vector<double> m_widths;
 };
 
-// The cells of time that all round trips share (strings §11).
+// Cells (time steps) of which all round trips are whole multiples (strings §11).
 
-/// Round trips as whole numbers of cells.
+/// Round trips of all sections as whole numbers of cells (time steps).
 struct CellGrid {
-    double cell = 0;               ///< Δ [t0]
-    std::vector<long> roundTrips;  ///< of each section: 2 T = roundTrips · Δ
-    double rounding = 0;           ///< largest |2 T − roundTrips Δ| [t0]
+    /// Size Δ of a cell (time step), in units of t0.
+    double cell = 0;
+    /// Number of cells in the round trip of each section: 2T = roundTrips · Δ.
+    std::vector<long> roundTrips;
+    /// Largest rounding error of a round trip, |2T − roundTrips · Δ|, in units of t0.
+    double rounding = 0;
 
-    /// Halves the size of the cells.
+    /// Halves the size of the cells and doubles the numbers of cells.
     void halve();
 };
 
-// Both write into a grid that is there, whose memory they use again.
+// Both functions reuse the memory of the given grid.
 
-/// The largest cell that divides all round trips to 1e-9 of the longest. False where there is none of at
-/// least `leastCell` [t0]: `grid` then is of no use.
+/// Writes the largest cell that divides all round trips to 1e-9 of the longest one. Returns false if that
+/// cell would be smaller than `leastCell` [t0]; the content of `grid` is then invalid.
 bool shareGrid(const std::vector<UniformSection>& sections, double leastCell, CellGrid& grid);
 
-/// Round trips rounded to whole cells of that size, at least one each.
+/// Rounds all round trips to whole numbers of cells of the size `cell` [t0], at least one each, and writes
+/// them to `grid`.
 void roundGrid(const std::vector<UniformSection>& sections, double cell, CellGrid& grid);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammer, string and rock on a lattice of polynomial cells (strings §11).
+// Solver for hammer, string and rock with polynomial cells (strings §11).
 #pragma once
 
 #include <cstddef>
@@ -19,50 +19,64 @@
 
 namespace drillwave {
 
-/// Lattice of cells in which only round trips matter: every node has its own clock, waves down arrive at once
-/// and waves back a round trip later. A jump that a contact makes inside a cell cuts every cell of every line
-/// there from then on. Takes blow after blow in the same memory.
+/// Computation of one blow in cells (time steps) with cubic waves. Every node (end of a section) has its own
+/// clock: waves towards the rock arrive at once, waves away from it a round trip later. A jump that a contact
+/// makes inside a cell cuts all cells at that place from then on. One blow after another can be computed in
+/// the same memory.
 class CellLattice {
   public:
-    /// Starts at the first touch of hammer and string. The plan must outlive the blow; at most about
-    /// `mostRecut` cells are cut while they are on their way.
+    /// Starts a blow at the first contact of hammer and string. The plan must outlive the blow. No further
+    /// places are cut once about `mostRecut` cells within the sections have been cut.
     void begin(const MarchPlan& plan, long mostRecut);
 
-    /// Takes the next block of `stepsOfBlock` steps, and gives the census the state of the nodes at its time
-    /// in the block. Cells are cut where waves jump, unless the rest of the way would take more than
-    /// `spareWork` cells × nodes. After a stop the block is unfinished.
+    /// Computes the next block of `stepsOfBlock` steps, and passes the state of the nodes to the census if
+    /// its time is in the block. Cells are cut where waves jump, unless the rest of the blow would then take
+    /// more than `spareWork` (cells × nodes). After a stop request the block is unfinished.
     void takeBlock(StringCensus& census, double spareWork, const std::stop_token& stop);
-    /// Advances to the next block.
+    /// Moves on to the next block of steps.
     void advance();
 
-    // The block that was taken last
+    // Functions for the last computed block
 
+    /// Returns the present division of cells into parts.
     const CellCuts& cuts() const { return m_cuts; }
-    long step() const { return m_step; }  ///< parts of cells that every clock has passed before the block
+    /// Returns the number of steps (parts of cells) before the block, the same on every clock.
+    long step() const { return m_step; }
+    /// Returns the time on every clock at the start of the block, in units of t0.
     double clock() const { return m_cuts.clock(m_step); }
+    /// Returns the waves towards the rock that enter a section at its rear end, one for each step of the
+    /// block.
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
-    const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }  ///< waves back
-    const WaveCell* bitForces() const { return m_bitForces.data(); }  ///< where histories are wanted
+    /// Returns the waves in a section that run away from the rock.
+    const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }
+    /// Returns the impact force for each step of the block; valid only if histories are requested.
+    const WaveCell* bitForces() const { return m_bitForces.data(); }
 
-    // After a block
+    // Functions for the state after the last computed block
 
-    /// Returns the state of the hammer's face, or of the force that replaces it.
+    /// Returns the state of the hammer face, or of the force that replaces the hammer.
     const FaceNodeState& face() const { return m_force ? m_force->state() : m_face.state(); }
+    /// Returns the state of bit and rock.
     const BitNodeState& bit() const { return m_bit.state(); }
-    const std::vector<ImpactEvent>& events() const { return m_events; }  ///< where they are wanted
+    /// Returns the contact events of bit and rock so far; empty unless requested.
+    const std::vector<ImpactEvent>& events() const { return m_events; }
 
-    double passing(std::size_t section) const { return m_passing[section]; }  ///< e^−αL
-    double held() const;                                                      ///< cells on their way
-    /// Returns the extra work of cells that were cut on their way, and of those with events, in cells.
+    /// Returns the factor e^−αL by which a section reduces the amplitude of a wave.
+    double passing(std::size_t section) const { return m_passing[section]; }
+    /// Returns the number of cells that are within all sections at one time.
+    double held() const;
+    /// Returns the work beyond the steps themselves, in cells: for cells that were cut within sections, and
+    /// for cells with contact events.
     long work() const { return m_recut + workOfEvents(); }
+    /// Returns the work of cells with contact events, in units of the work of a cell without.
     long workOfEvents() const;
-    /// Returns why it cannot go on; empty if it can.
+    /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const {
         return m_bit.failureReason().empty() ? m_face.failureReason() : m_bit.failureReason();
     }
 
   private:
-    /// All that a block of steps changes beside the lines.
+    /// State of all nodes, except the waves within sections, that a block of steps changes.
     struct Nodes {
         FaceNodeState face;
         BitNodeState bit;
@@ -72,11 +86,12 @@ class CellLattice {
     void keepNodes();
     void restoreNodes();
 
-    /// A jump of a wave that a node makes within a step of the block.
+    /// Jump of a wave that a node causes within a step of the block.
     struct NodeJump {
         bool found = false;
         std::size_t node = 0, step = 0;
-        double place = 0;  ///< in the cell, 0 … 1
+        /// Place of the jump as a fraction of the cell, 0 … 1.
+        double place = 0;
     };
 
     void setWidths();
@@ -99,26 +114,38 @@ class CellLattice {
     std::size_t faceSection() const { return m_plan->problem().hammerSections(); }
 
     const MarchPlan* m_plan = nullptr;
-    std::size_t m_count = 0;        ///< of sections; lines and joints may be kept of more
-    std::vector<double> m_passing;  ///< e^−αL of each section
+    /// Number of sections; m_lines and m_joints may be longer.
+    std::size_t m_count = 0;
+    /// Factor e^−αL by which each section reduces the amplitude of a wave.
+    std::vector<double> m_passing;
     CellCuts m_cuts;
-    std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]; that of the face is not used
+    /// Joint [j] is in front of section j + 1; the joint at the hammer face is not used.
+    std::vector<Joint> m_joints;
     FaceNode m_face;
-    std::optional<ForceNode> m_force;  ///< before the first section; replaces hammer and face
+    /// Force on the rear end of the first section, which replaces hammer and face.
+    std::optional<ForceNode> m_force;
     BitNode m_bit;
-    std::vector<DelayLine<WaveCell>> m_lines;  ///< waves back, of each section
-    std::vector<WaveCell> m_downs;             ///< waves down over the block, of one section after the other
-    std::vector<NodeTurn> m_turns;             ///< nodes and their steps in a block, in order
+    /// Waves away from the rock, for each section.
+    std::vector<DelayLine<WaveCell>> m_lines;
+    /// Waves towards the rock over the block, for one section after the other.
+    std::vector<WaveCell> m_downs;
+    /// Nodes and their steps in a block, in order of computation.
+    std::vector<NodeTurn> m_turns;
     CutAt m_cutAt = CutAt::nothing;
-    std::size_t m_faceTaken = 0, m_bitTaken = 0;  ///< steps of the block whose jumps are taken as they are
+    /// Number of steps of the block after which face and bit may request cuts.
+    std::size_t m_faceTaken = 0, m_bitTaken = 0;
     long m_step = 0;
     std::vector<ImpactEvent> m_events;
     long m_recut = 0, m_mostRecut = 0;
-    bool m_mayCut = true;               ///< with more parts the way that is left would be too much work
-    std::vector<WaveCell> m_weakened;   ///< waves back over the block, as they arrive
-    std::vector<WaveCell> m_bitForces;  ///< over the block
+    /// Whether cuts are still allowed; false once the rest of the blow would take too much work with more
+    /// parts.
+    bool m_mayCut = true;
+    /// Waves away from the rock over the block, as they arrive at the rear end of a section.
+    std::vector<WaveCell> m_weakened;
+    /// Impact force for each step of the block.
+    std::vector<WaveCell> m_bitForces;
 
-    // Only for their memory
+    // Members that are kept only to reuse their memory
     Nodes m_before;
     CellCuts m_coarse;
     std::vector<WaveCell> m_whole;

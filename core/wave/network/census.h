@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that moves at one time: momentum, energy, penetration, gap.
+// Momentum, energy and state of everything that moves, at one time.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,32 @@
 
 namespace drillwave {
 
-/// Integrals of one wave of a section: over its past in the section, and over its present content.
+/// Integrals over time of one wave of a section: over the part that has left the section, and over the part
+/// that is in it.
 struct LineSums {
-    double passed = 0, passedSquare = 0;    ///< ∫ and ∫² of the part that has left, as it entered
-    double entered = 0, enteredSquare = 0;  ///< of the content, as it entered
-    double present = 0, presentSquare = 0;  ///< of the content, as it is now
+    /// ∫f dt and ∫f² dt of the part of the wave f that has left the section, with the amplitudes at its
+    /// entry.
+    double passed = 0, passedSquare = 0;
+    /// ∫f dt and ∫f² dt of the part of the wave f in the section, with the amplitudes at its entry.
+    double entered = 0, enteredSquare = 0;
+    /// ∫f dt and ∫f² dt of the part of the wave f in the section, with its present amplitudes.
+    double present = 0, presentSquare = 0;
 };
 
-/// The sums over one wave between two clock times while cells go by.
+/// Accumulator of the integrals over one wave of a section, cell by cell.
 class LineCensus {
   public:
-    /// Sums up the line at the clock `to`, filled since `from`; it loses `decay` of the logarithm of its
-    /// amplitude over that time. Before clock 0 the wave was `before`.
+    /// Creates the integrals of a wave for the clock time `to`. The section then contains what entered since
+    /// `from`. Over that time the logarithm of the amplitude decreases by `decay`. Before clock time 0 the
+    /// wave was constant, `before`.
     LineCensus(double from, double to, double decay, double before);
 
-    /// Returns whether cells between two clock times matter; earlier ones do only if something is lost.
+    /// Returns whether cells that enter between two clock times contribute. Cells that have left the section
+    /// only do if energy is lost.
     bool concerns(double start, double end, bool losses) const {
         return start < m_to && (losses || end > m_from);
     }
-    /// Adds a cell that enters at clock `start`.
+    /// Adds a cell that enters the section at the clock time `start`.
     void add(const WaveCell& cell, double start, double width) {
         if (start >= m_to) return;
         if (start + width <= m_from) {
@@ -47,9 +54,10 @@ class LineCensus {
             addAcross(cell, start, width);
         }
     }
-    /// Sets the part entered by `to` of the cell that begins at clock `start`. A cell only has the moments of
-    /// its wave as a whole: a part of it has others.
+    /// Sets the exact part, up to the clock time `to`, of the cell that begins at `start`. It replaces the
+    /// first part of that cell's cubic, which has the moments of the whole cell only.
     void setEntered(const WaveCell& part, double start) { m_entered = {part, start}; }
+    /// Returns the integrals of the cells added so far.
     const LineSums& sums() const { return m_sums; }
 
   private:
@@ -64,55 +72,74 @@ class LineCensus {
     std::optional<Entered> m_entered;
 };
 
-/// Motions and energies at one time, over the whole string. Units of Problem.
+/// Motions and energies of the whole system at one time. Units are the dimensionless ones of Problem
+/// (problem.h): time t0, force F0, impulse I0 = F0 t0, energy I0²/(Zr t0).
 struct CensusResult {
+    /// Time for which all members hold, in units of t0.
     double time = 0;
+    /// State of bit and rock at that time.
     BitNodeState bit = {};
+    /// State of the contact of hammer and string at that time.
     FaceNodeState face = {};
+    /// Momentum [I0] and energy [I0²/(Zr t0)] of the hammer.
     double hammerMomentum = 0, hammerEnergy = 0;
+    /// Momentum [I0] and energy [I0²/(Zr t0)] of the string.
     double stringMomentum = 0, stringEnergy = 0;
+    /// Energy [I0²/(Zr t0)] lost so far in joints and in sections, and momentum [I0] lost in both.
     double jointLoss = 0, rodLoss = 0, externalMomentum = 0;
+    /// Elastic energy in the contact stiffness of the hammer face [I0²/(Zr t0)].
     double faceEnergy = 0;
 };
 
-// Census of hammer and string at one time, taken during the march.
+// Sums over hammer and string at one time, taken while the blow is computed
 
-/// Clocks of a string: at every place, the clock of the face less the travel time to it.
+/// Clocks of the nodes (ends of sections). A node's clock lags behind the time by the travel time from the
+/// hammer face to the node.
 struct StringClocks {
-    /// Sets the clocks of a string whose sections take these times one way [t0].
+    /// Sets the clocks of a string. `transitTimes` are the one-way transit times of its sections, in units of
+    /// t0.
     void begin(std::size_t hammerSections, const std::vector<double>& transitTimes);
 
-    std::vector<double> delays;  ///< of node i: time = clock + delays[i]; below 0 in the hammer
+    /// Delay of each node: time = clock + delays[i], in units of t0. It is negative in the hammer.
+    std::vector<double> delays;
+    /// One-way transit time of each section, in units of t0.
     std::vector<double> transitTimes;
+    /// Returns the delay of the rear end of the hammer, the smallest one; ≤ 0.
     double earliest() const { return delays.front(); }
+    /// Returns the delay of the bit, the largest one.
     double bit() const { return delays.back(); }
 };
 
-/// Momentum and energy of everything at `time`, complete when every node has passed it. Takes one census
-/// after another in the same memory.
+/// Sums of momentum and energy over hammer, string and rock at one time. They are complete when every node's
+/// clock has passed that time. One sum after another can be taken in the same memory.
 class StringCensus {
   public:
-    /// `problem` and `clocks` must outlive it.
+    /// Starts a new sum for the time `time`, in units of t0. `problem` and `clocks` must outlive it.
     void begin(const Problem& problem, const StringClocks& clocks, double time);
-    /// Whether it is between begin() and finish(). All else requires that.
+    /// Returns whether a sum is being taken, from begin() to finish(). All other functions require this.
     bool isUnderWay() const { return m_isUnderWay; }
+    /// Ends the present sum without a result.
     void abandon() { m_isUnderWay = false; }
 
+    /// Returns the time for which the sum is taken, in units of t0.
     double time() const { return m_result.time; }
-    /// The clock at which the last node has passed.
+    /// Returns the clock reading at which the last node has passed the time of the sum, in units of t0.
     double lastClock() const { return m_result.time - m_clocks->earliest(); }
-    /// The time on the clock of a node.
+    /// Returns the reading of a node's clock at the time of the sum, in units of t0.
     double clockOf(std::size_t node) const { return m_result.time - m_clocks->delays[node]; }
 
-    /// Waves of section `j` at its rear end, and at its front end.
+    /// Returns the sums of the wave towards the rock that enters section `j` at its rear end.
     LineCensus& down(std::size_t j) { return m_down[j]; }
+    /// Returns the sums of the wave away from the rock that enters section `j` at its front end.
     LineCensus& up(std::size_t j) { return m_up[j]; }
+    /// Sets the state of bit and rock at the time of the sum.
     void setBit(const BitNodeState& bit) { m_result.bit = bit; }
+    /// Sets the state of the hammer face at the time of the sum.
     void setFace(const FaceNodeState& face) { m_result.face = face; }
-    /// Sets the velocity of the mass after section `j`.
+    /// Sets the velocity of the mass after section `j`, in units of F0/Zr.
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 
-    /// The sums, once lastClock() is passed.
+    /// Returns the sums and ends this census. Requires that the clocks have passed lastClock().
     CensusResult finish();
 
   private:
@@ -124,8 +151,8 @@ class StringCensus {
     CensusResult m_result;
 };
 
-/// Returns the time from which a string without losses cannot meet rock or hammer again, provided that it
-/// meets neither between the census and that time (strings §8). Nothing where it is unknown.
+/// Returns the time t/t0 from which a string without losses cannot meet rock or hammer again, if it meets
+/// neither between the census and that time (strings §8). Returns nothing if that time is unknown.
 std::optional<double> restTime(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves on their way back through a section.
+// Waves on their way through a section towards the hammer.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace drillwave {
 
-/// Cells, or means of cells, that leave as many cells later as the section is long: a window that moves over
-/// a buffer.
+/// Queue of fixed length for the waves that run through a section. Cells (or means of cells) leave it as many
+/// steps after their entry as the section's round trip has. It is a window that moves over a buffer.
 template <class Cell>
 class DelayLine {
   public:
-    /// Restarts in the same memory: as long as `delay`, to be filled by content(); at most `mostBlock` cells
-    /// are added before advance().
+    /// Restarts the queue with the length `delay`, in the same memory. Its content must be written by
+    /// content(). At most `mostBlock` cells may be written before each advance().
     void restart(std::size_t delay, std::size_t mostBlock) {
         m_mostBlock = mostBlock;
         m_delay = delay;
@@ -24,16 +24,19 @@ class DelayLine {
         if (m_cells.size() < room()) grow();
     }
 
-    /// Returns the next cells to leave.
+    /// Returns the next cells that leave the section.
     const Cell* arriving() const { return m_cells.data() + m_at; }
-    /// Returns the place of the next cells to enter.
+    /// Returns the memory for the next cells that enter the section.
     Cell* leaving() { return m_cells.data() + m_at + m_delay; }
+    /// Returns the last written cells that enter the section.
     const Cell* leaving() const { return m_cells.data() + m_at + m_delay; }
+    /// Returns the length of the queue in cells.
     std::size_t delay() const { return m_delay; }
-    /// Returns everything on its way, the oldest first.
+    /// Returns all cells in the section, the oldest first.
     std::span<const Cell> content() const { return {arriving(), m_delay}; }
     std::span<Cell> content() { return {m_cells.data() + m_at, m_delay}; }
 
+    /// Advances the queue by `block` cells, after as many have been written at leaving().
     void advance(std::size_t block) {
         m_at += block;
         if (m_at <= m_last) return;
@@ -42,10 +45,12 @@ class DelayLine {
     }
 
   private:
-    /// The more room, the less often all that is on its way is moved back to the beginning.
+    /// Returns the size of the buffer. The larger it is, the less often its content is moved back to the
+    /// start.
     std::size_t room() const { return 3 * m_delay + 2 * m_mostBlock; }
 
-    /// To more than is needed: it becomes longer with every cut of the cells.
+    /// Enlarges the buffer to more than is needed now, because the queue becomes longer with every cut of the
+    /// cells.
     void grow() {
         if (m_cells.capacity() < room()) {
             const std::size_t more = std::max(room(), 2 * m_cells.capacity());
@@ -58,7 +63,7 @@ class DelayLine {
     std::size_t m_delay = 0;
     std::size_t m_mostBlock = 0;
     std::size_t m_at = 0;
-    std::size_t m_last = 0;  ///< of m_at, before what is on its way is moved back
+    std::size_t m_last = 0;  ///< largest m_at before the content is moved back to the start
     std::vector<Cell> m_cells;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The face of the hammer on the string: it pushes and cannot pull (strings §4).
+// Contact of hammer and string: it can push and cannot pull (strings §4).
 #pragma once
 
 #include <optional>
@@ -13,56 +13,79 @@
 
 namespace drillwave {
 
-/// Sums and first events at the face up to a time.
+/// Sums and first events of the contact force P of hammer and string, up to a time. Units are the
+/// dimensionless ones of Problem (problem.h).
 struct FaceRecord {
-    double impulse = 0;           ///< ∫P dt
-    double impulseMoment = 0;     ///< ∫P t dt
-    double work = 0;              ///< ∫Fa v dt of a force that replaces the hammer
-    double firstRelease = -1;     ///< when P first fell to zero; negative: never
-    double firstSeparation = -1;  ///< when the faces first moved apart; negative: never
+    /// Impulse of the contact force, ∫P dt, in units of I0.
+    double impulse = 0;
+    /// First moment of the contact force over time, ∫P t dt, in units of I0 t0.
+    double impulseMoment = 0;
+    /// Work of a prescribed force that replaces the hammer, ∫Fa v dt [I0²/(Zr t0)].
+    double work = 0;
+    /// Time t/t0 at which the contact force first fell to zero; negative if it did not.
+    double firstRelease = -1;
+    /// Time t/t0 at which the faces first moved apart; negative if they did not.
+    double firstSeparation = -1;
 };
 
-/// State of the faces, and its history.
+/// State of the contact of hammer and string at one time, with its record so far.
 struct FaceNodeState {
+    /// Whether hammer and string are apart.
     bool apart = false;
-    bool released = false;  ///< for ever: no re-strike
+    /// Whether hammer and string have separated for ever, because they may not meet again.
+    bool released = false;
+    /// Gap between hammer and string, in units of I0/Zr; ≥ 0.
     double gap = 0;
-    double force = 0;  ///< P of faces with a stiffness
+    /// Contact force P/F0 of faces with a contact stiffness; not used for rigid faces.
+    double force = 0;
+    /// Sums and first events of the contact force so far.
     FaceRecord record;
 };
 
-/// Two faces of impedances Z1 and Z2 with a gap h ≥ 0, w = 2(f1/Z1 + b2/Z2) how fast they would close if
-/// nothing held them. Rigid: P = Z* w where they touch. With a stiffness: P' = kc (w − P/Z*). Apart: h' = −w.
+/// Contact of the two faces of hammer (impedance Z1) and string (Z2), with a gap h ≥ 0. If no force acted
+/// between them, they would close at the velocity w = 2(f1/Z1 + b2/Z2). Rigid faces in contact: P = Z* w with
+/// Z* = Z1 Z2/(Z1 + Z2). Faces with a contact stiffness: P' = kc (w − P/Z*). Apart: h' = −w.
 class FaceNode {
   public:
     FaceNode() : FaceNode(1, 1, {}) {}
+    /// Creates the contact between sections of these impedances; `face` holds its stiffness and whether it
+    /// may close again.
     FaceNode(double impedance1, double impedance2, const HammerFace& face);
 
+    /// Sets the widths of the cells (time steps) that follow, in units of t0; step() refers to them by index.
     void setWidths(const std::vector<double>& widths);
 
-    /// Arriving and leaving waves of one cell.
+    /// Waves of one cell (time step) at the contact. The waves f1 (in the hammer) and b2 (in the string)
+    /// arrive; b1 and f2 leave.
     struct Waves {
         const WaveCell &f1, &b2;
         WaveCell &b1, &f2;
     };
-    /// Takes one cell of width number `index` that begins at `time` [t0]. If it sets a place to cut, the cell
-    /// must be taken again in parts.
+    /// Advances the contact by one cell, and writes the leaving waves. The cell has the width number `index`
+    /// and begins at `time`, in units of t0. If `jump` returns a place, all cells must be cut there, and the
+    /// step repeated.
     void step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump);
-    /// State after the first `share` of that cell, and the waves that have left over that
-    /// share.
+    /// State at a time within a cell, and the leaving waves up to that time.
     struct Part {
         FaceNodeState state;
         WaveCell f2, b1;
     };
+    /// Returns the state after the fraction `share` (0 … 1) of the next cell, without advancing the contact.
+    /// f1 and b2 are the arriving waves, `index` is the number of the cell's width, `time` its start in units
+    /// of t0.
     Part partOfStep(const WaveCell& f1, const WaveCell& b2, int index, double share, double time) const;
 
+    /// Returns the state of the contact after the last step.
     const FaceNodeState& state() const { return m_now; }
+    /// Restores an earlier state of the contact, with its record.
     void setState(const FaceNodeState& state) { m_now = state; }
+    /// Returns the contact stiffness κc = kc t0/Zr; nothing for rigid faces.
     std::optional<double> stiffness() const { return m_stiffness; }
-    /// Returns the rate at which the force follows [1/t0]; 0 for rigid faces.
+    /// Returns the rate at which the contact force follows the waves, in units of 1/t0; 0 for rigid faces.
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
-    /// Pieces that cells with events took.
+    /// Returns the number of pieces computed in cells with contact events, a measure of the work.
     long pieces() const { return m_pieces; }
+    /// Returns the reason why an event could not be located; empty if there was no such failure.
     std::string_view failureReason() const { return m_failureReason; }
 
   private:
@@ -79,31 +102,37 @@ class FaceNode {
     void separate(double time);
 
     double m_impedance1, m_impedance2;
-    double m_of1, m_of2;  ///< 2/Z1, 2/Z2: from waves to the closing speed
-    double m_common;      ///< Z* = Z1 Z2/(Z1 + Z2)
+    /// 2/Z1 and 2/Z2: closing velocity per arriving wave.
+    double m_of1, m_of2;
+    /// Combined impedance Z* = Z1 Z2/(Z1 + Z2).
+    double m_common;
     std::optional<double> m_stiffness;
     bool m_restrike;
     std::vector<double> m_widths;
-    std::vector<Relaxation> m_maps;  ///< of faces with a stiffness
+    /// Maps of the contact force for each width, for faces with a contact stiffness.
+    std::vector<Relaxation> m_maps;
 
     FaceNodeState m_now;
     long m_pieces = 0;
     std::string_view m_failureReason;
 };
 
-// A force on the rear end of a string, which does not feel what comes back (strings §4).
+// Prescribed force on the rear end of a string, which reflected waves do not change (strings §4)
 
-/// The rear end of a string of impedance Z under the force Fa: f = Fa − b, and it moves at v = (f − b)/Z.
-/// Once the force is over, it is a face from which a hammer has parted for ever.
+/// Rear end of a string of impedance Z under the prescribed force Fa: f = Fa − b, v = (f − b)/Z. After the
+/// end of the force, its state is that of a face from which the hammer has separated for ever.
 class ForceNode {
   public:
-    /// `force` must outlive it.
+    /// Creates the rear end of a section of this impedance. `force` must outlive it.
     ForceNode(const PulseForce& force, double impedance) : m_force(&force), m_impedance(impedance) {}
 
-    /// The wave that leaves over a cell of this width that begins at `time` [t0], while `back` arrives.
+    /// Returns the wave f towards the rock over a cell of the given width that begins at `time` [t0], while
+    /// the wave `back` arrives.
     WaveCell step(const WaveCell& back, double time, double width);
 
-    const FaceNodeState& state() const { return m_now; }  ///< with the record of Fa
+    /// Returns the state of the rear end, including impulse and work of the force so far.
+    const FaceNodeState& state() const { return m_now; }
+    /// Restores an earlier state of the rear end, with its record.
     void setState(const FaceNodeState& state) { m_now = state; }
 
   private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammer and string while nothing touches them: whether they stay away from each other and from the rock.
+// Motion of hammer and string while nothing touches them: check that they stay away from each other and from
+// the rock.
 #pragma once
 
 #include <span>
@@ -13,33 +14,41 @@
 
 namespace drillwave {
 
-/// State of hammer and string at the beginning of a flight.
+/// State of hammer and string at the start of a flight, in the dimensionless units of Problem (problem.h).
 struct FlightStart {
-    double faceGap = 0;      ///< between hammer and string
-    double bitDistance = 0;  ///< between bit and rock
+    /// Gap between hammer and string, in units of I0/Zr.
+    double faceGap = 0;
+    /// Distance between bit and rock, in units of I0/Zr.
+    double bitDistance = 0;
+    /// Energies of hammer and string [I0²/(Zr t0)].
     double hammerEnergy = 0, stringEnergy = 0;
-    bool released = false;  ///< whether the hammer does not matter any more
+    /// Whether hammer and string have separated for ever, so that their gap does not matter.
+    bool released = false;
 };
 
-/// Sections that end in steps of impedance only transmit the means of their waves over a cell like the waves,
-/// which give the exact places of the ends after each cell. Within a cell neither end gets nearer than at its
-/// ends by more than √(Δ E/Z), by the inequality of Cauchy and Schwarz, E the energy of its body.
+/// Check that hammer, string and rock stay apart, computed with the means of waves over each cell (time
+/// step). Steps of impedance transmit these means in the same way as the waves. The means give the exact
+/// positions of the ends after each cell. Within a cell, an end of a body of energy E comes no nearer than
+/// √(Δ E/Z) (inequality of Cauchy and Schwarz).
 class FreeFlight {
   public:
-    /// Returns whether flights of a string can be followed: requires joints without mass or loss.
+    /// Returns whether the method applies to the string: no section may have a mass, a loss or attenuation.
     static bool suits(const Problem& problem);
 
-    /// Returns whether distances are so large that nothing can touch, whatever the waves are.
+    /// Returns whether the distances at the start are large enough that nothing can touch within a cell of
+    /// this size [t0], whatever the waves are.
     static bool isClear(const Problem& problem, double cell, const FlightStart& start);
 
-    /// Begins a flight in the same memory. Its waves must be written before it goes on.
+    /// Starts a flight in the same memory. The waves must be written by waves() before the flight continues.
     void begin(const Problem& problem, const CellGrid& grid, const FlightStart& start);
-    /// Means of the cells of a section on their way back, the oldest first, as many as its round trip has.
+    /// Returns the means of the waves in a section that run towards the hammer, the oldest first, one for
+    /// each cell of its round trip.
     std::span<double> waves(std::size_t section) { return m_lines[section].content(); }
 
-    /// Continues for at least that many cells. False as soon as something may have touched, or after a stop.
+    /// Computes the motion for at least `cells` cells. Returns false as soon as something may have touched,
+    /// or after a stop request.
     bool staysClear(double cells, const std::stop_token& stop);
-    /// Cells that it went.
+    /// Returns the number of cells computed so far.
     double gone() const { return m_gone; }
 
   private:
@@ -47,7 +56,7 @@ class FreeFlight {
         double face = 0, bit = 0;
     };
     static Margins margins(const Problem& problem, double cell, const FlightStart& start);
-    /// Cells taken by one node before the next one follows.
+    /// Number of cells that one node computes before the next one.
     static constexpr std::size_t block = 128;
 
     bool step(const NodeTurn& turn);
@@ -56,14 +65,17 @@ class FreeFlight {
 
     double* down(std::size_t section) { return m_downs.data() + section * block; }
 
-    std::size_t m_face = 0;   ///< number of the node
-    std::size_t m_count = 0;  ///< of sections
+    std::size_t m_face = 0;   ///< index of the node between hammer and string
+    std::size_t m_count = 0;  ///< number of sections of hammer and string
     double m_cell = 0;
     bool m_released = false;
     std::vector<double> m_impedances;
-    std::vector<double> m_reflections;       ///< of the node in front of section j
-    std::vector<DelayLine<double>> m_lines;  ///< of sections; there may be more than are used
-    std::vector<double> m_downs;             ///< waves down over a block, of one section after the other
+    /// Reflection coefficient of the node in front of section j.
+    std::vector<double> m_reflections;
+    /// Waves of the sections; there may be more entries than are used.
+    std::vector<DelayLine<double>> m_lines;
+    /// Waves towards the rock over a block, for one section after the other.
+    std::vector<double> m_downs;
     std::vector<std::size_t> m_delays;
     std::vector<NodeTurn> m_turns;
     double m_faceGap = 0, m_bitDistance = 0;

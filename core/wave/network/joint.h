@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where one section meets the next: a step of impedance, a lumped mass, a loss (strings §3).
+// Joint of two sections: a step of impedance, a lumped mass, a loss (strings §3).
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,18 @@
 
 namespace drillwave {
 
-/// Two sections end to end; f1 and b2 arrive, b1 and f2 leave. With a mass
+/// Joint of two sections with impedances Z1 and Z2. The waves f1 and b2 arrive, b1 and f2 leave. With a mass
+/// M:
 ///
 ///     M v' + (Z1 + Z2) v = 2(f1 − b2),   b1 = f1 − Z1 v,   f2 = b2 + Z2 v
 ///
-/// without one b1 = b2 + R(f1 − b2), f2 = f1 + R(f1 − b2), R = (Z2 − Z1)/(Z1 + Z2). A loss weakens the
-/// transmitted wave on the far side by √(1 − η), in either direction.
+/// Without a mass: b1 = b2 + R(f1 − b2), f2 = f1 + R(f1 − b2), R = (Z2 − Z1)/(Z1 + Z2). A loss η reduces the
+/// amplitude of the transmitted wave on the far side by √(1 − η), in both directions.
 class Joint {
   public:
     Joint() = default;
+    /// Creates the joint after the section `near`, whose mass and loss it has. `velocity` is the initial
+    /// velocity of the mass, in units of F0/Zr.
     Joint(const UniformSection& near, const UniformSection& far, double velocity)
         : m_impedance1(near.impedance),
           m_impedance2(far.impedance),
@@ -30,33 +33,41 @@ class Joint {
           m_passing(std::sqrt(1 - near.loss)),
           m_velocity(velocity) {}
 
-    /// The cells that follow have these widths [t0], in turn.
+    /// Sets the widths of the parts of a cell (time step), in order, in units of t0.
     void setWidths(const std::vector<double>& widths) {
         m_maps.clear();
         if (m_mass > 0)
             for (const double width : widths) m_maps.emplace_back(rate() * width);
     }
 
-    /// Takes the next `count` cells from part number `part` of `parts` on. f1 = f2 and b2 = b1 are allowed.
+    /// Computes the leaving waves b1 and f2 from the arriving waves f1 and b2 for the next `count` steps. The
+    /// first of them is part number `part` of the `parts` parts of a cell. f1 = f2 and b2 = b1 are allowed.
     void step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell* f2, std::size_t count,
               std::size_t part, std::size_t parts);
 
+    /// Returns the reflection coefficient R of the joint for a wave from the near side, −1 … 1.
     double reflection() const { return m_reflection; }
-    /// Amplitude that passes the loss.
+    /// Returns the factor √(1 − η) by which the loss reduces the amplitude of a wave.
     double passing() const { return m_passing; }
+    /// Returns the lumped mass M/(Zr t0); ≥ 0.
     double mass() const { return m_mass; }
+    /// Returns the rate at which the velocity of the mass follows the waves, in units of 1/t0; requires a
+    /// mass.
     double rate() const { return (m_impedance1 + m_impedance2) / m_mass; }
-    double velocity() const { return m_velocity; }  ///< of the mass
+    /// Returns the velocity of the mass, in units of F0/Zr, positive towards the rock.
+    double velocity() const { return m_velocity; }
+    /// Sets the velocity of the mass, in units of F0/Zr.
     void setVelocity(double velocity) { m_velocity = velocity; }
-    /// Takes a single cell, or part of a cell, of this width; requires a mass.
+    /// Computes the leaving waves for a single cell, or part of one, of the given width [t0]; requires a
+    /// mass.
     void stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2);
 
   private:
     void stepMass(const Relaxation& map, const WaveCell& f1, const WaveCell& b2, WaveCell& b1, WaveCell& f2);
 
     double m_impedance1 = 1, m_impedance2 = 1;
-    double m_toVelocity = 1;  ///< 2/(Z1 + Z2)
-    double m_reflection = 0;  ///< R
+    double m_toVelocity = 1;  ///< factor 2/(Z1 + Z2) from waves to velocity
+    double m_reflection = 0;  ///< reflection coefficient R of the joint, −1 … 1
     double m_mass = 0;
     double m_passing = 1;
     double m_velocity = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plan of a blow before it is followed: the string on its cells, its clocks, its cuts, its work.
+// Plan of the computation of a blow on a drill string: sections in whole cells, clocks, cuts and estimated
+// work.
 #pragma once
 
 #include <cstddef>
@@ -13,60 +14,84 @@
 
 namespace drillwave {
 
-// In which order the nodes of a string take the steps of a block.
+// Order in which the nodes (ends of sections) compute the steps of a block
 
-/// Steps of a block that a node takes without waiting for others.
+/// Consecutive steps of a block that one node computes without waiting for others.
 struct NodeTurn {
-    std::size_t node;  ///< before section `node`; after the last one the bit
+    /// Index of the node: node j is the rear end of section j; the index after the last section is the bit.
+    std::size_t node;
+    /// First step within the block, and number of steps.
     std::size_t from, count;
+    /// Returns the index of the first step after these.
     std::size_t behind() const { return from + count; }
     bool operator==(const NodeTurn&) const = default;
 };
 
-/// Writes the order of the nodes into `turns`. A node waits for the waves that the next one made `delays`
-/// steps before, a round trip of each section, > 0. Where that is less than a block, both nodes take turns.
+/// Writes the order in which the nodes compute a block of `block` steps into `turns`. A node needs the waves
+/// that the next node made a round trip earlier; `delays` are the round trips of the sections in steps, > 0.
+/// If a round trip is shorter than a block, both nodes take turns.
 void planTurns(std::span<const std::size_t> delays, std::size_t block, std::vector<NodeTurn>& turns);
 
-/// Requested results of a blow besides its sums.
+/// Requested results of a blow on a drill string. The integrals over the blow are always computed.
 struct NetworkWants {
+    /// Whether the times of contact events are recorded.
     bool events = false;
-    bool forces = false;           ///< the largest of every section
-    bool reflections = false;      ///< with the forces: reflections at joints
-    bool forcesIfTheyFit = false;  ///< omits them, if too much work, to get a result
-    bool histories = false;        ///< the waves of every section
+    /// Whether the largest forces of every section are computed.
+    bool forces = false;
+    /// Whether the reflections at joints are computed; requires `forces`.
+    bool reflections = false;
+    /// Whether the largest forces may be left out if the work limit would otherwise be exceeded.
+    bool forcesIfTheyFit = false;
+    /// Whether the waves of every section are recorded over time.
+    bool histories = false;
+    /// Kind of events at which cells are cut.
     CutAt cutAt = CutAt::jumps;
+    /// Fineness of the parts of a cell after a cut.
     Grading grading{0.3, 1.5, 24};
     bool operator==(const NetworkWants&) const = default;
 };
 
-/// Estimated work of a run that is followed to its end without events.
+/// Estimated work of a computation that runs to its limit of time, without the work of contact events.
 struct ForeseenWork {
-    double work = 0;  ///< [cells × nodes]
-    double held = 0;  ///< number of cells on their way at once
+    /// Work, in cells (time steps) times nodes (ends of sections).
+    double work = 0;
+    /// Number of cells that are stored for all sections at one time.
+    double held = 0;
 };
 
-/// Steps taken by one node before the next one follows: as many as fit into a first-level cache.
+/// Number of steps that one node computes before the next one; as many as fit into a first-level cache.
 inline constexpr std::size_t stepsOfBlock = 64;
 
-/// Work of a cell for its largest forces, in cells.
+/// Work to find the largest forces in one cell, in units of the work of a cell without.
 inline constexpr long workOfForces = 8;
 
-/// Plans one blow after another in the same memory; uses no memory for waves.
+/// Plan for the computation of a blow. One plan after another can be made in the same memory; no memory for
+/// waves is used.
 class MarchPlan {
   public:
+    /// Makes the plan for a blow. `grid` has the cell and the round trips of the sections; `wants` has the
+    /// requested results.
     void begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
 
-    /// Returns the string as its cells have it: round trips are whole cells, and there is no joint after the
-    /// last section of hammer or string.
+    /// Returns the problem as it is computed: round trips are rounded to whole cells, and the last section of
+    /// hammer and of string has no loss after it.
     const Problem& problem() const { return m_problem; }
+    /// Returns the number of sections of hammer and string.
     std::size_t sections() const { return m_problem.sections.size(); }
+    /// Returns the size of the cells and the round trips of the sections in cells.
     const CellGrid& grid() const { return m_grid; }
+    /// Returns the requested results of the blow.
     const NetworkWants& wants() const { return m_wants; }
+    /// Returns the clocks of all nodes (ends of sections).
     const StringClocks& clocks() const { return m_clocks; }
-    const CellCuts& cuts() const { return m_cuts; }  ///< at the beginning
-    bool isLossy() const { return m_lossy; }         ///< joints or sections lose energy
-    /// Returns the time to which the blow is followed at most [t0].
+    /// Returns the division of cells into parts at the start of the blow.
+    const CellCuts& cuts() const { return m_cuts; }
+    /// Returns whether joints or sections of the string lose energy.
+    bool isLossy() const { return m_lossy; }
+    /// Returns the latest time to which the blow is computed, in units of t0: the end time, the next blow, or
+    /// 40 round trips after the end of the force.
     double limitTime() const;
+    /// Returns the estimated work of the blow, and the number of cells it stores.
     const ForeseenWork& foreseen() const { return m_foreseen; }
 
   private:
@@ -80,7 +105,8 @@ class MarchPlan {
     bool m_lossy = false;
     std::vector<double> m_transitTimes;
     StringClocks m_clocks;
-    std::vector<double> m_rates;  ///< at which something follows in this string [1/t0]
+    /// Rates at which a quantity in this string follows the waves, in units of 1/t0.
+    std::vector<double> m_rates;
     CellCuts m_cuts;
     ForeseenWork m_foreseen;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A blow on a drill string, followed to its end (strings §8, §11).
+// Computation of a blow on a drill string to its end (strings §8, §11).
 #pragma once
 
 #include <optional>
@@ -16,23 +16,26 @@
 
 namespace drillwave {
 
-/// Takes blocks of steps until the motion can be counted and neither rock nor hammer is met again. Follows
-/// one blow after another in the same memory: if only sums are requested, a blow no larger than those before
-/// allocates nothing. Its parts point to each other, so it cannot be moved.
+/// Computation of a blow in blocks of steps, until it is proven that the string meets neither rock nor hammer
+/// again. One blow after another can be computed in the same memory. If only integrals are requested, a blow
+/// no larger than those before allocates nothing. The object cannot be moved, because its members point to
+/// each other.
 class NetworkMarch {
   public:
     NetworkMarch() = default;
     NetworkMarch(const NetworkMarch&) = delete;
     NetworkMarch& operator=(const NetworkMarch&) = delete;
 
-    /// Returns the estimated work; uses no memory for waves yet.
+    /// Returns the estimated work of a blow; allocates no memory for waves.
     const ForeseenWork& plan(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
-    /// Follows the blow that was planned last, with at most `mostCells` cells × nodes of work.
+    /// Returns the result of the blow that was planned last. The work is limited to `mostCells` (cells ×
+    /// nodes); a blow that needs more is not solved.
     Impact run(long mostCells, const std::stop_token& stop);
+    /// Message for a blow that needs more cells than permitted.
     static constexpr std::string_view tooManyCells = translatable(
         "it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a "
         "shorter end_time");
-    /// Cells on their way at the end of the blow.
+    /// Returns the number of cells that were stored for all sections at the end of the blow.
     double held() const { return m_lattice.held(); }
 
   private:
@@ -54,9 +57,12 @@ class NetworkMarch {
     StringCensus m_census;
     FreeFlight m_flight;
     long m_cells = 0;
-    double m_flown = 0;                  ///< cells times nodes of free flights
-    std::optional<CensusResult> m_free;  ///< when hammer, string and rock were apart, as they are since then
-    double m_landing = 0;                ///< clock before which they are known to stay so, but no longer
+    /// Work of free flights, in cells times nodes.
+    double m_flown = 0;
+    /// Sums at a time when hammer, string and rock were apart, if they have stayed apart since.
+    std::optional<CensusResult> m_free;
+    /// Clock time up to which they are known to stay apart, in units of t0.
+    double m_landing = 0;
 };
 
 }  // namespace drillwave

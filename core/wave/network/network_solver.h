@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blows on drill strings with a stated error (strings §11).
+// Solver for blows on drill strings, with a stated error (strings §11).
 #pragma once
 
 #include <memory>
@@ -13,44 +13,54 @@
 
 namespace drillwave {
 
-/// Accuracy of a solution.
+/// Accuracy of the solution of a blow on a drill string.
 enum class NetworkAccuracy {
-    quick,  ///< one run, cells cut at jumps only; error from the residual of the energy balance
-    sure,  ///< cells cut at every corner of a wave, against a quick run; only the quick run if it is too much
+    /// One run with cells cut at jumps only. The error is estimated from the energy balance.
+    quick,
+    /// A second run with cells cut at every bend of a wave. The error is estimated from the difference of
+    /// both runs. If the second run is too much work, only the quick run is used.
+    sure,
 };
 
-/// Maximum work of one run [cells × nodes]: some seconds.
+/// Maximum work of one run, in cells times nodes; it takes some seconds.
 inline constexpr long mostNetworkCells = 200'000'000;
 
-/// Settings of a run of a string on cells: accuracy, requested results, limits.
+/// Settings for the computation of a blow on a drill string: accuracy, requested results, limits.
 struct NetworkSettings {
+    /// Accuracy, which decides whether one or two runs are made.
     NetworkAccuracy accuracy = NetworkAccuracy::sure;
+    /// Requested results besides the integrals over the blow.
     NetworkWants wants;
-    int halvings = 0;  ///< number of times that the usual cells are halved
+    /// Number of times that the default size of the cells is halved.
+    int halvings = 0;
+    /// Maximum work of one run, in cells times nodes.
     long mostCells = mostNetworkCells;
-    bool roundsForWaves = true;  ///< waves of rounded round trips instead of none
+    /// Whether the waves may come from a run with coarser, rounded round trips if otherwise they cannot be
+    /// kept.
+    bool roundsForWaves = true;
 };
 
-/// Returns why this problem cannot be solved: losses inside the hammer, a bit mass that swings too fast.
-/// Empty if it can be.
+/// Returns the reason why a problem cannot be solved by this method: losses inside the hammer, a bit mass
+/// that oscillates too fast, or a reference case without waves. Returns an empty text if it can be solved.
 std::string_view networkRefusal(const Problem& problem);
 
-/// Writes the cell that all round trips share into `grid`. Returns false if they share none.
+/// Writes the default cell, a common divisor of all round trips, into `grid`. Returns false if there is none
+/// that is large enough.
 bool usualGrid(const Problem& problem, CellGrid& grid);
 
-/// Returns the possible error of the shares of E₀ of a quick run, estimated from the energy that it neither
-/// kept nor lost (strings §11).
+/// Returns the estimated error of efficiency and of other shares of E0, for a single run with cells. It is 20
+/// times the relative error of the energy balance, at least 1e-13 (strings §11).
 double balanceError(const Impact& impact);
 
-/// Solves one blow after another in the same workspace: once warm, a blow of which only sums are requested,
-/// and which is no larger than those before, allocates nothing. Memory for a very long string is released
-/// afterwards. One solver per thread.
+/// Solver for blows on drill strings, which reuses its memory from blow to blow. If only integrals are
+/// requested, a blow no larger than those before allocates nothing. Memory for a very long string is released
+/// afterwards. Each thread needs its own solver.
 ///
-/// Where the waves of a sure run are more than can be kept, they are those of a quick one: values to
-/// some 1e-3 where a wave bends within a cell, or else of a run with round trips rounded until they can
-/// be kept (Impact::wavesDifference). Round trips that share no cell are rounded by up to `rounding`;
-/// the error is then estimated from other cells. A blow that takes more work than permitted is not
-/// solved.
+/// If the waves of the accurate run are too many to be kept, they come from the quick run. Such values may be
+/// wrong by 1e-3 where a wave bends within a cell. If those are too many as well, they come from a run with
+/// rounded round trips (Impact::wavesDifference). Round trips without a common cell are rounded by up to
+/// Impact::rounding. The error is then estimated from a run with other cells. A blow that takes more work
+/// than permitted is not solved.
 class NetworkSolver {
   public:
     NetworkSolver();
@@ -58,15 +68,17 @@ class NetworkSolver {
     NetworkSolver(NetworkSolver&&) noexcept;
     NetworkSolver& operator=(NetworkSolver&&) noexcept;
 
-    /// A stop ends it within milliseconds as not solved.
+    /// Returns the solution of a blow. A stop request ends the computation within milliseconds; the blow is
+    /// then not solved.
     Impact solve(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop = {});
 
   private:
     class Workspace;
-    std::unique_ptr<Workspace> m_workspace;  ///< from the first blow on
+    /// Memory for computations, allocated with the first blow.
+    std::unique_ptr<Workspace> m_workspace;
 };
 
-/// Solves one blow by a solver of its own.
+/// Returns the solution of a blow, computed with a new solver.
 Impact solveNetwork(const Problem& problem, const NetworkSettings& settings,
                     const std::stop_token& stop = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lattice that drill strings are usually solved on: waves constant over each cell of time.
+// Solver for drill strings with waves that are constant over each time step, as usual in other programs.
 #pragma once
 
 #include <stop_token>
@@ -9,17 +9,23 @@
 
 namespace drillwave {
 
-/// Result of a blow on the plain lattice.
+/// Result of a blow on a string whose waves are constant over each time step.
 struct PlainBlow {
+    /// Whether the blow was computed to the end time.
     bool isSolved = false;
-    double efficiency = 0;   ///< work on the rock [E0]
-    double rockImpulse = 0;  ///< [p0]
-    double peakForce = 0;    ///< [F0]
-    long cells = 0;          ///< times nodes
+    /// Efficiency: work on the rock as a share of the blow energy E0.
+    double efficiency = 0;
+    /// Impulse on the rock as a share of the hammer's momentum p0.
+    double rockImpulse = 0;
+    /// Largest impact force, in units of F0.
+    double peakForce = 0;
+    /// Work: number of time steps times number of nodes (ends of sections).
+    long cells = 0;
 };
 
-/// Solves with one value of a wave for each cell and events at the ends of cells: first order in the cell.
-/// For comparison; shares no code with NetworkMarch. Requires an end time.
+/// Returns the solution of a blow with waves that are constant over each time step, and with events at ends
+/// of steps only. The error is proportional to the time step. It serves for comparison and shares no code
+/// with NetworkMarch. Requires an end time.
 PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const std::stop_token& stop = {});
 
 }  // namespace drillwave

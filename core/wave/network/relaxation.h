@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quantity that follows another one at a rate: rock force, face force, lumped mass.
+// Solutions within a cell of y' = rate (q − y), for the force on the rock, the force of the hammer face and
+// lumped masses.
 #pragma once
 
 #include <array>
@@ -9,34 +10,42 @@
 
 namespace drillwave {
 
-/// A Taylor series of the solution of y' = rate (q − y) from one point of a cell on.
+/// Taylor series of the solution of y' = rate (q − y) over a part of a cell (time step).
 struct RelaxationPiece {
+    /// Maximum number of terms of the series.
     static constexpr int capacity = 20;
-    double from = 0;   ///< where in the cell it begins, in its width
-    double width = 1;  ///< u = from + width v, 0 ≤ v ≤ 1
+    /// Start of the part, as a fraction of the cell.
+    double from = 0;
+    /// Width of the part, as a fraction of the cell: u = from + width v, 0 ≤ v ≤ 1.
+    double width = 1;
+    /// Number of terms of the Taylor series, ≤ capacity.
     int count = 0;
-    std::array<double, capacity> c;  ///< y = Σ c_k v^k
+    /// Coefficients of the series, y = Σ c_k v^k.
+    std::array<double, capacity> c;
 
+    /// Returns the solution y at v, a fraction of the part from 0 to 1.
     double value(double v) const { return polynomialValue(c.data(), count, v); }
 };
 
-/// p(from + width v) of the powers p of u.
+/// Returns the coefficients of p(from + width v) as powers of v; `p` holds the coefficients of powers of u.
 WaveCell::Powers seenFrom(const WaveCell::Powers& p, double from, double width);
 
-/// Returns the next piece from `from` on, where y is `start`; it ends at `to`, or where the series ends to be
-/// accurate. After the layer of a fast rate it is the slow solution q − q'/rate + …, exact for a cubic.
-/// `input` are the powers of q over the cell, `rate` is in units of one over the width of the cell.
+/// Returns the series for y' = rate (q − y) with the value `start` at `from`. It ends at `to`, or where it
+/// would become inaccurate. For large rates, after the initial layer, it is the slow solution q − q'/rate +
+/// …, which is exact for a cubic. `input` holds the powers of q over the cell; `rate` is per width of the
+/// cell. `from` and `to` are fractions of the cell.
 RelaxationPiece relaxationPiece(const WaveCell::Powers& input, double rate, double start, double from,
                                 double to = 1);
 
-/// Solution over a whole cell as a linear map, exact except for rounding: y' = rate (q − y).
+/// Solution of y' = rate (q − y) over a whole cell (time step) as a linear map, exact except for rounding.
 class Relaxation {
   public:
     Relaxation() = default;
-    /// `rate` > 0 in units of one over the width of the cell.
+    /// Creates the map; `rate` > 0 is per width of the cell.
     explicit Relaxation(double rate);
 
-    /// The moments of y for an input q and y at the start, which becomes y at the end.
+    /// Returns the moments of y over the cell for the input q. `y` is the value at the start, and becomes
+    /// that at the end.
     WaveCell follow(const WaveCell& q, double& y) const {
         WaveCell out;
         for (int k = 0; k < WaveCell::count; ++k) {
@@ -53,46 +62,60 @@ class Relaxation {
   private:
     void makeFast(double rate);
 
-    std::array<std::array<double, WaveCell::count>, WaveCell::count> m_ofInput{};  ///< [of q][of y]
+    /// response to the input; indices [of q][of y]
+    std::array<std::array<double, WaveCell::count>, WaveCell::count> m_ofInput{};
     std::array<double, WaveCell::count> m_ofStart{};
     std::array<double, WaveCell::count> m_endOfInput{};
-    double m_kept = 1;  ///< e^−rate
+    double m_kept = 1;  ///< factor e^−rate of the initial value
 };
 
-// A bit mass on the rock: two quantities that drive each other.
+// Motion of a bit with mass on the rock, within a cell
 
-/// M V' + Z V + F = 2g, F' = κ V. All in units of the width of a cell where it is one.
+/// Coefficients of M V' + Z V + F = 2g, F' = κ V, for the velocity V of a bit with mass M and the force F of
+/// the rock. Times may be in any unit, such as the width of a cell.
 struct OscillationRates {
-    double impedance;  ///< Z
-    double mass;       ///< M > 0
-    double slope;      ///< κ > 0 of the law
-    /// Returns the rate at which the solution may change [1/time]: the scale of its series.
+    /// Impedance Z of the last section of the string.
+    double impedance;
+    /// Mass M of the bit; > 0.
+    double mass;
+    /// Stiffness κ of the present line of the rock law; > 0.
+    double slope;
+    /// Returns the fastest rate at which the solution can change, in the inverse of the unit of time. It
+    /// limits the width for which the series converges fast.
     double fastest() const;
 };
 
-/// Velocity and force over a piece of a cell: Taylor series in 0 ≤ v ≤ 1.
+/// Taylor series of velocity and force of a bit with mass over a part of a cell, for 0 ≤ v ≤ 1.
 struct OscillationPiece {
+    /// Number of terms of the Taylor series of velocity and of force.
     static constexpr int capacity = 24;
-    double width = 1;  ///< of the piece [time]
+    /// Width of the part, in the unit of time of OscillationRates.
+    double width = 1;
+    /// Coefficients of the velocity, V = Σ c_k v^k.
     std::array<double, capacity> velocity;
+    /// Coefficients of the force, F = Σ c_k v^k.
     std::array<double, capacity> force;
 
+    /// Returns the velocity of the bit at v, 0 ≤ v ≤ 1.
     double velocityAt(double v) const { return polynomialValue(velocity.data(), capacity, v); }
+    /// Returns the force on the rock at v, 0 ≤ v ≤ 1.
     double forceAt(double v) const { return polynomialValue(force.data(), capacity, v); }
 };
 
-/// Returns the piece from `velocity` and `force` over `width` [time] with `width · fastest()` ≤ 1; `g` are
-/// the powers of the arriving wave over just that piece.
+/// Returns the series that starts with `velocity` and `force` and has the given width; width ·
+/// rates.fastest() ≤ 1 is required. `g` holds the powers of the arriving wave over this part only.
 OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell::Powers& g, double width,
                                   double velocity, double force);
 
-/// The solution over a whole cell as a linear map.
+/// Motion of a bit with mass on the rock over a whole cell (time step) as a linear map.
 class Oscillation {
   public:
     Oscillation() = default;
+    /// Creates the map for a cell of this width, in the unit of time of `rates`.
     Oscillation(const OscillationRates& rates, double width);
 
-    /// Writes the moments of V and F; `velocity` and `force` become those at the end.
+    /// Writes the moments of velocity and force over the cell for the arriving wave `g`. `velocity` and
+    /// `force` are those at the start, and become those at the end.
     void follow(const WaveCell& g, double& velocity, double& force, WaveCell& velocities,
                 WaveCell& forces) const;
 

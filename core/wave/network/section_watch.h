@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest forces in a section while its waves go by (strings §7).
+// Search for the largest forces in a section while its waves are computed (strings §7).
 #pragma once
 
 #include <algorithm>
@@ -15,29 +15,30 @@
 
 namespace drillwave {
 
-// Largest values of the steps in a moving window, over blocks of them and blocks of blocks.
+// Largest values of steps in a moving window
 
-/// Steps are consecutive whole numbers; upper bounds of their values are pushed, and the oldest are dropped.
-/// Blocks inside a larger one are searched only if that can hold the value.
+/// Upper bounds of a sequence of steps, stored as maxima over blocks of steps and over blocks of blocks.
+/// Steps are consecutive whole numbers; the newest are added and the oldest dropped. A search enters a block
+/// only if its maximum is large enough.
 class WindowMaxima {
   public:
-    /// Steps in the smallest block, and blocks in one of the next size.
+    /// Number of steps in the smallest block, and number of blocks in one of the next size.
     static constexpr long smallest = 32, growth = 8;
 
-    /// Returns the first step of the smallest block that holds `step`.
+    /// Returns the first step of the smallest block that contains `step`.
     static long blockStart(long step) { return smallest * blockOf(step, smallest); }
 
-    /// Clears it, for windows of that many steps.
+    /// Clears the sequence, and prepares it for windows of `window` steps.
     void begin(long window);
-    /// `value` counts for all steps of the smallest block that holds `step`: one call for each of them will
-    /// do.
+    /// Adds the upper bound `value` for all steps of the smallest block that contains `step`. One call for
+    /// each block is enough.
     void push(long step, double value);
-    /// Forgets blocks that end before `oldest`.
+    /// Removes blocks that end before the step `oldest`.
     void dropBefore(long oldest);
 
-    /// Calls `tell(step)` for the steps in [first, behind), the newest first, of which every block `mayHold`
-    /// what is looked for: called with the largest value of a block and its steps from one to behind the
-    /// last. Gives how many blocks were looked at.
+    /// Calls `tell(step)` for all steps first ≤ step < behind, the newest first, whose blocks may contain the
+    /// wanted value. mayHold(largest, from, to) decides this for a block; its arguments are the maximum of
+    /// the block and its steps from ≤ step < to. Returns the number of blocks examined.
     template <class MayHold, class Tell>
     long search(long first, long behind, MayHold mayHold, Tell tell) const {
         if (m_levels.empty() || first >= behind) return 0;
@@ -53,10 +54,10 @@ class WindowMaxima {
         return step >= 0 ? step / size : -((size - 1 - step) / size);
     }
 
-    /// Blocks of one size; number n has the steps from n · size on.
+    /// Blocks of one size; block number n begins with the step n · size.
     struct Level {
         long size = smallest;
-        long first = 0;  ///< number of the oldest block
+        long first = 0;  ///< number of the oldest stored block
         std::deque<double> largest;
     };
 
@@ -78,62 +79,73 @@ class WindowMaxima {
         return looked;
     }
 
-    std::vector<Level> m_levels;  ///< the smallest blocks first
+    std::vector<Level> m_levels;  ///< levels of blocks, the smallest blocks first
 };
 
-/// Section for its watch; times are those of its ends.
+/// Properties of a section that the search for its largest forces needs.
 struct WatchedSection {
+    /// One-way transit time τ, in units of t0.
     double transitTime = 0;
+    /// Attenuation αL over one transit; ≥ 0.
     double decay = 0;
-    double startTime = 0;  ///< of the clock's zero at the rear end [t0]
+    /// Time t/t0 at which the clock of the rear end reads zero.
+    double startTime = 0;
 };
 
-/// Watch for the largest force. Two waves meet in a section exactly when they left its
-/// ends at times less than a transit apart, on the clocks of the ends: when the one that
-/// runs back left no later, and at most a round trip before. So the largest force is a
-/// largest sum over a moving window. Hardly any cell has it: coefficients limit the sum of
-/// a block of cells, and only blocks that may exceed the largest force so far are
-/// searched.
+/// Search for the largest compression and tension of a section during the computation of a blow. Two waves
+/// meet in a section exactly if they enter its two ends at times that differ by less than one transit. On the
+/// clocks of the ends, the wave away from the rock then enters no later, and at most a round trip before. So
+/// the largest force is a largest sum over a moving window. Bounds from the coefficients of the cells exclude
+/// almost all pairs; only blocks that may exceed the largest force so far are searched.
 class SectionWatch {
   public:
+    /// Creates the search for the largest forces in a section.
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
 
-    /// Adds waves of the steps from `step` on, on both clocks: `downs` enter at the rear end. `ups` are those
-    /// that have entered at the front end during the round trip before, the oldest first, followed by those
-    /// that enter there now, as many as `downs`. Meetings after `lastTime` do not count.
+    /// Adds waves of consecutive steps, from number `step` on. `downs` enter at the rear end, towards the
+    /// rock. `ups` enter at the front end: first those of the round trip before `step`, the oldest first,
+    /// then as many as `downs`. Meetings after `lastTime` [t0] are ignored.
     void add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step, const CellCuts& cuts,
              double lastTime);
-    /// Restarts at the beginning, or after cells were cut: `window` is on its way before `step`.
+    /// Restarts at the start of a blow, or after cells were cut. `window` holds the waves that entered at the
+    /// front end during the round trip before `step`.
     void restart(std::span<const WaveCell> window, long step);
-    /// Sets the end of the blow, as far as known, and of the residual waves; forces after the blow are kept
-    /// apart. A later end of the blow includes all meetings so far in the blow.
+    /// Sets the end of the blow as known so far, and the end of the time for residual waves, in units of t0.
+    /// Forces after the blow are recorded separately from those during the blow. If the end of the blow moves
+    /// to a later time, forces recorded before it count as during the blow.
     void setEndOfBlow(double time, double lastAfter);
 
+    /// Returns the largest forces during and after the blow.
     SectionForces forces() const {
         return {m_compression.during, m_tension.during, m_compression.after, m_tension.after};
     }
-    /// Blocks and pairs of cells that were looked at closely where it matters where they meet.
+    /// Returns the number of blocks and pairs of cells examined closely where attenuation makes the place of
+    /// a meeting matter; a measure of the work.
     long looked() const { return m_looked; }
-    /// Cells down that were looked at closely, for either sign.
+    /// Returns the number of cells towards the rock that were examined closely, for compression and tension
+    /// together.
     long cellsLookedInto() const { return m_cells; }
 
   private:
-    /// Compression or tension.
+    /// Search for forces of one sign: compression (sign 1) or tension (sign −1).
     struct Side {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak during, after;
-        SectionPeak later;    ///< later than counted, unless bit and rock touch again
-        WindowMaxima maxima;  ///< upper bounds of the cells on their way
+        /// Largest force after the time that counts; used if bit and rock touch again.
+        SectionPeak later;
+        /// Upper bounds of the cells within the section.
+        WindowMaxima maxima;
     };
-    /// A cell and those that it meets.
+    /// Cell of the wave towards the rock, and the cells of the other wave that it meets.
     struct Meeting;
 
-    /// Largest force of the meetings in a span of time.
+    /// Interval of time, with the largest force found in it.
     struct Span {
         SectionPeak& peak;
         double after, until;
-        bool hasEdge = false;  ///< some of the meetings are before or after it
+        /// Whether some of the meetings are before or after the interval.
+        bool hasEdge = false;
     };
 
     enum class Part { during, after, later };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves in hammer and string while a blow lasts, to be read at any place and time (strings §2).
+// Waves in hammer and string over time, for any position (strings §2).
 #pragma once
 
 #include <cstddef>
@@ -15,122 +15,160 @@
 
 namespace drillwave {
 
-/// Side of a jump: the value until then, or from then on.
+/// Side of a time at which a wave jumps: the value just before it, or just after it.
 enum class TimeSide { before, after };
 
-/// Wave of a piece as it passes a place.
+/// Wave of a uniform piece as seen at one position in it.
 struct WaveAtPlace {
-    const std::vector<WaveCell>* cells;  ///< as they enter, one per step of the clock
-    double first;                        ///< value before the first of them arrives
-    double rearTime;                     ///< global time of that zero at the position of the clock
-    double delay;                        ///< from there to here
-    double kept;                         ///< share of a cell that is left here
+    /// Wave as it enters the piece: one cubic for each step of the clock.
+    const std::vector<WaveCell>* cells;
+    /// Value of the wave before its first cell arrives, in units of F0.
+    double first;
+    /// Time t/t0 at which the clock of the piece's rear end reads zero.
+    double rearTime;
+    /// Delay from that time until the wave that entered at clock zero arrives at this position, in units of
+    /// t0: ξτ for f, (2 − ξ)τ for b.
+    double delay;
+    /// Factor by which attenuation has reduced the wave's amplitude at this position; 0 … 1.
+    double kept;
 
-    double zero() const { return rearTime + delay; }  ///< when its clock is at 0 here
+    /// Returns the time t/t0 at which the wave that entered at clock zero arrives at this position.
+    double zero() const { return rearTime + delay; }
 };
 
-/// Both waves of one uniform piece, each cell as it enters: f at the rear end, b at the front end, where a
-/// clock starts from 0.
+/// Both waves of one uniform piece of hammer or string, as they enter it. The wave f towards the rock enters
+/// at the rear end, the wave b away from it at the front end. At each end a clock starts from zero.
 struct SectionWaves {
-    double impedance = 1;    ///< ζ
-    double transitTime = 1;  ///< τ
-    double decay = 0;        ///< αL
-    double rearTime = 0;     ///< global time of the clock's zero at the rear end; at the front end τ later
-    double first = 0;        ///< f before that, and −b
+    /// Impedance of the piece, ζ = Z/Zr with the reference impedance Zr.
+    double impedance = 1;
+    /// One-way transit time τ, in units of t0.
+    double transitTime = 1;
+    /// Attenuation αL over one transit; ≥ 0.
+    double decay = 0;
+    /// Time t/t0 at which the clock of the rear end reads zero; at the front end it is τ later.
+    double rearTime = 0;
+    /// Value of f before that time, in units of F0; b has the value −first then.
+    double first = 0;
+    /// Waves f (`down`) and b (`up`) as they enter, one cubic for each step of the clock.
     std::vector<WaveCell> down, up;
 
+    /// Returns the wave f towards the rock as seen at the position ξ in the piece, 0 at its rear end … 1.
     WaveAtPlace downAt(double xi) const;
+    /// Returns the wave b away from the rock as seen at the position ξ in the piece, 0 at its rear end … 1.
     WaveAtPlace upAt(double xi) const;
 };
 
-/// Motions of hammer and string at any time. Units of Problem, times global, from the first touch; sections
-/// of the chain, whatever pieces stand for them, ξ = 0 at the rear end of a section and 1 at its front end.
-/// Compression and motion towards the rock are positive, in every piece:
+/// Waves and motion of hammer and string over time. Units are those of Problem; times start with the first
+/// contact of hammer and string. Positions are given by the number of a section of the scenario, however many
+/// uniform pieces replace it, and by ξ, 0 at its rear end and 1 at its front end. Compression and motion
+/// towards the rock are positive. In every uniform piece:
 ///
 ///     P(ξ, t) = f(t − ξτ) e^(−ξαL) + b(t − (1 − ξ)τ) e^(−(1 − ξ)αL),   v = (f − b)/ζ
 ///
-/// Accurate to a cubic over a cell: sums are those of the run, values are accurate to some 1e-9 in a sure
-/// one. A time within rounding of a jump is taken as that of the jump.
+/// Over each cell (time step) a wave is a cubic. Its integrals are those of the computation; its values have
+/// an error of 1e-9 if cells were cut at every bend. A time within rounding of a jump is taken as that of the
+/// jump.
 class StringWaves {
   public:
-    /// Approximate limit of the memory for waves.
+    /// Approximate limit of the memory for waves, in bytes.
     static constexpr std::size_t mostBytes = 40'000'000;
 
+    /// Creates an empty recording. `rearTimes` are the times t/t0 at which the clocks of the rear ends of the
+    /// pieces read zero.
     StringWaves(const Problem& problem, const std::vector<double>& rearTimes);
 
-    // During recording
+    // Functions for recording
 
-    /// Adds the next cells of the two waves of a piece, as they enter it.
+    /// Adds the next cells of the two waves of a uniform piece, as they enter it.
     void add(std::size_t piece, const WaveCell& down, const WaveCell& up) {
         m_pieces[piece].down.push_back(down);
         m_pieces[piece].up.push_back(up);
     }
-    /// Adds a step; `rearForce` is the force on the rear end of the first section if it replaces a hammer.
-    /// Clocks below 0 describe the time before the blow.
+    /// Adds a step of all clocks that starts at `clock` and has the given width, in units of t0. `bitForce`
+    /// is the impact force. `rearForce` is the force on the rear end of the first section, used if it
+    /// replaces a hammer. Negative clock times are before the blow.
     void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
-    /// Adds another force on the rear end of the string over the last step added; for all steps or none.
+    /// Adds a second force on the rear end of the string over the last added step, that of a damper. It must
+    /// be added for all steps or for none.
     void addDamper(const WaveCell& force) { m_damperForces.push_back(force); }
-    /// Sets the momentum of rod or string when the blow begins [I0].
+    /// Sets the momentum of rod or string at the start of the blow, in units of I0.
     void setMomentum(double momentum) { m_momentum = momentum; }
+    /// Returns whether the limit of memory is reached, so that no more steps should be added.
     bool isFull() const;
-    /// Ends the recording; everything is known up to `end`.
+    /// Ends the recording; all waves are known up to the time `end`, in units of t0.
     void finish(double end);
 
-    // For reading
+    // Functions for reading
 
-    double end() const { return m_end; }  ///< all places are known until then
+    /// Returns the time t/t0 up to which the waves are known at all positions.
+    double end() const { return m_end; }
+    /// Returns both waves of every uniform piece, from the rear end of the hammer to the bit.
     std::span<const SectionWaves> pieces() const { return m_pieces; }
-    /// Return the numbers of sections of the chain, and of those of the hammer.
+    /// Returns the number of sections of hammer and string, or of the hammer only.
     std::size_t sections() const { return m_firstPieces.size() - 1; }
     std::size_t hammerSections() const;
-    /// Returns the first of pieces() of a section; after the last section, their number.
+    /// Returns the index in pieces() of the first piece of a section. For section == sections() it returns
+    /// the number of pieces.
     std::size_t firstPiece(std::size_t section) const { return m_firstPieces[section]; }
+    /// Returns the number of uniform pieces that replace a section; ≥ 1.
     int piecesOf(std::size_t section) const {
         return static_cast<int>(m_firstPieces[section + 1] - m_firstPieces[section]);
     }
-    /// Place in a piece.
+    /// Position in a uniform piece: its index in pieces(), and ξ in it, 0 … 1.
     struct PiecePlace {
         std::size_t piece;
         double xi;
     };
-    /// Returns the piece at a place of a section; where two meet, the one after it.
+    /// Returns the uniform piece at the position ξ of a section, and the position in it. Where two pieces
+    /// meet, the one towards the rock is taken.
     PiecePlace pieceAt(std::size_t section, double xi) const;
-    /// Return the clock at which each cell of all waves begins, and its width.
+    /// Returns the clock reading at the start of each recorded step, or the width of each step, in units of
+    /// t0. They are the same for all waves.
     std::span<const double> clocks() const { return m_clocks; }
     std::span<const double> widths() const { return m_widths; }
+    /// Returns the force P/F0 at the position ξ of a section, compression positive.
     double force(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
         return down(section, xi, t, side) + up(section, xi, t, side);
     }
+    /// Returns the particle velocity at the position ξ of a section, in units of F0/Zr, positive towards the
+    /// rock.
     double velocity(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
         return (down(section, xi, t, side) - up(section, xi, t, side)) /
                m_pieces[pieceAt(section, xi).piece].impedance;
     }
-    /// Return the waves that run to the rock and back, at a place.
+    /// Returns the wave towards the rock (`down`) or away from it (`up`) at the position ξ of a section, in
+    /// units of F0, compression positive.
     double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
     double up(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
-    /// Return the integral of these from the first touch on.
+    /// Returns the integral over time of the wave towards the rock (`down`) or away from it (`up`) at a
+    /// position, in units of I0. It begins with the first contact of hammer and string and ends at t.
     double downImpulse(std::size_t section, double xi, double t) const;
     double upImpulse(std::size_t section, double xi, double t) const;
 
-    /// Returns the momentum that rod or string would have until then without the rock [I0].
+    /// Returns the momentum that rod or string would have at the time t if there were no rock, in units of
+    /// I0.
     double given(double t) const { return m_momentum + m_faceForce.integral(t) + m_damperForce.integral(t); }
 
-    /// Returns the times from 0 to end() between which all waves at a place are smooth, in order; two that
-    /// differ by rounding are one.
+    /// Returns the times from 0 to end() between which both waves at a position are smooth, increasing. Times
+    /// that differ only by rounding are merged.
     std::vector<double> pieceTimes(std::size_t section, double xi) const;
 
-    // Over global time from 0 on; those at the bit are on the same pieces.
+    // Curves over the time t/t0 from 0 on; the three curves at the bit have the same pieces
 
-    const PiecewisePolynomial& faceForce() const {
-        return m_faceForce;
-    }  ///< of hammer, or given force, and string
-    const PiecewisePolynomial& damperForce() const { return m_damperForce; }  ///< empty without
-    const PiecewisePolynomial& bitForce() const { return m_bitForce; }        ///< F of the rock
-    const PiecewisePolynomial& bitWave() const { return m_bitWave; }          ///< g that arrives at the bit
-    /// Returns U' of the bit, with its mass if it has one; the integral is its displacement.
+    /// Returns the force between hammer and string, or the prescribed force, in units of F0; compression
+    /// positive.
+    const PiecewisePolynomial& faceForce() const { return m_faceForce; }
+    /// Returns the damper force on the rear end of the string, in units of F0; empty if there is none.
+    const PiecewisePolynomial& damperForce() const { return m_damperForce; }
+    /// Returns the impact force F/F0 of bit and rock; ≥ 0.
+    const PiecewisePolynomial& bitForce() const { return m_bitForce; }
+    /// Returns the wave g/F0 that arrives at the bit, compression positive.
+    const PiecewisePolynomial& bitWave() const { return m_bitWave; }
+    /// Returns the velocity of the bit towards the rock, in units of F0/Zr; with a bit mass, that of the
+    /// mass. Its integral is the displacement of the bit.
     const PiecewisePolynomial& bitVelocity() const { return m_bitVelocity; }
 
-    /// Returns the difference up to which two times are the same.
+    /// Returns the largest difference of two times that counts as rounding, in units of t0.
     double rounding() const;
 
   private:
@@ -143,38 +181,44 @@ class StringWaves {
     void makeCurves();
 
     std::vector<SectionWaves> m_pieces;
-    std::vector<std::size_t> m_firstPieces;  ///< of each section, and how many there are
+    /// Index of the first piece of each section, and finally the number of pieces.
+    std::vector<std::size_t> m_firstPieces;
     std::size_t m_hammerPieces;
-    std::vector<double> m_clocks, m_widths;  ///< of the steps
-    std::vector<WaveCell> m_bitForces, m_rearForces,
-        m_damperForces;  ///< until finish(), those that are wanted
+    /// Clock reading at the start, and width of each step.
+    std::vector<double> m_clocks, m_widths;
+    /// Forces at the bit and at the rear end over each step; kept until finish(), empty if not requested.
+    std::vector<WaveCell> m_bitForces, m_rearForces, m_damperForces;
     double m_end = 0;
     double m_momentum = 0;
     PiecewisePolynomial m_faceForce, m_damperForce, m_bitForce, m_bitWave, m_bitVelocity;
 };
 
-// The largest forces at every place of hammer and string while a blow lasts (strings §7).
+// Largest forces at every position of hammer and string (strings §7)
 
-/// The largest compression and tension at the place ξ of a section until the blow is over, and from there to
-/// `until`, and when; all have that place. One merge of the two waves that pass there, exact for their
-/// cubics; at a jump both sides count, and where two meet all four.
+/// Returns the largest compression and tension at the position ξ of a section, with their times. They are
+/// given for the blow, up to `endOfBlow`, and for the residual waves from then up to `until` (all in units of
+/// t0). The result is exact for the recorded cubics. At a jump the values on both sides count, and where two
+/// jumps meet all four.
 SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow,
                               double until = std::numeric_limits<double>::infinity());
 
-/// Largest forces of one section at places in order, its ends included.
+/// Largest forces of one section at positions in increasing order, including both ends.
 using SectionEnvelope = std::vector<SectionForces>;
 
-/// Fineness and work limit of an envelope.
+/// Fineness and work limit for the largest forces along hammer and string.
 struct EnvelopeGrid {
-    int places = 400;             ///< in hammer and string, about, shared out by transit time
-    int leastOfSection = 8;       ///< of a short one
-    long mostSteps = 20'000'000;  ///< cells to be looked at; with more work there are fewer places
+    /// Approximate number of positions in hammer and string, distributed in proportion to transit time.
+    int places = 400;
+    /// Minimum number of intervals in a short section.
+    int leastOfSection = 8;
+    /// Maximum number of cells to examine; if more are needed, the number of positions is reduced.
+    long mostSteps = 20'000'000;
 };
 
-/// Returns the envelope of every section, the rear of the hammer first. Where the largest forces of a section
-/// are known (impact.sections), their places are among those of the envelope, and nothing is larger in a
-/// section that is one uniform piece: the waves that were kept may be less exact. Requires kept waves. A stop
-/// ends the work early: the remaining sections have no places.
+/// Returns the largest forces along every section, from the rear end of the hammer on. Requires recorded
+/// waves (impact.waves). If the largest forces of the sections are known (impact.sections), their positions
+/// are included. In a section that is one uniform piece they limit the result, because recorded waves may be
+/// less accurate. A stop request ends the work early; the remaining sections then have no positions.
 std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::stop_token& stop = {},
                                             const EnvelopeGrid& grid = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A wave over one cell of time: a polynomial of degree 3 that keeps its moments.
+// Wave over one cell (time step): a polynomial of degree 3 with the moments of the wave.
 #pragma once
 
 #include <array>
@@ -9,15 +9,20 @@
 
 namespace drillwave {
 
-/// f(u) = Σ c_k P_k(2u − 1) over 0 ≤ u ≤ 1, P_k of Legendre. Its moments ∫f u^k du, k = 0 … 3, are those of
-/// the wave that it represents: the rest is orthogonal to the cubics (strings §11).
+/// Wave over one cell (time step), as f(u) = Σ c_k P_k(2u − 1) for 0 ≤ u ≤ 1 with Legendre polynomials P_k.
+/// Its moments ∫f u^k du, k = 0 … 3, are those of the wave that it represents. The remainder of the wave is
+/// orthogonal to all cubics (strings §11).
 struct WaveCell {
+    /// Number of coefficients of a cubic.
     static constexpr int count = 4;
-    using Powers = std::array<double, count>;  ///< p(u) = Σ p_k u^k
+    /// Coefficients of powers of u: p(u) = Σ p_k u^k.
+    using Powers = std::array<double, count>;
+    /// Coefficients c_k of the Legendre polynomials.
     std::array<double, count> c{};
 
+    /// Returns a wave that is constant over the cell.
     static WaveCell constant(double value) { return {{value, 0, 0, 0}}; }
-    /// Converts p(u) = Σ p_k u^k.
+    /// Returns the wave with f(u) = Σ p_k u^k.
     static WaveCell fromPowers(const Powers& p) {
         WaveCell f;
         f.c[3] = p[3] / 20;
@@ -26,39 +31,47 @@ struct WaveCell {
         f.c[0] = p[0] + f.c[1] - f.c[2] + f.c[3];
         return f;
     }
+    /// Returns the coefficients p_k of f(u) = Σ p_k u^k.
     Powers powers() const {
         return {c[0] - c[1] + c[2] - c[3], 2 * c[1] - 6 * c[2] + 12 * c[3], 6 * c[2] - 30 * c[3], 20 * c[3]};
     }
 
+    /// Returns the value at the start of the cell, u = 0.
     double start() const { return c[0] - c[1] + c[2] - c[3]; }
+    /// Returns the value at the end of the cell, u = 1.
     double end() const { return c[0] + c[1] + c[2] + c[3]; }
+    /// Returns the value at u, 0 ≤ u ≤ 1.
     double value(double u) const {
         const double x = 2 * u - 1;
         return c[0] + c[1] * x + c[2] * (1.5 * x * x - 0.5) + c[3] * (2.5 * x * x - 1.5) * x;
     }
+    /// Returns the mean over the cell, ∫f du.
     double mean() const { return c[0]; }
-    /// ∫f g du. Every node takes it in every cell, and a division is as long as four products.
+    /// Returns the mean of the product with another wave, ∫f g du. It is written without divisions, because
+    /// every node computes it in every cell.
     double meanProduct(const WaveCell& g) const {
         constexpr double third = 1.0 / 3, fifth = 1.0 / 5, seventh = 1.0 / 7;
         return (c[0] * g.c[0] + third * (c[1] * g.c[1])) +
                (fifth * (c[2] * g.c[2]) + seventh * (c[3] * g.c[3]));
     }
-    double meanSquare() const { return meanProduct(*this); }  ///< ∫f² du
-    /// ∫u f du.
+    /// Returns the mean of the square, ∫f² du.
+    double meanSquare() const { return meanProduct(*this); }
+    /// Returns the first moment, ∫u f du.
     double firstMoment() const { return c[0] / 2 + c[1] / 6; }
-    /// Returns an upper bound of |f − mean|.
+    /// Returns an upper bound of |f − mean| over the cell.
     double spread() const { return std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]); }
-    /// More than |f| can be.
+    /// Returns an upper bound of |f| over the cell.
     double largest() const { return std::abs(c[0]) + spread(); }
-    /// Lower and upper bound.
+    /// Returns a lower bound (`least`) or an upper bound (`most`) of f over the cell.
     double least() const { return c[0] - spread(); }
     double most() const { return c[0] + spread(); }
 
-    /// Place and value of the maximum of f in the cell.
+    /// Maximum of f in the cell: its place u, 0 … 1, and its value.
     struct Peak {
         double place;
         double value;
     };
+    /// Returns the maximum of f over the cell.
     Peak peak() const {
         Peak best = start() >= end() ? Peak{0, start()} : Peak{1, end()};
         if (std::abs(c[1]) >= 3 * std::abs(c[2]) + 6 * std::abs(c[3])) return best;  // monotonic
@@ -75,7 +88,7 @@ struct WaveCell {
         return best;
     }
 
-    /// Returns the same function over [from, to] of this cell.
+    /// Returns the same function over the part from ≤ u ≤ to of this cell, as a cell of its own.
     WaveCell part(double from, double to) const {
         Powers p = powers();
         for (int i = 0; i + 1 < count; ++i)
@@ -103,10 +116,11 @@ struct WaveCell {
     }
 };
 
-/// Projects a wave that is known in parts to the cell of the same moments.
+/// Projection of a wave that is known in parts to the cubic with the same moments over a cell.
 class CellProjection {
   public:
-    /// f over [from, to] of the cell, smooth there; a polynomial of degree 28 is taken exactly.
+    /// Adds a part of the wave: the function f(u) over from ≤ u ≤ to, which must be smooth there. A
+    /// polynomial up to degree 28 is integrated exactly.
     template <class Function>
     void add(double from, double to, Function f) {
         const GaussRule& rule = gaussRule();
@@ -120,43 +134,51 @@ class CellProjection {
             m_cell.c[3] += 7 * weighted * (2.5 * x * x - 1.5) * x;
         }
     }
+    /// Returns the cubic with the moments of the added parts.
     const WaveCell& cell() const { return m_cell; }
 
   private:
     WaveCell m_cell;
 };
 
-// Events inside a cell: which of them cut the cells, and what is only rounding.
+// Events inside a cell: rules for which of them cut the cells, and which are only rounding
 
-/// Distance from an event, as a multiple of its own changes, above which a cell is taken as a whole: more
-/// than its projection moves it.
+/// Safety margin to an event, as a multiple of the wave's variation over the cell. A cell with a larger
+/// distance is computed as a whole; projection changes the wave by less.
 inline constexpr double quietMargin = 1e-3;
 
-/// Rate times width above which a rise is too fast for a cell.
+/// Product of rate and width of a cell above which a force rises too fast for one cubic.
 inline constexpr double fastRise = 0.4;
 
-/// Maximum number of events at one point of a cell: a state that balances after that many stays there.
+/// Maximum number of events at one point of a cell. A state that is still undecided after as many events is
+/// taken as standing still.
 inline constexpr int mostStanding = 4;
 
-/// Sets coefficients to zero that are of the size of rounding.
+/// Sets all coefficients with an absolute value of at most `rounding` to zero.
 inline void dropRounding(double* c, int count, double rounding) {
     for (int k = 0; k < count; ++k)
         if (std::abs(c[k]) <= rounding) c[k] = 0;
 }
 
-/// Which events cut the cells.
+/// Kind of events inside a cell at which all cells are cut.
 enum class CutAt {
+    /// No events: cells are never cut.
     nothing,
-    jumps,   ///< contacts whose force rises too fast for a cell
-    corners  ///< whatever bends a wave: then all cells are smooth
+    /// Contacts whose force rises too fast for a cell.
+    jumps,
+    /// All events that bend a wave, so that waves are smooth in all cells.
+    corners
 };
 
-/// Place to cut a cell: the first one that counts.
+/// First place in a cell at which all cells are to be cut.
 struct CellJump {
+    /// Whether there is a place at which cells are to be cut.
     bool found = false;
-    double place = 0;  ///< in the cell, 0 … 1
+    /// Place as a fraction of the cell, 0 … 1.
+    double place = 0;
 
-    /// An event at a place of the cell.
+    /// Offers an event at the place `at` of the cell. It is taken if `cutAt` includes its kind, no earlier
+    /// one was taken, and it is not at an end of the cell.
     void offer(CutAt cutAt, bool isJump, double at) {
         constexpr double nearest = 1e-9;  // nearer to its ends a cell is not cut
         if (found || at <= nearest || at >= 1 - nearest) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records a blow besides its sums: the forces in its sections, reflections at joints, its waves.
+// Recorder of forces in sections, reflections at joints, and waves, for a blow on a drill string.
 #pragma once
 
 #include <memory>
@@ -14,27 +14,31 @@
 
 namespace drillwave {
 
-/// Records the requested results of one blow after another, block by block; for a blow of which only sums are
-/// requested it does nothing.
+/// Recorder of the requested results of a blow, block by block. If only integrals over the blow are
+/// requested, it does nothing. One blow after another can be recorded.
 class WaveRecorder {
   public:
-    /// Plan and lattice must outlive the blow.
+    /// Starts the recording of a blow. `plan` and `lattice` must outlive the blow.
     void begin(const MarchPlan& plan, const CellLattice& lattice);
 
-    /// Adds the block that the lattice has taken last. Stops recording waves when they are too many.
+    /// Adds the block that the lattice has computed last. The recording of waves stops when they are too
+    /// many.
     void add(const std::stop_token& stop);
-    /// Drops the waves of a blow that is not solved.
+    /// Discards the waves of a blow that could not be solved.
     void abandon() { m_waves.reset(); }
-    /// Writes the results into `impact`, when everything up to `time` [t0] has happened.
+    /// Writes the results into `impact`. Requires that the blow has been computed up to `time`, in units of
+    /// t0.
     void finish(double time, Impact& impact);
 
-    /// Returns the extra work of the largest forces after `cells` cells × nodes, in cells.
+    /// Returns the additional work for the largest forces in units of a cell. `cells` is the work done so far
+    /// without it, in cells times nodes.
     long workForForces(long cells) const;
-    /// Drops the forces, which take too much work.
+    /// Discards the largest forces, because they take too much work.
     void leaveOutForces();
-    bool hasForces() const { return m_hasForces; }  ///< requested and not dropped
-    /// Returns the time to which the waves should be followed, as far as known: a round trip in the string
-    /// after the blow, if the forces are requested.
+    /// Returns whether the largest forces are requested and not discarded.
+    bool hasForces() const { return m_hasForces; }
+    /// Returns the time t/t0 to which the waves should be computed, as known so far: one round trip of the
+    /// string after the end of the blow if the largest forces are requested.
     double wantedTime() const;
 
   private:
@@ -47,11 +51,14 @@ class WaveRecorder {
     const MarchPlan* m_plan = nullptr;
     const CellLattice* m_lattice = nullptr;
     bool m_hasForces = false, m_leftOutForces = false;
-    std::size_t m_parts = 0;  ///< of a cell: more after it was cut
+    /// Number of parts of a cell; it increases when cells are cut.
+    std::size_t m_parts = 0;
     double m_stringTransit = 0, m_endOfBlow = 0;
     std::vector<SectionWatch> m_watches;
-    std::vector<Joint> m_alone;       ///< the joints, met by waves down only
-    std::vector<double> m_reflected;  ///< ∫b1² of those
+    /// Copies of the joints that only receive waves from the hammer.
+    std::vector<Joint> m_alone;
+    /// Energy integral ∫b1² dt of the waves that these joints reflect.
+    std::vector<double> m_reflected;
     std::shared_ptr<StringWaves> m_waves;
 };
 
