@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blows along the range of a curve, each solved once for all outputs.
+// Solves blows along the parameter range of a curve, each once for all outputs.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,28 @@
 
 namespace drillwave {
 
-/// Solves the blows of one line. One for each thread.
+/// Solver for the blows of one line, which keeps every blow already solved. Each thread needs its own object.
 class CurveSampler {
   public:
-    /// `axes` are those of the question, `line` the number of the line; all must outlive this. A blow may
-    /// take one such part of the work limit.
+    /// Stores references to the question and its axes, which must outlive this object. `line` is the index of
+    /// the family value. Each blow may take 1/`partOfLimit` of the work limit of the question.
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
                  std::stop_token stop, long partOfLimit = 1);
 
-    /// Returns an output at a share of the range, with an error like that of e.
+    /// Returns the value of an output at a share 0 … 1 of the range, with an error estimate based on that of
+    /// the coefficient of restitution e.
     FitSample operator()(double share, std::size_t output);
-    /// Why there was no answer for the last sample that had none.
+    /// Returns why the last sample without a value had none.
     const Message& reason() const { return m_reason; }
-    /// Returns the size of the numbers of an output in its unit, at a share of the range: d0 for a
-    /// penetration and so on; 1 for a ratio; 0 if there is no scenario.
+    /// Returns a reference size for an output, in the unit of its column, at a share of the range. For
+    /// example, a penetration uses its scale d0. Ratios give 1; the result is 0 if there is no valid
+    /// scenario.
     double unitAt(double share, std::size_t output);
-    /// Returns the work of the blow at a share of the range: wave pieces, or cells of a drill string.
+    /// Returns the work of the blow at a share of the range: wave pieces, or cells of the method of drill
+    /// strings.
     long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
-    /// Returns the work of all blows so far.
+    /// Returns the work of all blows so far: wave pieces, or cells of the method of drill strings.
     long effort() const { return m_effort; }
 
   private:
