@@ -46,7 +46,8 @@ struct DesignLimit {
     Statistic statistic;
     double bound = 0;
 
-    std::string name() const;  ///< returns the statistic as typed on the command line, such as "thrust@q95"
+    /// Returns the statistic as typed on the command line, such as "thrust@q95".
+    std::string name() const;
     bool operator==(const DesignLimit&) const = default;
 };
 
