@@ -38,8 +38,8 @@ std::uint64_t sensitivitySolves(std::size_t uncertain, std::uint64_t samples);
 /// Returns the Sobol indices of the outputs (given by index) of one design. Uses points in 2d dimensions for
 /// d uncertain inputs: two sets A and B, and A_Bi, which is A with coordinate i taken from B:
 ///
-///      S_i = (1/n) Σ f(B)[f(A_Bi) − f(A)] / V       (Saltelli 2010)
-///      T_i = (1/2n) Σ [f(A) − f(A_Bi)]² / V         (Jansen 1999)
+///     S_i = (1/n) Σ f(B)[f(A_Bi) − f(A)] / V       (Saltelli 2010)
+///     T_i = (1/2n) Σ [f(A) − f(A_Bi)]² / V         (Jansen 1999)
 ///
 /// Here S is the first-order index, T the total index, f the output minus its mean over A and B, and V the
 /// variance over both. Each index is the mean over the replicates of SobolPoints, with the error of that
