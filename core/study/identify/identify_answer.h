@@ -97,7 +97,7 @@ struct MatchFigures {
 /// Change of one section size that would explain the record better.
 struct SizeOff {
     std::string key;
-    double change = 0;  ///< change of the length or diameter [m]
+    double change = 0;  ///< change of a length or diameter [m], or of an area [m²]
 };
 
 /// Waves and rock response over time, for plots and files. Times are those of the record [s], forces are in
