@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the lines of a study along a parameter take the goal: text, JSON and CSV.
+// Report of the parameter values at which the curves take a goal value, as text, JSON and CSV.
 #pragma once
 
 #include <string>
@@ -12,24 +12,29 @@
 
 namespace drillwave {
 
-/// How the CSV begins.
+/// Beginning of the header of the CSV of goalCsv(), by which such files are recognised.
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
-/// "cor = 0.7", "peak_force = 240 kN". Requires a goal, as all that follows does.
+/// Returns the goal in words, such as "cor = 0.7" or "peak_force = 240 kN". Requires that the question has a
+/// goal.
 std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style = plainStyle());
 
-/// A table of the places of a line, whether there may be others, and where there is none the nearest value.
+/// Returns a table of the places where a line takes the goal, and whether there may be others. If there are
+/// none, gives the nearest value. Requires that the question has a goal.
 std::string goalText(const CurveQuestion& question, const CurveLine& line,
                      const ReadingStyle& style = plainStyle());
 
-/// A sentence for each line that takes the goal nowhere; empty when all do.
+/// Returns one sentence for each line that nowhere takes the goal; empty if all do. Requires that the
+/// question has a goal.
 std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
-/// `places` with `kind`, `complete`, and `nearest` where there is none.
+/// Returns a JSON object with the members `places` (each with its `kind`) and `complete`, and with `nearest`
+/// if there is no place.
 JsonObject goalJson(const GoalAnswer& answer);
 
-/// A row for each place of each line: the goal, kind and direction, the value of the family, place and error
-/// in the unit of the parameter, the output and its error there, and what follows a leap.
+/// Returns one CSV row for each place of each line. Columns are goal, kind, direction, family value, place
+/// and its error in the unit of the parameter, output there and its error, and the output after a jump.
+/// Requires that the question has a goal.
 std::string goalCsv(const CurveStudy& study);
 
 }  // namespace drillwave

@@ -41,9 +41,9 @@ class CurveSampler {
 
   private:
     struct Blow {
-        std::vector<double> values;  // of all outputs; none where it was not solved
+        std::vector<double> values;  // values of all outputs; empty if the blow was not solved
         Message reason;
-        Message lack;  // why an output of it has none, where that is known
+        Message lack;  // reason why one of the outputs has no value, if the reason is known
         double scatter = 0;
         std::uint64_t order = 0;
         int contacts = 0;
@@ -57,10 +57,10 @@ class CurveSampler {
     std::stop_token m_stop;
     AxisScenario m_scenario;
     CaseSolver m_solver;
-    std::vector<double> m_values;  // of the axes
-    bool m_pulseMoves;             // with the parameter
+    std::vector<double> m_values;  // values of the axes, the followed parameter last
+    bool m_pulseMoves;             // whether the hammer force changes with the parameter
     bool m_hasPulse = false;
-    std::unordered_map<double, Blow> m_blows;  // by share
+    std::unordered_map<double, Blow> m_blows;  // solved blows, by their share of the range
     long m_effort = 0;
     Message m_reason;
 };

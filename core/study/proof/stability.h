@@ -15,21 +15,33 @@
 
 namespace drillwave {
 
-/// Limits of the checks of a case. Each comment gives the cause and size of the worst value observed. A limit
-/// is at most ten times that value, so a solver ten times worse fails.
+/// Limits of the checks of a test case, each with the largest value observed. A limit is at most about ten
+/// times that value, so a solver ten times worse fails.
 struct StabilityMarks {
-    double momentum = 3e-13;  ///< momentum: rounding of sums of 1e6 pieces, 3e-14 observed
-    double energy = 4e-10;    ///< energy: soft rock with merged wave pieces, 7e-11 observed
-    double pull = 2e-14;      ///< tensile force: a force that has decayed to rounding, 2e-15 observed
-    /// Return of the bit after the end: rounding of a distance of order 1, none observed.
+    /// Limit of the momentum residual, as a share of I0. The largest value observed is 3e-14, from rounding
+    /// of sums of 1e6 pieces.
+    double momentum = 3e-13;
+    /// Limit of the relative energy residual. The largest value observed is 7e-11, for soft rock with merged
+    /// wave pieces.
+    double energy = 4e-10;
+    /// Limit of a tensile force on the rock, as a share of the peak force. The largest value observed is
+    /// 2e-15, for a force that has decayed to rounding.
+    double pull = 2e-14;
+    /// Limit of the distance by which the bit returns after the end, in units of d0/2. It allows for rounding
+    /// of a distance of order 1; no return was observed.
     double reach = 1e-14;
-    /// Change by neighbouring parameters: where the slope of e is steepest, times 1e-10, 4e-9 observed.
+    /// Limit of the change of e when a parameter changes by a relative 1e-10. The largest value observed is
+    /// 4e-9, where e is steepest.
     double change = 4e-8;
-    /// Distance from theoretical limits: the constants of the estimates are generous, 0.007 observed.
+    /// Limit of the distance of e from its theoretical limits, relative to what theory allows. The largest
+    /// value observed is 0.007, because the estimates are generous.
     double limit = 0.07;
-    /// Distance from the lattice: its error estimate is well above the error, 0.3 observed.
+    /// Limit of the difference of e from the lattice, relative to the error estimate of the lattice. The
+    /// largest value observed is 0.3, because that estimate is cautious.
     double lattice = 2;
-    double bound = 3;  ///< distance from long double: the stated error should be a bound, 0.7 observed
+    /// Limit of the difference of e from that in long double, relative to the stated errors of both. The
+    /// largest value observed is 0.7; below 1, the stated error is a bound.
+    double bound = 3;
 };
 inline constexpr StabilityMarks stabilityMarks{};
 
