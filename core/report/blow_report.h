@@ -75,8 +75,9 @@ struct BlowReport {
     Message gapProblem;
     /// Required feed force with its study and curve; empty without a blow frequency.
     std::optional<ThrustReport> thrust;
-    Message thrustProblem;       ///< reason why there is no study of the feed force; empty if there is one
-    ReportStudies studies = {};  ///< further studies, as requested
+    Message thrustProblem;  ///< reason why there is no study of the feed force; empty if there is one
+    /// Studies added on request, such as a sequence of blows or a design study.
+    ReportStudies studies = {};
 };
 
 /// Returns the report of a valid scenario, without scenarioText, inputs and sections. Solves the blow and,

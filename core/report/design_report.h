@@ -36,8 +36,9 @@ std::vector<Message> designAnswerSentences(const DesignReport& report,
 /// Maximum number of designs for which designsGrid() lists all designs.
 inline constexpr std::size_t mostShownDesigns = 24;
 
-/// Returns a table with headings and one line per design: its marks, its design variables, and its objectives
-/// without and with scatter. With more than mostShownDesigns designs, only those with a mark are listed.
+/// Returns a table with headings and one line per design. A line has the marks of a design (such as best or
+/// present), its design variables, and its objectives without and with scatter. With more than
+/// mostShownDesigns designs, only those with a mark are listed.
 TextGrid designsGrid(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// Returns the report as one JSON object; values are in SI units if the scenario has units, otherwise

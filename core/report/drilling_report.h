@@ -41,7 +41,8 @@ struct DrillingScale {
 /// Returns the units of a kind of quantity for a result.
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
 
-/// Returns a spread or an error for text, in units of Problem; 0 if it is so small that it is only rounding.
+/// Returns a spread or an error for text, in the dimensionless units of Problem; 0 if it is so small that it
+/// is only rounding.
 double withoutRounding(double spread);
 
 /// Returns sentences on the required feed force, then on the results of the sequence.

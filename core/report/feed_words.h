@@ -24,37 +24,38 @@ std::string_view feedWord(FeedState state);
 Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                             const ReadingStyle& style = plainStyle());
 
-/// Returns the sentence of requiredFeedMessage(), and with an estimate a second one that names the command or
-/// page for consecutive blows.
+/// Returns one or two sentences on the required feed force. The first is that of requiredFeedMessage(). If
+/// there is an estimate, a second one names the command or page for consecutive blows.
 std::vector<Message> estimateSentences(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                                        const ReadingStyle& style = plainStyle());
-/// Returns the sentences of estimateSentences() as one paragraph, in the language of the reader.
+/// Returns the sentences on the required feed force (see estimateSentences()) as one paragraph, in the
+/// language of the reader.
 std::string estimateText(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                          const ReadingStyle& style = plainStyle());
 
-/// Returns the remedy if the feed force is below what this blow requires, such as "This blow is covered by at
-/// least 4.4 kN at 60 Hz, or at most 48 Hz with this feed."
+/// Returns the remedy if the feed force is below what this blow requires. Example: "This blow is covered by
+/// at least 4.4 kN at 60 Hz, or at most 48 Hz with this feed."
 Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
-/// Returns a sentence on the benefit of more feed force, judged by single blows: how much more covers this
-/// blow and every gap, or that no more is needed. Empty without an installed feed force, or if the estimate
-/// does not apply.
+/// Returns a sentence on the benefit of more feed force, judged by single blows. It says how much more covers
+/// this blow and every gap, or that no more is needed. Empty without an installed feed force, or if the
+/// estimate does not apply.
 Message moreFeedMessage(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
 /// Sentence on what the model neglects, printed once beside statements on more feed force.
 inline constexpr const char* feedLimitsOfModel =
     translatable("Friction, rotation and buckling are not modelled.");
 
-/// Returns the name of the tool for sequences of blows, for the middle of a sentence: the command, or in
-/// print and in the window its page.
+/// Returns the name of the tool that computes sequences of blows, for use within a sentence. It is the
+/// command `drill`, or in print and in the window the page "Drilling".
 Message drillingWords(const ReadingStyle& style);
 
 /// Returns the feed force in words, such as "installed feed force 8 kN". If an inclination is given, it is
 /// the effective feed force with its parts.
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
-/// Returns the label of a case of the required feed force in tables: "this blow", "95 % of all gaps", "rigid
-/// rock" or "elastic rock, worst gap".
+/// Returns the label of a case of the required feed force: "this blow", "95 % of all gaps", "rigid rock" or
+/// "elastic rock, worst gap".
 const char* labelOf(ThrustCase which);
 
 }  // namespace drillwave

@@ -17,8 +17,8 @@
 
 namespace drillwave {
 
-/// Kind of a number without a physical quantity: a plain number, a fraction shown as per cent, an error shown
-/// by its power of ten, or a computing time [s].
+/// Kind of a number without a physical quantity. It is a plain number, a fraction shown as per cent, an error
+/// shown by its power of ten, or a computing time [s].
 enum class PlainNumber { number, percent, magnitude, runTime };
 
 /// Characteristic quantity of the blow of which values are multiples (theory §1). In this order: t0, F0, I0,
@@ -47,8 +47,9 @@ struct FigureAxis {
     bool isLogarithmic = false;
     /// Fixed range of the axis; empty if all values shall be visible.
     std::optional<std::pair<double, double>> range = {};
-    std::optional<AxisTarget> target = {};  ///< parameter that a click sets; empty if a click has no effect
-    bool isFromZero = false;                ///< whether the axis runs from zero to slightly above all values
+    /// Parameter that a click on the axis sets; empty if a click has no effect.
+    std::optional<AxisTarget> target = {};
+    bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
 };
 
 /// Kind of a series. `line` is y over ascending x, or marked points in any order. `path` joins the points in
@@ -134,9 +135,9 @@ struct FigureBand {
 struct FigureLayers {
     std::vector<Message> names = {};
     std::vector<double> x = {};
-    /// Values of y over x at the edges between neighbouring layers.
+    /// Boundaries between neighbouring layers, each as values of y at `x`.
     std::vector<std::vector<double>> edges = {};
-    /// Values of y over x of a line that the names of the layers must not cover; may be empty.
+    /// Line that the names of the layers must not cover, as values of y at `x`; may be empty.
     std::vector<double> clear = {};
 };
 

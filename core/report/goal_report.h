@@ -19,12 +19,12 @@ inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 /// goal.
 std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style = plainStyle());
 
-/// Returns a table of the places where a line takes the goal, and whether there may be others. If there are
-/// none, gives the nearest value. Requires that the question has a goal.
+/// Returns a table of the parameter values for which an output takes the goal value, and whether there may be
+/// others. If there are none, gives the nearest value. Requires that the question has a goal.
 std::string goalText(const CurveQuestion& question, const CurveLine& line,
                      const ReadingStyle& style = plainStyle());
 
-/// Returns one sentence for each line that nowhere takes the goal; empty if all do. Requires that the
+/// Returns one sentence for each curve that nowhere takes the goal value; empty if all do. Requires that the
 /// question has a goal.
 std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
@@ -32,9 +32,9 @@ std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& s
 /// if there is no place.
 JsonObject goalJson(const GoalAnswer& answer);
 
-/// Returns one CSV row for each place of each line. Columns are goal, kind, direction, family value, place
-/// and its error in the unit of the parameter, output there and its error, and the output after a jump.
-/// Requires that the question has a goal.
+/// Returns one CSV row for each place where a curve takes the goal value. Columns are goal, kind, direction,
+/// value of the second parameter (family), place, its error, output there, its error, and output after a
+/// jump. Places are in the unit of the parameter. Requires that the question has a goal.
 std::string goalCsv(const CurveStudy& study);
 
 }  // namespace drillwave

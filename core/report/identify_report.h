@@ -49,8 +49,8 @@ std::string incidentCsv(const IdentifyReport& report);
 /// Returns the sentence for the code of a warning. `scenario` provides the names of its sections.
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
                        const ReadingStyle& style);
-/// Returns whether a warning is listed with the warnings for readers; other parts of the report cover the
-/// rest.
+/// Returns whether the report lists a warning, given by its code. Warnings that other parts of the report
+/// already express are not listed.
 bool isRemarkShown(std::string_view code);
 /// Returns the first sentence about a record: whether the model agrees with it and what is known.
 Message identifySentence(const RecordAnswer& answer);

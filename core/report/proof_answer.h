@@ -10,8 +10,8 @@
 namespace drillwave {
 
 /// Returns the result of an accuracy study. Its figure shows error against computing time with a series for
-/// each method; smaller errors are drawn at the resolution of a double (theory §9, strings §11). Its table
-/// has the columns of the command. `runTime` is the computing time of the study [s].
+/// each method. Errors below the resolution of a double are drawn at that resolution (theory §9, strings
+/// §11). Its table has the columns of the command. `runTime` is the computing time of the study [s].
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const Accuracy& accuracy, double runTime = 0);
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const StringAccuracy& accuracy, double runTime = 0);
 

@@ -22,7 +22,8 @@ inline constexpr std::array reportStudyNames{drillStudyName, designStudyName};
 /// Finished studies of the scenario of a report; nullptr for a study that was not made.
 struct ReportStudies {
     std::shared_ptr<const DrillingResult> drilling;
-    std::shared_ptr<const DrillingScan> scan;  ///< scan with at least one point
+    /// Scan over several values of a parameter; has at least one point.
+    std::shared_ptr<const DrillingScan> scan;
     /// Design study with a best design for uncertain rock; its texts may be empty.
     std::shared_ptr<const DesignReport> design;
 };

@@ -31,7 +31,8 @@ std::vector<Message> sequenceSentences(const DrillingResult& result,
 std::string sequenceText(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 /// Returns sentences on the value of a scan with the highest penetration rate, if the errors allow a
-/// decision, and by how much it exceeds `present`. Empty without values, and for a word parameter.
+/// decision. They say by how much its rate exceeds that of `present`. Empty without values, and for a word
+/// parameter.
 std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional<Sequence>& present,
                                    const ReadingStyle& style = plainStyle());
 

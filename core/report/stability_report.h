@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Returns the report as text: one line for each kind of case, the worst value of each measure with its limit
-/// and its case, and one line for each case that failed.
+/// Returns the report as text. It has one line for each kind of case, then the worst value of each measure
+/// with limit and case. One line for each failed case follows.
 std::string stabilityText(const StabilityReport& report, const ReadingStyle& style = plainStyle());
 
 /// Returns one JSON object with all cases; null where a check does not apply. `runTime` is the computing time

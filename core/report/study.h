@@ -30,7 +30,7 @@ using StudyWords = std::map<std::string, std::string, std::less<>>;
 
 /// Question for a study: a scenario with option values.
 struct StudyQuestion {
-    Scenario scenario;  ///< scenario without the values that have no influence on the study
+    Scenario scenario;  ///< scenario from which all values without influence on the study are removed
     StudyWords words;
     bool operator==(const StudyQuestion&) const = default;
 };
@@ -64,7 +64,7 @@ struct NoControl {};
 
 /// Options that must be given together or not at all. A box on the page chooses between the two.
 struct StudyGroup {
-    std::string_view key;  ///< identifier of the box
+    std::string_view key;  ///< identifier of the box that chooses between the two
     const char* label;     ///< label in front of the box
     const char* name;      ///< accessible name for a screen reader
     const char* tip;
@@ -84,7 +84,7 @@ struct StudyOption {
     const StudyGroup* group = nullptr;  ///< group of options it belongs to; nullptr for none
 };
 
-/// Axis of the rows that a study writes, and the option that gives it.
+/// Axis along which a study writes rows of CSV, and the name of the option that gives it.
 struct StudyAxis {
     std::string_view option;
     SweepAxis axis;
@@ -140,12 +140,12 @@ class StudyAnswer {
     virtual StudyTable table(const ReadingStyle& /*style*/) const { return {}; }
     /// Returns the scenario that a click on a row of the table loads; empty if a click has no effect.
     virtual std::optional<Scenario> scenarioOfRow(std::size_t /*row*/) const { return std::nullopt; }
-    /// Returns table and notes as text for a terminal.
+    /// Returns the result as text for a terminal: a table and notes.
     virtual std::string text(const ReadingStyle& style) const = 0;
     /// Returns the result as one JSON object. `scenarioText` is the scenario file that reproduces the
     /// scenario.
     virtual std::string json(const std::string& scenarioText) const = 0;
-    /// Returns header and rows as CSV.
+    /// Returns the rows of the result as CSV text with a header, dimensionless or in SI units.
     virtual std::string csv(OutputUnits units) const = 0;
 
   private:

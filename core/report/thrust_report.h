@@ -64,8 +64,8 @@ std::vector<double> valuesOf(const SweepAxis& axis);
 
 /// Returns one CSV row for each point. First comes the parameter in the unit of its axis. For each case f I0
 /// (1 + e) and (`_undamped`) f I0 (1 + 2e) follow [N]. Then follow the effective feed force [N], the margin
-/// over the largest required force, the gap at the blow from the e of the blow [m], n_b and the verdict.
-/// Unknown values are empty cells.
+/// over the largest required force, and the gap at the blow [m], computed from its e. The last columns are
+/// n_b (round trips of a wave between blows) and the verdict. Unknown values are empty cells.
 std::string thrustCsv(const ThrustAlong& along);
 
 }  // namespace drillwave

@@ -44,20 +44,22 @@ struct CurveQuestion {
     /// Returns the base scenario with every varied parameter at the first value of its range.
     Scenario firstScenario() const;
     bool operator==(const CurveQuestion&) const = default;
-    /// Returns the family axis, if there is one, then the parameter that varies.
+    /// Returns the axis of the second parameter (family), if there is one, then the axis along the curve.
     std::vector<SweepAxis> axes() const;
 };
 
-/// Maximum number of lines of a curve study, which is the number of values of its family parameter.
+/// Maximum number of values of the second parameter (family) of a curve study; each value gives one line of
+/// curves.
 inline constexpr std::size_t maximumCurveLines = 50;
 
 /// Returns the reasons why a question cannot be studied, one message each; empty if it can. If the range
 /// cannot be followed (see followProblem()), that is the only message. Otherwise the messages name axes of
-/// the same quantity, ranges without a valid scenario at an end (as problemsOf(Sweep) does), and outputs that
-/// need a separate study at every point.
+/// the same quantity, and ranges without a valid scenario at an end (as problemsOf(Sweep) does). They also
+/// name outputs that need a separate study at every point.
 std::vector<Message> problemsOf(const CurveQuestion& question);
 
-/// Returns a message if the family has more than maximumCurveLines values; empty otherwise.
+/// Returns a message if the second parameter (the family) has more than maximumCurveLines values; empty
+/// otherwise.
 Message familyProblem(const CurveQuestion& question);
 /// Returns a message if a goal is set for more than one output; empty if the goal is valid or not set.
 Message goalProblem(const CurveQuestion& question);
@@ -88,9 +90,10 @@ struct CurveOutput {
     const CurveFeature* extreme(CurveFeature::Kind kind) const;
 };
 
-/// Curves of all outputs for one value of the family parameter.
+/// Curves of all outputs for one value of the second parameter (family) of a curve study.
 struct CurveLine {
-    /// Value of the family parameter in SI units, or the index of a pulse shape; empty without a family.
+    /// Value of the second parameter (family) in SI units, or the index of a pulse shape; empty without a
+    /// second parameter.
     std::optional<double> family;
     CurveRange range;
     /// Parameter values at which to draw and export the curves, ascending, in SI units.
@@ -99,7 +102,7 @@ struct CurveLine {
     /// result.
     std::vector<std::vector<double>> values;
     std::vector<CurveOutput> outputs;  ///< curves of the outputs, in the order of CurveQuestion::columns
-    /// Parameter values that give the goal of the question; empty without a goal.
+    /// Parameter values for which the output takes the goal value; empty if the question has no goal.
     std::optional<GoalAnswer> goal = {};
 
     /// Returns the value of an output at any parameter value x (SI) of the range, in the unit of its column.
@@ -113,7 +116,8 @@ struct CurveLine {
 /// Result of a curve study.
 struct CurveStudy {
     CurveQuestion question;
-    /// One line for each value of the family parameter, or a single line without a family.
+    /// Curves of all outputs: one entry for each value of the second parameter (family), or a single entry
+    /// without one.
     std::vector<CurveLine> lines;
     std::uint64_t solves = 0;  ///< number of blows solved
     /// Work of all blows: wave pieces of the exact solver, or cells of the method of drill strings.
@@ -124,8 +128,8 @@ struct CurveStudy {
 
     /// Returns whether every output has a result over the whole range of every line.
     bool isComplete() const;
-    /// Returns whether every line has at least one parameter value that gives the goal. True without a goal,
-    /// false if the study was stopped or refused.
+    /// Returns whether every curve takes the goal value for at least one parameter value. True without a
+    /// goal, false if the study was stopped or refused.
     bool isReached() const;
 };
 

@@ -51,7 +51,8 @@ class CellFitter {
     CellFitter(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Fills `outputs`, `solves` and `effort` of a task for its line and its range from `start` to `end`.
+    /// Fits all outputs over the range from `start` to `end` of a task, and stores the results and their cost
+    /// in it.
     void operator()(CellTask& task, const std::stop_token& stop) const;
 
   private:

@@ -42,14 +42,15 @@ struct GoalPlace {
 
 std::string_view name(GoalPlace::Kind kind);
 
-/// All parameter values of one line that give the goal.
+/// Parameter values for which an output takes the goal value, along one curve.
 struct GoalAnswer {
     /// Places where the output equals or crosses the goal, ascending in the parameter.
     std::vector<GoalPlace> places;
     /// Whether `places` contains every place in the range, within the errors of the curve. False if part of
     /// the range is solved only at points or has no result.
     bool isComplete = true;
-    /// Closest approach to the goal, given if no place reaches it. Empty if the line has no result at all.
+    /// Closest approach of the output to the goal value, given if no parameter value reaches it. Empty if the
+    /// curve has no result at all.
     struct Nearest {
         Estimate x = {};  ///< parameter value in SI units
         Estimate value = {};

@@ -21,7 +21,7 @@ std::vector<double> pointsOf(const CurveLine& line);
 /// pieces. Outputs must be solved at these shares of the range.
 std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> points);
 
-/// Outputs of one line, solved at one parameter value.
+/// Values of all outputs, solved at one parameter value.
 struct LinePoint {
     double share = 0;
     std::vector<FitSample> outputs;
@@ -29,7 +29,7 @@ struct LinePoint {
     std::vector<Message> reasons;
 };
 
-/// Points of one line to be solved together by one thread.
+/// Points of one curve to be solved together by one thread.
 struct PointTask {
     std::size_t line = 0;
     std::vector<double> shares;
@@ -45,7 +45,8 @@ class PointSolver {
     PointSolver(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Fills `points`, `solves` and `effort` of a task for its line at its shares of the range.
+    /// Solves the blows at the shares of the range given in a task, and stores the results and their cost in
+    /// it.
     void operator()(PointTask& task, const std::stop_token& stop) const;
 
   private:

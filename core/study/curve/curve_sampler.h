@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-/// Solver for the blows of one line, which keeps every blow already solved. Each thread needs its own object.
+/// Solver for blows along one curve, which keeps every blow already solved. Each thread needs its own object.
 class CurveSampler {
   public:
     /// Stores references to the question and its axes, which must outlive this object. `line` is the index of
@@ -23,10 +23,10 @@ class CurveSampler {
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
                  std::stop_token stop, long partOfLimit = 1);
 
-    /// Returns the value of an output at a share 0 … 1 of the range, with an error estimate based on that of
+    /// Returns the value of an output at a share 0 … 1 of the range. Its error estimate is based on that of
     /// the coefficient of restitution e.
     FitSample operator()(double share, std::size_t output);
-    /// Returns why the last sample without a value had none.
+    /// Returns the reason of the most recent sample that had no value.
     const Message& reason() const { return m_reason; }
     /// Returns a reference size for an output, in the unit of its column, at a share of the range. For
     /// example, a penetration uses its scale d0. Ratios give 1; the result is 0 if there is no valid

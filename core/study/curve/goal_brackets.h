@@ -18,8 +18,9 @@ struct GoalBracket {
     /// Start of the bracket. At both ends the curve clearly lies on the sides given by `before` and `after`.
     double from = 0;
     double to = 0;
-    double valueFrom = 0;  ///< value of the curve at `from`, in the unit of the output
-    /// Value of the curve at `to`, in the unit of the output.
+    /// Value of the curve at the start of the bracket (`from`), in the unit of the output.
+    double valueFrom = 0;
+    /// Value of the curve at the end of the bracket (`to`), in the unit of the output.
     double valueTo = 0;
     /// Side of the curve before the goal: −1 below, +1 above, 0 if the curve begins at the goal.
     int before = 0;

@@ -23,10 +23,10 @@ struct SampledProgress {
     std::function<void(CurveStudy soFar)> show;
 };
 
-/// Returns curves through the CurveQuestion::along.count (≥ 2) values of every line, solved from coarse to
-/// fine spacing. The values are bit for bit those of a sweep of the family and the parameter, for any number
-/// of threads `jobs` (≥ 1). Outputs are linear between the points; the only features are the minimum and the
-/// maximum. Requires sampledProblemsOf() to be empty.
+/// Returns curves solved only at CurveQuestion::along.count (≥ 2) parameter values, from coarse to fine
+/// spacing, for each value of the second parameter (family). The values are bit for bit those of a sweep over
+/// both parameters, for any number of threads `jobs` (≥ 1). Outputs are linear between the points; the only
+/// features are the minimum and the maximum. Requires sampledProblemsOf() to be empty.
 CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                        const SampledProgress& progress = {});
 

@@ -27,9 +27,9 @@ struct NamedKey {
     std::string choice = {};
 };
 
-/// Returns the problems of a design study; empty if it can run. The checks find: too many inputs, designs or
-/// blows; no uncertain input; two inputs that set the same value; keys and outputs that a design lacks;
-/// ranges that no design accepts; an energy that cannot be kept.
+/// Returns the problems of a design study; empty if it can run. The checks find too many inputs, designs or
+/// blows, a missing uncertain input, and two inputs that set the same value. They also find keys and outputs
+/// that a design lacks, ranges that no design accepts, and an energy that cannot be kept.
 /// Checking 10,000 designs takes some tenths of a second. A stop request returns the problems found so far.
 /// `unread` lists keys whose values could not be read; they are checked for duplicates only.
 std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop = {},

@@ -99,7 +99,7 @@ struct DesignFindings {
     /// Best designs. For design variables without influence (see makesDifference()), the robust and the
     /// chosen design keep their present values.
     BestDesigns best;
-    /// Outputs of the objectives, each once; `sensitivity` lists them in this order.
+    /// Outputs that the objectives use, each once. `sensitivity` has the same order.
     std::vector<const Output*> aimed;
     /// Sensitivity of these outputs to the uncertain inputs, for the design that is best for uncertain rock.
     Sensitivity sensitivity;

@@ -50,8 +50,8 @@ double errorOf(std::span<const double, replicateCount> replicates);
 /// Returns the 95 % error of the difference of two statistics over the same sample points, from the
 /// differences of their replicates.
 double errorOfDifference(const SampledValue& one, const SampledValue& other);
-/// Returns whether two values are equally good: their difference is below its 95 % error, or below 5 % of the
-/// smaller of their own errors. NaN equals only NaN.
+/// Returns whether two values are equally good. They are if their difference is below its 95 % error, or
+/// below 5 % of the smaller of their own errors. NaN equals only NaN.
 bool areEqualWithinErrors(const SampledValue& one, const SampledValue& other);
 
 /// Returns the quantile q, 0 … 1, of ascending numbers. It lies at the position n q + ½ of n numbers, counted

@@ -29,7 +29,7 @@ struct BlowRange {
 };
 
 /// State of the machine, rod and bit at one time, interpolated linearly between time steps. Values are in the
-/// units of Problem.
+/// dimensionless units of Problem.
 struct DrillingInstant {
     double time = 0, force = 0, penetration = 0, frontVelocity = 0, rearVelocity = 0, damperForce = 0,
            bodyPlace = 0;
@@ -78,8 +78,8 @@ struct RecordLength {
 /// The machine must also be pushed back on their average.
 inline constexpr long growingBlows = 50;
 
-/// Returns J, the mean impulse on the rock of the last `last` blows, in units of Problem. Requires at least
-/// one blow.
+/// Returns J, the mean impulse on the rock of the last `last` blows, in the dimensionless units of Problem.
+/// Requires at least one blow.
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
 
 /// Returns a message if a sequence of blows would need too much memory; empty otherwise.

@@ -89,7 +89,7 @@ inline constexpr double contactLimit = 0.05;
 
 /// Statistics of the counted blows of a sequence.
 struct DrillingStatistics {
-    /// Statistics of the quantities in blowQuantities, in units of Problem.
+    /// Statistics of the quantities in blowQuantities, in the dimensionless units of Problem.
     std::array<BlowSpread, blowQuantities.size()> spreads;
     double contactShare = 0;  ///< share of blows that start with a gap below contactLimit, 0 … 1
     int period = 0;           ///< number of blows after which the motion repeats, 1 … 16; 0 if it does not
@@ -102,7 +102,7 @@ struct DrillingStatistics {
 };
 
 /// Returns the statistics of the blows after the first `settle`. Requires settle < blows.size().
-/// `velocityScale` is v0 in units of Problem.
+/// `velocityScale` is v0 in the dimensionless units of Problem.
 DrillingStatistics statisticsOf(std::span<const DrillingBlow> blows, std::size_t settle,
                                 double velocityScale);
 

@@ -20,8 +20,8 @@ namespace drillwave {
 
 /// Dimensionless groups of a sequence of blows (drilling §5).
 struct DrillingGroups {
-    /// Feed number φ = Fe/(f I0), the effective feed force over the mean hammer force; for a drill string
-    /// with J, the mean rock impulse, instead of I0.
+    /// Feed number φ = Fe/(f I0), the effective feed force over the mean hammer force. For a drill string, J,
+    /// the mean rock impulse, replaces I0.
     double phi = 0;
     double roundTrips = 0;  ///< n_b, round trips of a wave between two blows
     /// Groups of machine and damper: mass, damping and stiffness; 0 without a machine.
@@ -55,9 +55,10 @@ struct DrillingRequest {
     /// Number of computations that may run at the same time, each on its own thread; does not change the
     /// results.
     int jobs = 1;
-    /// Callback for every blow of the main computation, called as soon as the blow is done.
+    /// Callback for every blow of the requested sequence, called as soon as the blow is done. Repeated
+    /// computations for error estimates are not reported.
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Callback after every blow of the main computation, with all blows so far. Returning true ends the
+    /// Callback after every blow of the requested sequence, with all blows so far. Returning true ends the
     /// sequence, because the rest is known; there are then no statistics.
     std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };

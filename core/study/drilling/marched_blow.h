@@ -15,8 +15,8 @@ namespace drillwave {
 /// The blow starts with the waves, the rock memory and the gap present at that time; the gap is negative if
 /// the bit presses. The scenario of the returned blow is always a string of sections, even for a uniform rod.
 /// Wave loss acts at the rear end of a section, so waves inside it are still without the loss.
-/// Not solved if drillingRefusals() is not empty, if `number` is not in 1 … settings.blows, or if the blows
-/// exceed `mostWork` [cells × nodes] or the permitted memory.
+/// Not solved if drillingRefusals() is not empty, or if `number` is not in 1 … settings.blows. It is also not
+/// solved if the blows exceed `mostWork` [cells × nodes] or the permitted memory.
 Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
                  const std::stop_token& stop = {}, double mostWork = mostDrillingWork);
 

@@ -19,7 +19,7 @@ struct EndSection {
     std::size_t source = 0;
 };
 
-/// Joint at the far end of a section, with a lumped mass and an energy loss η (strings §3).
+/// Joint between two sections, with a lumped mass and an energy loss η (strings §3).
 struct EndJoint {
     double mass = 0;     ///< lumped mass [kg]
     double passing = 1;  ///< share of a wave amplitude that the joint transmits, √(1 − η)

@@ -42,7 +42,7 @@ struct FrontFound {
     double peak = 0;  ///< largest deviation from the zero level, as an absolute value [N]
     bool isFound = false;
 };
-/// Returns the front: the first sample in [from, to) that differs from the zero level by more than six
+/// Returns the front: the first sample in [from, to) far from the zero level. It differs by more than six
 /// standard deviations and 5 % of the peak. `step` is the time between samples [s].
 FrontFound findFront(const std::vector<double>& force, std::size_t from, std::size_t to, double step);
 

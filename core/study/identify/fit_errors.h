@@ -31,7 +31,7 @@ struct BudgetEffect {
 struct MisfitFound {
     double rms = 0;      ///< rms of the residuals, as a share of the peak force
     double noise = 0;    ///< σ_e, the rms expected from noise only, as a share of the peak force
-    double scatter = 0;  ///< s, the relative standard deviation of σ_e between noise samples
+    double scatter = 0;  ///< s, the relative standard deviation of σ_e between simulated noise records
     double ratio = 0;    ///< q, the ratio of `rms` to `noise`
     double misfit = 0;   ///< m, the misfit beyond noise, √(rms² − noise²), as a share of the peak force
     /// Amplitude of an unexplained wave that would cause the misfit, as a share of the peak force.
@@ -41,11 +41,10 @@ struct MisfitFound {
 struct FitErrors {
     /// Half-widths (95 %) of the unknowns from noise, zero lines, dispersion and bending.
     Eigen::VectorXd noise;
-    Eigen::MatrixXd draws;  ///< change of the unknowns (rows) for each noise sample (columns)
+    Eigen::MatrixXd draws;  ///< change of each unknown (row) for each simulated noise record (column)
     std::vector<BudgetEffect> budget;
     MisfitFound misfit;
-    /// Waves in the quiet stretch before the reflection, or difference between two gauges, as a share of the
-    /// peak.
+    /// Waves between blow and reflection, or with two gauges their difference, as a share of the peak force.
     double quiet = 0;
     /// A, the amplitude of waves that the model does not explain, as a share of the peak force.
     double unexplained = 0;
@@ -61,7 +60,7 @@ struct FitErrors {
     Eigen::VectorXd halfWidths() const;
 };
 
-/// Number of noise samples from which half-widths are computed.
+/// Number of simulated noise records from which half-widths are computed.
 inline constexpr int noiseDraws = 60;
 
 /// Returns the errors of a fit, by linearising it at its solution. A stop request leaves the result
@@ -69,12 +68,12 @@ inline constexpr int noiseDraws = 60;
 FitErrors fitErrors(RecordModel& model, const LawFit& fit, const IdentifyQuestion& question,
                     const std::vector<KnownSize>& sizes, std::uint64_t seed, const std::stop_token& stop);
 
-/// Returns the misfit and the waves in the quiet stretch for a rock law that is not fitted (the law of the
-/// scenario file).
+/// Returns the errors for a rock law that is not fitted (that of the scenario file). They contain only the
+/// misfit and the waves between blow and reflection.
 FitErrors heldErrors(RecordModel& model, const LawFit& fit, std::uint64_t seed, const std::stop_token& stop);
 
-/// Returns the misfit of a fit without new noise samples. `noise` and `scatter` are those of another fit of
-/// the same record.
+/// Returns the misfit of a fit without simulating noise again. `noise` and `scatter` are those of another fit
+/// of the same record.
 MisfitFound misfitOf(const RecordModel& model, const LawFit& fit, double noise, double scatter);
 
 /// Largest shift of a zero line, of the droop and of a section size, each relative to its prior's 95 %
@@ -85,7 +84,8 @@ struct UsedUp {
     double sizes = 0;
     std::size_t size = 0;  ///< index of the unknown that is this section size
 };
-/// Returns how much of their tolerances the zero lines, the droop and the section sizes take up in a fit.
+/// Returns the largest shifts of the zero lines, the droop and the section sizes in a fit, each divided by
+/// its 95 % tolerance.
 UsedUp usedUp(const RecordModel& model, const LawFit& fit);
 
 }  // namespace drillwave

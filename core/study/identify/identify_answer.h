@@ -21,7 +21,7 @@ std::string_view name(ModelVerdict verdict);
 /// Verdict how well the record determines a parameter.
 enum class ParameterVerdict {
     identified,  ///< interval within ±20 %; for a gap within ±0.1 mm or ±20 %
-    uncertain,   ///< interval wider than that of `identified`
+    uncertain,   ///< interval wider than ±20 %; for a gap also wider than ±0.1 mm
     bounded,     ///< only a lower or only an upper bound is known
     notSeen,     ///< the record contains no information about the parameter
     rejected,    ///< the model does not agree with the record, so no parameter is given
@@ -68,7 +68,7 @@ struct TriedLaw {
 /// Fitted zero line of one gauge; values are shares of the peak force.
 struct ZeroLine95 {
     double offset = 0;
-    double slope = 0;  ///< slope of the zero line, as a share of the peak per millisecond
+    double slope = 0;  ///< slope of the zero line, as a share of the peak force per millisecond
 };
 
 /// Figures that describe how well model and record agree.
@@ -81,8 +81,8 @@ struct MatchFigures {
     /// Round-trip time between gauge and rock [s], as fitted and as computed from the scenario file.
     double roundTrip = 0, roundTripOfFile = 0;
     double shiftOfSecond = 0, gainOfSecond = 1;
-    /// Amplitudes as shares of the peak force: waves in the quiet stretch, unexplained waves, waves before
-    /// the front, bending.
+    /// Amplitudes as shares of the peak force: waves between blow and reflection, unexplained waves, waves
+    /// before the front, bending.
     double quiet = 0, unexplained = 0, before = 0, bending = 0;
     bool isClipped = false;
     double step = 0;  ///< smallest step between recorded values, as a share of the peak force
@@ -108,7 +108,7 @@ struct MatchCurves {
     std::vector<double> penetration, force, modelForce;
     double front = 0;        ///< time at which the front of the blow reaches the gauge near the bit [s]
     double incidentEnd = 0;  ///< time at which the incident wave ends at that gauge [s]
-    /// Start of the quiet stretch before the reflection [s]; not used with two gauges.
+    /// Time after which the gauge is quiet until the reflection arrives [s]; not used with two gauges.
     double quietFrom = 0;
 };
 
@@ -131,7 +131,7 @@ struct RecordAnswer {
     std::vector<IdentifiedParameter> parameters;
     /// Covariance of ln k, ln γ, gap [m], ln F1 and ln s1, in the order of `parameters`.
     std::vector<std::vector<double>> covariance;
-    /// Changes of ln k, ln γ, gap [m], ln F1 and ln s1 by error sources common to all records: 95 %
+    /// Changes of ln k, ln γ, gap [m], ln F1 and ln s1 by error sources common to all records. They are 95 %
     /// half-widths, one row for each source.
     std::vector<std::vector<double>> common;
     MatchFigures match;

@@ -60,7 +60,7 @@ struct IdentifyFindings {
 /// are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
-/// Callback called with the records identified so far; the last one is new.
+/// Callback, called with the records identified so far; the last one is new.
 using TellIdentified = std::function<void(const IdentifyFindings&)>;
 
 /// Returns the results of all records. They do not depend on the number of threads `jobs` (≥ 1). `tell` is

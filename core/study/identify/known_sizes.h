@@ -37,8 +37,8 @@ SizeTolerances sizeTolerances(const std::vector<KnownSize>& sizes, const GaugePl
 /// together.
 KnownSize materialTolerance(const IdentifyQuestion& question, const GaugePlace& place);
 
-/// Returns the problems of option --known: keys that belong to neither the gauge's section nor a section
-/// towards the bit, and tolerances as large as their values.
+/// Returns the problems of option --known. They are keys that belong to neither the gauge's section nor a
+/// section towards the bit, and tolerances as large as their values.
 std::vector<Message> knownProblems(const IdentifyQuestion& question, const GaugePlace& place);
 
 }  // namespace drillwave

@@ -36,8 +36,8 @@ struct LawTrials {
     const LawCandidate& chosen() const { return candidates[answer]; }
 };
 
-/// Returns whether a model with this misfit is accepted: the residual is at most 1.3 times the noise, or the
-/// misfit at most 1 % of the peak force.
+/// Returns whether a model with this misfit is accepted. It is if the residual is at most 1.3 times the
+/// noise, or the misfit at most 1 % of the peak force.
 bool isAccepted(const MisfitFound& misfit);
 
 /// Returns the fits of all laws that the question's choice of law requires (theory of identification C6).
@@ -46,14 +46,14 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
                   const std::vector<KnownSize>& sizes, const std::stop_token& stop,
                   const std::function<void(const LawTrials&)>& showFirst);
 
-/// Returns whether a power law without a gap fits as well as the result, so that the gap may be a curved
-/// start of loading (theory of identification C10).
+/// Returns whether a power law without a gap fits as well as the result. The gap may then be a curved start
+/// of loading (theory of identification C10).
 bool gapMayBeBend(const LawTrials& trials, const PreparedRecord& record, const IdentifyQuestion& question,
                   const std::vector<KnownSize>& sizes, const std::stop_token& stop);
 
 /// Returns the 95 % half-width of an unknown, including all acceptable laws. It is at least the distance to
-/// the value of each such law plus that law's half-width (limited to `own`). `own` is the half-width of the
-/// result's law.
+/// the value of each such law plus that law's half-width (limited to `own`). `own` is the half-width in the
+/// fit chosen as the result.
 double widthWithLaws(const LawTrials& trials, Unknown::Kind kind, double own);
 
 }  // namespace drillwave

@@ -95,8 +95,8 @@ void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
 /// RMS [N] of waves between blow and reflection: below 6.6 kHz, beyond noise, without the zero line.
 struct QuietErrors {
-    double before = 0;  ///< rms before the last 120 µs of the stretch [N]
-    double last = 0;    ///< rms in the last 120 µs of the stretch [N]
+    double before = 0;  ///< RMS of waves until 120 µs before the incident wave is taken to end [N]
+    double last = 0;    ///< RMS of waves in the last 120 µs before the incident wave is taken to end [N]
     bool hasBefore = false;
 };
 /// Returns the rms of waves between blow and reflection [N] for given values of the unknowns.

@@ -40,9 +40,11 @@ struct PreparedRecord {
     double roundTrip = 0;
     /// Arrival time of the reflection as seen in the record [s]; 0 if it was not looked for.
     double arrival = 0;
-    double shift = 0;  ///< correction that is added to D0 so that it agrees with the observed arrival [s]
+    /// Correction added to the round-trip time D0 (`roundTrip`), so that it agrees with the observed arrival
+    /// [s].
+    double shift = 0;
     double incidentEnd = 0;  ///< time at which the incident wave f ends [s]
-    /// Start of the quiet stretch between blow and reflection [s]; only used with one gauge.
+    /// Time after which the gauge is quiet until the reflection arrives [s]; only used with one gauge.
     double quietFrom = 0;
     double end = 0;      ///< end of the evaluated window [s]
     double before = 0;   ///< A_pre, amplitude of waves before the front, as a share of the peak force

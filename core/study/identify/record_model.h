@@ -31,8 +31,8 @@ struct Unknown {
         dashpot,           ///< ln c, logarithm of the dashpot constant [N s/m]
         memory,            ///< largest force on the rock before this blow [N]
         impedance,         ///< relative change of the impedance of the gauge's section
-        length,            ///< length added to a section towards the bit [m]
-        sectionImpedance,  ///< relative change of the impedance of a section towards the bit
+        length,            ///< increase of the length of a section between gauge and rock [m]
+        sectionImpedance,  ///< relative change of the impedance of a section between gauge and rock
         shape,             ///< amount of a LinearShape (a disturbance) in the record
     };
     Kind kind = Kind::stiffness;
@@ -98,8 +98,9 @@ class RecordModel {
     /// are the rms of waves there [N], before the last 120 µs and within them.
     void setQuietErrors(double before, double last);
 
-    /// Computes the weighted residuals for values of the unknowns: first those of the returning wave b, then
-    /// of the samples between blow and reflection, then of the priors.
+    /// Computes the weighted residuals for values of the unknowns and writes them to `result`. First come
+    /// those of the returning wave b, then those of the samples between blow and reflection, then those of
+    /// the priors.
     void residuals(const Eigen::VectorXd& values, Eigen::VectorXd& result);
     /// Computes the weighted residuals for a changed record: its waves are changed by `change` [N], its
     /// samples between blow and reflection by `quietChange` [N].
@@ -117,8 +118,8 @@ class RecordModel {
     std::size_t rows() const { return m_rows; }
     /// Returns the weight of a sample of the returning wave away from fronts [1/N].
     double weight() const { return m_weight; }
-    /// Returns the factor, 0 … 1, by which the weight of sample i of the returning wave is reduced; below 1
-    /// where a front passes within a sample.
+    /// Returns the factor, 0 … 1, by which the weight of sample i of the returning wave is reduced. It is
+    /// below 1 where a front passes within a sample.
     double returningShare(std::size_t i) const { return m_shares[i]; }
     double quietWeight(std::size_t i) const { return m_quietWeights[i]; }
     const std::vector<double>& quietSignal() const { return m_quiet; }

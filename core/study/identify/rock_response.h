@@ -28,7 +28,7 @@ std::vector<TrialLine> powerLines(double stiffness, double exponent, double refe
 
 /// Time-stepping solver for a bit on the rock at the end of a section of impedance Z, under an incident wave
 /// g. Its equation is U' = (2g − F)/Z (theory, eq. T16). On a specimen in front of a bar of the same
-/// impedance it is U' = (2g − 2F)/Z, with a bit mass M it is M U'' + Z U' + F = 2g.
+/// impedance it is U' = (2g − 2F)/Z. With a bit mass M it is M U'' + Z U' + F = 2g.
 /// Within a step g is linear. Without a bit mass each line of the law is solved exactly, and its corners are
 /// located within the step. With a bit mass the trapezoidal rule is used.
 class RockResponse {
@@ -77,13 +77,14 @@ class RockResponse {
     double m_dashpot;
     double m_step;
     Line m_line = Line::apart;
-    std::size_t m_loading = 0;       ///< index of the line of the loading curve
-    double m_loadedPenetration = 0;  ///< penetration at which that line begins [m]
-    double m_spring = 0;             ///< force of the spring, without the dashpot [N]
-    double m_largest = 0;            ///< Fm, largest force of the spring so far [N]
-    double m_place = 0;              ///< position of the bit while it is not in contact [m]
-    double m_contact = 0;            ///< position of the rock's surface [m]
-    double m_velocity = 0;           ///< velocity of the bit mass [m/s]
+    std::size_t m_loading = 0;  ///< index of the current line of the loading curve
+    /// Penetration at which the current line of the loading curve begins [m].
+    double m_loadedPenetration = 0;
+    double m_spring = 0;    ///< force of the spring, without the dashpot [N]
+    double m_largest = 0;   ///< Fm, largest force of the spring so far [N]
+    double m_place = 0;     ///< position of the bit while it is not in contact [m]
+    double m_contact = 0;   ///< position of the rock's surface [m]
+    double m_velocity = 0;  ///< velocity of the bit mass [m/s]
     double m_force = 0;
 };
 

@@ -45,7 +45,7 @@ struct Contour {
     std::vector<ContourLine> lines;
     /// Number of crossings that could not be located because a blow was not solved.
     std::uint64_t unplaced = 0;
-    Message reason;            ///< reason for the first of these; empty if there is none
+    Message reason;            ///< reason why the first of them could not be located; empty if all were
     std::uint64_t solves = 0;  ///< number of blows solved to locate the points
     bool stopped = false;      ///< set if the stop token ended the search; `lines` is then empty
 
@@ -69,8 +69,10 @@ std::optional<ContourExtent> extentOf(const Contour& contour);
 
 /// Side of a contour, along y, on which the map exceeds the level.
 enum class LevelSide {
-    above,  ///< only above its contour: no point of the lowest row exceeds the level
-    below,  ///< only below its contour: no point of the highest row exceeds the level
+    /// The level is exceeded only above the contour (larger y); no point of the lowest row exceeds it.
+    above,
+    /// The level is exceeded only below the contour (smaller y); no point of the highest row exceeds it.
+    below,
     mixed,
 };
 /// Returns the side for a complete map. LevelSide::mixed is also returned if no point exceeds the level, or

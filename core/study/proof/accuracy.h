@@ -35,7 +35,8 @@ struct AccuracyRow {
     int contacts = 0;
 
     RunTime time;  ///< computing time of a solve for e only, without an error estimate
-    /// Speed relative to the paper's choice: its median time divided by that of this row.
+    /// Speed relative to the lattice of 10,000 segments used in the paper: its median time divided by that of
+    /// this row.
     double speed = 0;
     /// Order of convergence of the error of e, compared with the previous row of the same method.
     double observedOrder = 0;
@@ -75,7 +76,7 @@ double latticeMoves(const std::vector<int>& ladder);
 /// Callback for progress, called with the completed share of the work, 0 … 1.
 using AccuracyProgress = std::function<void(double done)>;
 
-/// Callback called with the rows so far whenever one is done. Values that need several rows are still
+/// Callback, called with the rows so far whenever one is done. Values that need several rows are still
 /// missing.
 using AccuracyRows = std::function<void(const Accuracy& soFar)>;
 

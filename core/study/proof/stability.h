@@ -57,7 +57,7 @@ struct StabilityRow {
     double seconds = 0;  ///< computing time of the solve with Detail::ledger [s]
     /// Difference between the impulse of F and the momentum of the residual waves, as a share of I0.
     double momentumResidual = 0;
-    /// Difference between the work W and the energies of rock and waves. A share of W or of F0² t0/Z,
+    /// Difference between the work W and the energies of rock and waves, as a share of W or of F0² t0/Z,
     /// whichever is larger.
     double energyResidual = 0;
     /// Smallest force F, as a share of the peak force; must not be negative, because the rock cannot pull.

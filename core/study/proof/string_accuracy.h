@@ -46,7 +46,7 @@ struct StringAccuracy {
     bool isStopped = false;  ///< set if a stop request ended the comparison; rows are then missing
 };
 
-/// Callback called whenever a row is done, with the rows so far and the completed share of the work, 0 … 1.
+/// Callback, called whenever a row is done, with the rows so far and the completed share of the work, 0 … 1.
 using StringAccuracyRows = std::function<void(const StringAccuracy& soFar, double done)>;
 
 /// Returns the accuracy and computing time of the methods for a drill string; takes seconds. The plain

@@ -27,14 +27,14 @@ struct PointObstacle {
     std::string key;  ///< key of the parameter that the reason is about; may be empty
     /// Reason without the value, such as "rod.bore must be less than the diameter of 38 mm".
     Message reason;
-    Message text;  ///< the same reason with the value, if there is one
+    Message text;  ///< reason including the value that caused it, if there is one
     /// Whether the parameter of an axis is not applicable to the scenario at this point.
     bool isMeaning = false;
 };
 
 /// Scenario with the values of several axes set on top of a base scenario. Each thread needs its own object.
-/// All studies use the same rule for a valid point. Every axis must apply to the scenario, no two axes may
-/// set the same section, and the scenario must be valid and contain the values as set. Other points have no
+/// All studies use the same rule for a valid point. Every axis must apply to the scenario, and no two axes
+/// may set the same section. The scenario must be valid and contain the values as set. Other points have no
 /// result.
 class AxisScenario {
   public:

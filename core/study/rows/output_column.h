@@ -42,9 +42,9 @@ struct OutputChoice {
     Message problem;
 };
 
-/// Returns the columns read from a list such as "cor,peak_force", or a problem that suggests the nearest
-/// output for a misspelt one. "all" stands for all of outputs(), including outputs that a scenario may not
-/// have. Outputs of drillOutputs() must be named individually.
+/// Returns the columns read from a list such as "cor,peak_force". For a misspelt output, returns a problem
+/// that suggests the nearest one. The word "all" stands for all of outputs(), including outputs that a
+/// scenario may not have. Outputs of drillOutputs() must be named individually.
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
 
 /// Returns the columns of all outputs that a scenario has.

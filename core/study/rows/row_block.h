@@ -55,7 +55,7 @@ class RowBlock {
     std::span<const std::string> copied(std::size_t i) const {
         return m_copied.empty() ? std::span<const std::string>() : m_copied[i].cells;
     }
-    /// Returns the number of rows that were not solved, by reason, in the order in which the reasons first
+    /// Returns how many rows were not solved for each reason, in the order in which the reasons first
     /// occurred.
     const std::vector<RowFailure>& failures() const { return m_failures; }
 

@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Maximum number of different reasons that are listed; rows with further reasons count only in `failed`.
+/// Maximum number of different reasons for unsolved rows that are listed. Rows with further reasons count
+/// only in `failed`.
 inline constexpr std::size_t maximumRowReasons = 3;
 
 /// Number of rows completed, during a run of rows or at its end.

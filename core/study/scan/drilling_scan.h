@@ -45,7 +45,7 @@ struct DrillingScanWork {
     bool lyapunov = false;               ///< whether to compute the Lyapunov exponent λ of every motion
     std::stop_token stop = {};
     DrillingProgress progress = {};
-    /// Callback called after every value with the scan so far.
+    /// Callback, called after every value with the scan so far.
     std::function<void(const DrillingScan&)> onValue = {};
 };
 

@@ -49,8 +49,9 @@ GapRebound quantileOf(const GapCurve& rock);
 /// Returns the largest e over all gaps of the curve.
 GapRebound worstOf(const GapCurve& elastic);
 
-/// Solver for the two values of e over all gaps. Keeps its results as long as the hammer force stays the
-/// same. Each thread needs its own object; results do not depend on earlier calls.
+/// Solver for two coefficients of restitution e over all gaps. One is not exceeded at 95 % of the gaps, the
+/// other is the largest on elastic rock. Keeps its results as long as the hammer force stays the same. Each
+/// thread needs its own object; results do not depend on earlier calls.
 class GapReboundFinder {
   public:
     /// Sets the maximum number of wave pieces of a curve. A curve that needs more has no result.

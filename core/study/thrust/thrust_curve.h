@@ -35,9 +35,9 @@ struct ThrustCurve {
 using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 
 /// Returns the required feed force for several values of a parameter (SI, within its allowed range). A point
-/// has a reason and no numbers if the value does not apply, the scenario is then invalid, thrustProblem() is
-/// not empty, or the blow cannot be solved. The blow of a point may take `limits`. The result does not depend
-/// on the number of threads `jobs` (≥ 1).
+/// has a reason instead of numbers if the value does not apply or makes the scenario invalid. The same holds
+/// if thrustProblem() is not empty or the blow cannot be solved. The blow of a point may take `limits`. The
+/// result does not depend on the number of threads `jobs` (≥ 1).
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {},
                         const WorkLimits& limits = {});

@@ -36,9 +36,9 @@ struct ThrustStudy {
 /// thrustProblem() gives a reason. Empty if it can.
 Message thrustRefusal(const Scenario& scenario);
 
-/// Returns the required feed forces of a scenario. There is no result if thrustRefusal() gives a reason, if
-/// one of the two curves over the gap takes more than `mostPieces` wave pieces, or if the scenario's own blow
-/// exceeds `limits`.
+/// Returns the required feed forces of a scenario. There is no result if thrustRefusal() gives a reason or if
+/// the scenario's own blow exceeds `limits`. The same holds if one of the two curves over the gap takes more
+/// than `mostPieces` wave pieces.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
