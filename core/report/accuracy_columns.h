@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a row of the accuracy study, of a rod and of a drill string: once for table, JSON and CSV.
+// Columns of the accuracy study, for a uniform rod and for a drill string. Text table, JSON and CSV use the
+// same ones.
 #pragma once
 
 #include <array>
@@ -41,7 +42,7 @@ inline constexpr auto stringAccuracyColumns = std::to_array<StudyColumn<StringAc
     {"min_s", "minimum", NumberStyle::time, [](const StringAccuracyRow& r) { return r.time.least; }},
 });
 
-/// "moved" or "ring"; empty for what is no lattice.
+/// Returns how a lattice stores its waves: "moved" or "ring". Empty for methods that are not a lattice.
 inline std::string_view wavesName(const AccuracyRow& row) {
     if (row.choice.method != Method::lattice) return {};
     return row.choice.lattice.waves == LatticeWaves::moved ? "moved" : "ring";

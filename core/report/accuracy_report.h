@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Report of error against run time, for a rod and for a drill string.
+// Report of error against computing time, for a uniform rod and for a drill string.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace drillwave {
 
-/// A table for people, with what its columns mean and what the checks show.
+/// Returns the report as text for people: a table, the meaning of its columns, and the results of the checks.
 std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy,
                          const ReadingStyle& style = plainStyle());
 std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy,
                          const ReadingStyle& style = plainStyle());
 
-/// Returns one JSON object behind its head; numbers that there are none of are null.
+/// Returns the report as one JSON object that begins with `head`; missing numbers are null.
 std::string accuracyJson(const JsonHead& head, const Accuracy& accuracy);
 std::string accuracyJson(const JsonHead& head, const StringAccuracy& accuracy);
 
-/// One row for each method and resolution; empty cells where there is no number.
+/// Returns the report as CSV with one row for each method and resolution; missing numbers are empty cells.
 std::string accuracyCsv(const Accuracy& accuracy);
 std::string accuracyCsv(const StringAccuracy& accuracy);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remarks as sentences: what the model says with codes and numbers, in words.
+// Texts of alerts, which the model gives as codes with numbers.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace drillwave {
 
-/// Returns the one or two sentences of an alert. `alert` must have the arguments that alertsFor(),
-/// resultAlerts() or stressAlerts() give with its code.
+/// Returns the text of an alert, one or two sentences. `alert` must have the arguments that alertsFor(),
+/// resultAlerts() or stressAlerts() give for its code.
 Message alertMessage(const Alert& alert, const ReadingStyle& style = plainStyle());
-/// The same in the language of the reader.
+/// Returns the text of an alert in the language of the reader.
 std::string alertText(const Alert& alert, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

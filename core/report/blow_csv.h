@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Histories and events of one blow as CSV, with all that is needed to run the case again.
+// Histories and events of one blow as CSV, with everything needed to run the case again.
 #pragma once
 
 #include <string>
@@ -13,34 +13,38 @@
 
 namespace drillwave {
 
-/// The program version and a scenario file as lines that begin with "#": without their leading "# " they are
-/// a scenario file again, the version line, the one that names the method and the one that explains the
-/// columns being comments of it (see ResultRemarks).
+/// Returns the program version and a scenario file as comment lines that begin with "# ". Without this
+/// prefix, the lines are a valid scenario file. In that file, the lines for the version, the method and the
+/// meaning of the columns are comments (see ResultRemarks).
 std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method = {},
                            std::string_view columns = {});
 
-/// Turns the lines of scenarioHeader() at the top of a CSV file back into the scenario file; empty without
-/// such lines.
+/// Returns the scenario file from the lines of scenarioHeader() at the top of a CSV file; empty if there are
+/// none.
 std::string scenarioFromHeader(std::string_view csv);
 
-/// Writes the histories of a blow. For rods: time, impact_force, impulse, momentum, incident_wave,
-/// penetration, front_velocity at the bit, from the arrival of the first wave to the end of the recording.
-/// The wave is a normal force, tension positive; all else is positive towards the rock. Momentum is that of
-/// the rod. Penetration is measured from the first surface of the rock, negative above it. For drill strings:
-/// the same without the wave, from the first contact to the end of the blow, then face_force of hammer and
-/// string, and normal_force, positive_wave and negative_wave, tension positive, and velocity at a place of
-/// it; momentum is that given by the hammer to the string less the impulse on the rock. A time comes twice
-/// where a curve jumps. Without SI forces are in F0, times in t0, lengths in d0, velocities in d0/t0; for
-/// strings in v0. Requires Impact::hasHistories().
+/// Returns the histories of a blow as CSV. Requires Impact::hasHistories(). Values are positive towards the
+/// rock; normal forces and waves are positive in tension.
+/// For a uniform rod the columns are time, impact_force, impulse, momentum, incident_wave, penetration and
+/// front_velocity at the bit. They run from the arrival of the first wave to the end of the recording.
+/// Momentum is that of the rod. Penetration is measured from the original surface of the rock, negative above
+/// it.
+/// For a drill string they run from the first contact to the end of the blow, without the incident wave.
+/// Further columns are the face_force between hammer and string, and normal_force, positive_wave,
+/// negative_wave and velocity at `place`. Momentum is that transferred by the hammer to the string, minus the
+/// impulse on the rock.
+/// A time occurs twice where a curve jumps. Dimensionless forces are in F0, times in t0, lengths in d0,
+/// velocities in d0/t0; for strings velocities are in v0.
 std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits units);
 
-/// Signs and units of these columns in one line, for the header of the file, and where the place is.
+/// Returns one line for the header of the file that states the signs and units of the columns of
+/// historiesCsv() and the position `place`.
 std::string historyColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units);
 
-/// kind, time of every event.
+/// Returns the events of a blow as CSV, with the columns kind and time.
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales);
 
-/// "contact", "unloading", "primary_loading", "separation".
+/// Returns the name of an event at the bit: "contact", "unloading", "primary_loading" or "separation".
 std::string_view name(ContactEvent event);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One blow for programs.
+// JSON of one blow, for other programs.
 #pragma once
 
 #include <string>
@@ -10,15 +10,17 @@
 
 namespace drillwave {
 
-/// Returns a value of an output in SI units; energies given as shares of the hammer energy are in J.
+/// Returns the value of an output in SI units. An energy given as a share of the hammer energy is converted
+/// to joules.
 double inSi(const Output& output, double value, const Blow& blow);
 
-/// The JSON objects of alerts: level, code, parameter, text.
+/// Returns alerts as an array of JSON objects with the members level, code, parameter and text.
 JsonArray alertsJson(const std::vector<Alert>& alerts);
 
-/// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with
-/// the unit of each; and the scenario as the text that gives them again (completeScenarioText()). Numbers
-/// read back exactly; they are null where the case could not be solved. Requires Detail::ledger or more.
+/// Returns a blow as a JSON object (files §5). Results are dimensionless and, if the scenario has units, also
+/// in SI units with their names. The object contains the text from completeScenarioText(), with which the
+/// results can be reproduced. Reading a number back gives the same value; numbers are null if the case was
+/// not solved. Requires Detail::ledger or more.
 std::string blowJson(const Blow& blow, const std::string& scenarioText);
 
 }  // namespace drillwave

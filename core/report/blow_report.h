@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Data of a report on one blow.
+// Contents of a report on one blow.
 #pragma once
 
 #include <optional>
@@ -16,67 +16,74 @@
 
 namespace drillwave {
 
-/// One value that the scenario gives.
+/// One input of a report: a value given in the scenario, with its source.
 struct ReportInput {
-    std::string key;                        ///< "rod.length"
-    Message label;                          ///< "length L"
-    std::string value;                      ///< as the file has it: "3.66 m"
-    std::optional<double> si;               ///< of a number
-    Message source;                         ///< where the value is from, never empty: "assumed typical"
-    std::optional<Quantity> quantity = {};  ///< of the value, in the form of the scenario
-    Message word = {};                      ///< for people, of the name of a shape or a law; empty otherwise
+    std::string key;                        ///< key in scenario files, such as "rod.length"
+    Message label;                          ///< label for people, such as "length L"
+    std::string value;                      ///< value as in the file, such as "3.66 m"
+    std::optional<double> si;               ///< value in SI units; empty if it is not a number
+    Message source;                         ///< source of the value, never empty, such as "assumed typical"
+    std::optional<Quantity> quantity = {};  ///< quantity of the value in the form that the scenario uses
+    /// Word for people that describes a pulse shape or a rock law; empty for other values.
+    Message word = {};
     bool operator==(const ReportInput&) const = default;
 };
 
-/// A section of a hammer or a string as the file has it, once.
+/// Section of the hammer or the string, listed once even if it occurs several times.
 struct ReportSection {
-    std::string key;                  ///< "hammer.1", "string.2": its first place
-    Message place;                    ///< "hammer 1", "2"
-    std::string name;                 ///< may be empty
-    int times = 1;                    ///< how often it comes
-    std::vector<ReportInput> values;  ///< that it gives, by the key of their SectionField
-    Message source;                   ///< where they are from, never empty
+    std::string key;                  ///< key of its first occurrence, such as "hammer.1" or "string.2"
+    Message place;                    ///< position for people, such as "hammer 1" or "2"
+    std::string name;                 ///< name of the section; may be empty
+    int times = 1;                    ///< number of times it occurs
+    std::vector<ReportInput> values;  ///< values given in the file, with the keys of their SectionField
+    Message source;                   ///< source of the values, never empty
     bool operator==(const ReportSection&) const = default;
 };
 
-/// Lines below the title of a report; empty ones are left out.
+/// Lines below the title of a report, as entered by the user; empty ones are omitted.
 struct ReportHead {
     std::string project, author, customer;
-    std::string date;  ///< as it is to be read
+    std::string date;  ///< date in the format in which it is printed
 
     bool isEmpty() const { return project.empty() && author.empty() && customer.empty() && date.empty(); }
     bool operator==(const ReportHead&) const = default;
 };
 
-/// The blow of the report beside others, quantity by quantity, or beside what was measured.
+/// Table that compares the blow of the report with other blows or with measurements, one row per quantity.
 struct ReportComparison {
-    std::vector<std::string> titles;  ///< of the cells of a row: where it has one, that of its own blow first
+    /// Headings of the value columns. If the blow of the report has a column, it is the first.
+    std::vector<std::string> titles;
     std::vector<ReportRow> rows;
 };
 
-/// Content of a report. Except for head, other blows and measured signals it does not depend on when, where
-/// and how fast it was made.
+/// Contents of a report. Apart from the head, other blows and measured signals, it does not depend on when,
+/// where or how fast it was made.
 struct BlowReport {
-    Blow blow;                     ///< solved exactly with histories, stresses and margin of the thrust
-    ReportHead head = {};          ///< as asked for
-    ReportComparison others = {};  ///< other blows of the report; empty without others
-    std::vector<MeasuredSignal> measured = {};  ///< signals over the curves of a scenario with units
-    ReportComparison misfits = {};              ///< how far each of them is from what is computed
-    std::string scenarioText;                   ///< gives its scenario again
-    std::vector<Message> recordRemarks = {};    ///< on the quality of a measured blow
-    std::vector<ReportInput> inputs;            ///< in the order of a file
-    std::vector<ReportSection> sections;        ///< of hammer and string; none for a uniform rod
-    std::optional<GapStudy> gap;                ///< where e depends on the gap and is known at all gaps
-    Message gapProblem;                         ///< why not, in a sentence, else empty; empty of a string
-    std::optional<ThrustReport> thrust;         ///< with study and curve, where blows have a frequency
-    Message thrustProblem;                      ///< why there is no study of the feed
-    ReportStudies studies = {};                 ///< as asked for
+    Blow blow;             ///< blow, solved exactly with histories, stresses and the margin of the feed force
+    ReportHead head = {};  ///< lines below the title, as requested
+    ReportComparison others = {};  ///< comparison with the other blows in the report; empty without any
+    /// Measured signals drawn over the curves; only for a scenario with units.
+    std::vector<MeasuredSignal> measured = {};
+    ReportComparison misfits = {};  ///< differences between each measured signal and the computed one
+    std::string scenarioText;       ///< scenario file that reproduces the scenario
+    std::vector<Message> recordRemarks = {};  ///< warnings about the quality of a measured blow
+    std::vector<ReportInput> inputs;          ///< values of the scenario, in the order of a scenario file
+    std::vector<ReportSection> sections;      ///< sections of hammer and string; empty for a uniform rod
+    /// Study of all gaps; empty if e does not depend on the gap or is not known for all gaps.
+    std::optional<GapStudy> gap;
+    /// Sentence that says why `gap` is empty; empty if it is not, and for a drill string.
+    Message gapProblem;
+    /// Required feed force with its study and curve; empty without a blow frequency.
+    std::optional<ThrustReport> thrust;
+    Message thrustProblem;  ///< reason why there is no study of the feed force; empty if there is one
+    /// Studies added on request, such as a sequence of blows or a design study.
+    ReportStudies studies = {};
 };
 
-/// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and
-/// the blow frequency: all but scenarioText, inputs and sections. A string has no curve over the gap. Where
-/// the blow is not solved, within `limits`, there is nothing else. A stop leaves it unsolved, or without
-/// studies.
+/// Returns the report of a valid scenario, without scenarioText, inputs and sections. Solves the blow and,
+/// unless that exceeds mostPiecesInPassing wave pieces, studies the gap and the blow frequency. A drill
+/// string has no study of the gap. If the blow is not solved within `limits`, the report contains nothing
+/// else. After a stop request the blow is unsolved or the studies are missing.
 BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
                        const GapProgress& progress = {}, const WorkLimits& limits = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Report of one solved blow as text.
+// Report on one solved blow as text.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// A summary rounded to six digits. Requires a solved blow.
+/// Returns a summary of a blow as text, with numbers rounded to six digits. Requires a solved blow.
 std::string blowText(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study of designs with what is reported about it: text, JSON and CSV.
+// Report of a design study as text, JSON and CSV.
 #pragma once
 
 #include <string>
@@ -12,42 +12,48 @@
 
 namespace drillwave {
 
-/// All that is reported. There is a robust best.
+/// Contents of the report of a design study. Requires that a best design for uncertain rock exists.
 struct DesignReport {
     DesignStudy study;
     DesignFindings findings;
-    std::string scenarioText;  ///< gives the same base again
-    double runTime = 0;        ///< [s]
+    std::string scenarioText;  ///< scenario file that reproduces the base scenario
+    double runTime = 0;        ///< computing time [s]
 };
 
-/// Returns what was varied, the best designs, ties, Pareto set, indices, worst cases and remarks, in this
-/// order.
+/// Returns the report as text. Its order is: design variables and uncertain inputs, best and equally good
+/// designs, Pareto set, Sobol indices, worst cases, warnings.
 std::string designText(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns sentences on the question: uncertain inputs, choices, designs and samples.
+/// Returns sentences that describe the question: uncertain inputs, design variables, numbers of designs and
+/// samples.
 std::vector<Message> designQuestionSentences(const DesignReport& report,
                                              const ReadingStyle& style = plainStyle());
-/// Returns sentences on the answer: the cost of the robust best, worst cases, remarks.
+/// Returns sentences that describe the result: the disadvantages of the best design for uncertain rock, worst
+/// cases and warnings.
 std::vector<Message> designAnswerSentences(const DesignReport& report,
                                            const ReadingStyle& style = plainStyle());
 
-/// Number of designs up to which designsGrid() has all of them.
+/// Maximum number of designs for which designsGrid() lists all designs.
 inline constexpr std::size_t mostShownDesigns = 24;
 
-/// Returns a line of titles and a line for each design: its marks, its choices, and its aims without and with
-/// scatter. If there are more than mostShownDesigns, only those with a mark.
+/// Returns a table with headings and one line per design. A line has the marks of a design (such as best or
+/// present), its design variables, and its objectives without and with scatter. With more than
+/// mostShownDesigns designs, only those with a mark are listed.
 TextGrid designsGrid(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns one JSON object, SI or dimensionless as the scenario is.
+/// Returns the report as one JSON object; values are in SI units if the scenario has units, otherwise
+/// dimensionless.
 std::string designJson(const DesignReport& report);
 
-/// Return a row for each design, or for those of the Pareto set only. The columns of the choices, and what
-/// keeps the energy, set a design again.
+/// Returns one CSV row for each design; paretoCsv() returns only those of the Pareto set. The columns of the
+/// design variables, and of the parameter that keeps the energy constant, are sufficient to set up a design
+/// again.
 std::string designsCsv(const DesignReport& report);
 std::string paretoCsv(const DesignReport& report);
-/// A row for each output and uncertain number.
+/// Returns the Sobol indices as CSV, one row for each output and uncertain input.
 std::string sensitivityCsv(const DesignReport& report);
-/// A row for each aim, its keys first: a table of cases of the base.
+/// Returns the worst cases as CSV, one row for each objective. The first columns are parameter keys, so that
+/// the file can be used as a table of cases for the base scenario.
 std::string worstCsv(const DesignReport& report);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences about a study of designs.
+// Sentences about a design study.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,12 @@
 
 namespace drillwave {
 
-/// How the sentences of a study name designs, aims and numbers: here by the keys that commands read, with
-/// numbers and units of a style. A window names all of them as its rows and axes do.
+/// Names of designs, objectives and numbers in the sentences of a design study. This class uses the keys of
+/// the command line, with numbers and units of a reading style. The window overrides it with the names of its
+/// rows and axes.
 class DesignNames {
   public:
-    /// Both must outlive the names.
+    /// Stores references to both arguments, which must outlive this object.
     explicit DesignNames(const DesignStudy& study, const ReadingStyle& style = plainStyle())
         : m_study(study), m_style(style) {}
     DesignNames(const DesignNames&) = delete;
@@ -26,17 +27,20 @@ class DesignNames {
     virtual ~DesignNames() = default;
 
     const ReadingStyle& style() const { return m_style; }
-    /// "240 us, 3.05 m"
+    /// Returns the name of a design (index from 0): the values of its design variables, such as "240 us, 3.05
+    /// m".
     virtual std::string design(std::uint64_t design) const;
-    /// "efficiency q05"
+    /// Returns the name of an objective, such as "efficiency q05".
     virtual Message aim(const DesignAim& aim) const;
-    /// A choice at the beginning of a sentence: "pulse.duration".
+    /// Returns the name of a design variable for the beginning of a sentence, such as "pulse.duration".
     virtual Message subject(const SweepAxis& choice) const;
-    /// A choice within a sentence: its key for commands, "duration" in print.
+    /// Returns the name of a design variable within a sentence: its key for the command line, or its label in
+    /// print, such as "duration".
     virtual Message choice(const SweepAxis& choice) const;
-    /// A number of an output with its unit.
+    /// Returns the value of an output with its unit.
     virtual std::string value(const Output& output, double value, int digits) const;
-    /// "0.712 +- 0.001": what an aim is about, of a design, with its error where it has one.
+    /// Returns the value of an objective for a design, with its error if it has one, such as "0.712 +-
+    /// 0.001".
     virtual std::string aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const;
 
   private:
@@ -44,65 +48,71 @@ class DesignNames {
     const ReadingStyle& m_style;
 };
 
-/// Remarks on the answer.
+/// Warning or note about the result of a design study.
 struct DesignRemark {
     bool isWarning = false;
-    std::string code;  ///< "flat_optimum", …
+    std::string code;  ///< code for programs, such as "flat_optimum"
     Message text;
 };
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const DesignNames& names);
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
-/// The answer of a study, as the aims decide in their order.
+/// Result of a design study in one word. The objectives decide in their order.
 enum class DesignHeadline {
     keep,          ///< no design is better than the present one
-    change,        ///< one is, or none of them is the present one
-    noDifference,  ///< all are feasible and equal, but for errors
-    noneFeasible,  ///< none meets the limits
+    change,        ///< a design is better than the present one, or the present one is not among the designs
+    noDifference,  ///< all designs are feasible and equally good, within errors
+    noneFeasible,  ///< no design satisfies the limits
 };
-/// "keep", "change", "no_difference", "none_feasible".
+/// Returns the name as in JSON: "keep", "change", "no_difference" or "none_feasible".
 std::string_view name(DesignHeadline headline);
-/// Nothing of a study without choices.
+/// Returns the result in one word; empty for a study without design variables.
 std::optional<DesignHeadline> headlineOf(const DesignReport& report);
-/// The headline as a sentence; empty where there is none.
+/// Returns the result as a sentence; empty for a study without design variables.
 Message designAnswerMessage(const DesignReport& report, const DesignNames& names);
-/// The first warning about the design to take, and the number of further ones; empty without any.
+/// Returns the first warning about the recommended design, followed by the number of further ones; empty
+/// without warnings.
 Message designWarning(const DesignReport& report, const DesignNames& names);
-/// The headline as a sentence, with the warnings about the design to take; empty where there is none.
+/// Returns the result as a sentence, followed by the warnings about the recommended design. Empty if there is
+/// neither.
 Message headlineMessage(const DesignReport& report, const DesignNames& names);
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
-/// The marks of a design: "best_uncertain", "best_nominal", "equal" to the design to take, "present".
-/// `present` is presentDesign().
+/// Returns the marks of a design (index from 0): "best_uncertain", "best_nominal", "equal" if several are
+/// equally good, "present". `present` must be the index from presentDesign().
 std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t design,
                                       std::optional<std::size_t> present);
 
-/// Whether a study has samples enough to say which share of a scatter a number has at all.
+/// Returns whether a study has enough samples for its Sobol indices to be meaningful.
 bool carriesShares(const DesignStudy& study);
 
-/// Which uncertain number (as in OutputSensitivity) is worth measuring first for an output that is aimed at,
-/// by its number there: that of the largest share, once the samples carry it.
+/// Returns the uncertain input that is most worth measuring: the one with the largest total Sobol index for
+/// an objective's output. Both `aimed` and the result are indices as in Sensitivity. Empty if the index is
+/// too uncertain or there is only one input.
 std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_t aimed);
 
-/// Returns the statistic of an aim for a design (from 0).
+/// Returns the statistic of an objective for a design (index from 0).
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);
 
-/// "0.712 +- 0.001": the same as people read it, with its error where it has one.
+/// Returns the value of an objective for a design as text, with its error if it has one, such as "0.712 +-
+/// 0.001".
 std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
                            const ReadingStyle& style = plainStyle());
 
-/// "thrust q95"
+/// Returns the name of an objective for tables, such as "thrust q95".
 std::string aimedName(const DesignAim& aim);
 
-/// "240 us", "half_sine, 3.05 m": a design by its choices; "FILE" without any.
+/// Returns the name of a design: the values of its design variables, such as "240 us" or "half_sine, 3.05 m".
+/// Without design variables it is "FILE".
 std::string designName(const DesignStudy& study, std::uint64_t design,
                        const ReadingStyle& style = plainStyle());
 
-/// A number of an output with its unit, as people read it.
+/// Returns the value of an output with its unit, as text for people.
 std::string outputText(const DesignStudy& study, const Output& output, double value,
                        const ReadingStyle& style = plainStyle(), int digits = 5);
 
-/// Returns one line per limit with the nearest value of all designs, if no design meets all limits.
+/// Returns one line per limit with the value closest to the limit among all designs. Empty unless no design
+/// satisfies all limits.
 std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
                                      const ReadingStyle& style = plainStyle());
 

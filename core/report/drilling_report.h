@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sequences of blows with what is reported about them: columns, units, sentences, text, JSON and CSV.
+// Report of a sequence of blows: columns, units, sentences, text, JSON and CSV.
 #pragma once
 
 #include <optional>
@@ -17,53 +17,57 @@
 
 namespace drillwave {
 
-/// The method of consecutive blows in JSON.
+/// Name of the method for sequences of blows in JSON.
 inline constexpr const char* drillingMethod = "cells";
 
-/// Many blows, what single ones require, and the text of the scenario they are of.
+/// Contents of the report of a sequence of blows.
 struct DrillingReport {
     DrillingResult result;
-    std::optional<FeedEstimate> feed;  ///< of the blow of the scenario
+    /// Required feed force from single blows of the scenario; empty without an estimate.
+    std::optional<FeedEstimate> feed;
     std::string scenarioText;
 };
 
-/// SI value of the unit of Problem, unit of the multiples in scenarios without units, and the quantity.
+/// Units of one kind of quantity in a sequence of blows.
 struct DrillingScale {
     Quantity quantity = Quantity::ratio;
-    double si = 1;        ///< SI value of 1 in units of Problem
-    double multiple = 1;  ///< SI value of the unit of multiples
+    double si = 1;        ///< SI value of the unit that Problem uses
+    double multiple = 1;  ///< SI value of the unit shown for scenarios without units
 
     double value(double ofProblem, OutputUnits units) const {
         return units == OutputUnits::si ? ofProblem * si : ofProblem * si / multiple;
     }
 };
+/// Returns the units of a kind of quantity for a result.
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
 
-/// Returns a spread or an error, in units of Problem, for text: rounding alone becomes zero.
+/// Returns a spread or an error for text, in the dimensionless units of Problem; 0 if it is so small that it
+/// is only rounding.
 double withoutRounding(double spread);
 
-/// Sentences on the required feed, then on the results of the sequence.
+/// Returns sentences on the required feed force, then on the results of the sequence.
 std::vector<Message> drillingSentences(const DrillingReport& report,
                                        const ReadingStyle& style = plainStyle());
 
-/// Whether the motion repeats, with λ; requires statistics.
+/// Returns a sentence that says whether the motion repeats, with the Lyapunov exponent λ. Requires
+/// statistics.
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units);
-/// "gap [m]" and so on: what heads the columns of drillingCsv() behind the number of the blow.
+/// Returns the headings of the columns of drillingCsv() after the number of the blow, such as "gap [m]".
 std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units);
-/// A row for every blow, behind the scenario.
+/// Returns the scenario as comment lines, then one CSV row for every blow.
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
-/// Blows whose histories are written, instant by instant.
+/// Returns the recorded histories as CSV, one row for every instant.
 std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units);
 
-/// Returns a line of titles, then mean, error, deviation and quantiles of each quantity of a blow. Requires
-/// statistics.
+/// Returns a table with headings and one line per quantity of a blow: mean, error, standard deviation and
+/// quantiles. Requires statistics.
 TextGrid sequenceGrid(const DrillingResult& result, OutputUnits units,
                       const ReadingStyle& style = plainStyle());
 
-/// Returns statements on the feed, spreads of gap, penetration, impulse and force, whether the motion
-/// repeats, energy and balances, alerts.
+/// Returns the report as text: statements on the feed force; spreads of gap, penetration, impulse and force;
+/// whether the motion repeats; energy and balances; alerts.
 std::string drillingText(const DrillingReport& report, OutputUnits units,
                          const ReadingStyle& style = plainStyle());
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scan of many blows as text and CSV.
+// Report of a scan, which computes sequences of blows for several values of a parameter, as text and CSV.
 #pragma once
 
 #include <string>
@@ -11,17 +11,18 @@
 
 namespace drillwave {
 
-/// A scan and the text of the scenario it starts from.
+/// Scan of sequences of blows, with the text of its base scenario.
 struct DrillingScanReport {
     DrillingScan scan;
     std::string scenarioText;
 };
 
-/// All of drillOutputs(), in the order of files §4.
+/// Returns the columns of all drillOutputs(), in the order of files §4.
 std::vector<OutputColumn> drillingScanColumns(OutputUnits units);
-/// A row for each value and start: the value, the start, and drillOutputs().
+/// Returns one CSV row for each value and initial state: the value, the initial state and drillOutputs().
 std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units);
-/// The gap of every blow that counts, with value and start: a bifurcation diagram.
+/// Returns the gap of every counted blow as CSV, with the value and the initial state. Plotted, this is a
+/// bifurcation diagram.
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units);
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units,
                              const ReadingStyle& style = plainStyle());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys `feed` and `sequence` of JSON: the same in all commands that have them.
+// JSON members `feed` and `sequence`, which are the same in all commands that have them.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace drillwave {
 
-/// Returns the forces that single blows require, N; null without an estimate.
+/// Returns the required feed forces of single blows as JSON [N]; null without an estimate.
 Json feedJson(const std::optional<FeedEstimate>& feed);
 
-/// Returns the means of a sequence, and how they compare with the best of a scan; null without statistics.
-/// Lengths are in m or, dimensionless, in d0; the rate is in m/s.
+/// Returns the means of a sequence of blows as JSON, with a comparison to the best value of `scan` if given;
+/// null without statistics. Lengths are in m, or in d0 if dimensionless; the penetration rate is in m/s.
 Json sequenceJson(const DrillingResult& result, OutputUnits units, const ScanComparison* scan = nullptr);
 
 }  // namespace drillwave

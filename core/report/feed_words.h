@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statements about the feed: what single blows require, what a sequence of blows does. The same wherever they
-// are printed.
+// Statements about the feed force: what single blows require, and what a sequence of blows gives. All reports
+// use the same ones.
 #pragma once
 
 #include <optional>
@@ -14,43 +14,48 @@
 
 namespace drillwave {
 
-/// A few words for a table or a band of a plot: "below required".
+/// Returns a few words for the state of the feed force, for a table or a band of a plot, such as "below
+/// required".
 std::string_view feedWord(FeedState state);
 
-/// One sentence on the case that decides: "8 kN covers every single blow (7.25 kN required)." It says what is
-/// missing where there is no estimate. Forces have as many digits as tell the required from the installed
-/// one.
+/// Returns a sentence on the decisive case, such as "8 kN covers every single blow (7.25 kN required)."
+/// Without an estimate, the sentence says what input is missing. Forces have enough digits to distinguish the
+/// required from the installed one.
 Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                             const ReadingStyle& style = plainStyle());
 
-/// The same, and while no sequence was computed what computes it.
+/// Returns one or two sentences on the required feed force. The first is that of requiredFeedMessage(). If
+/// there is an estimate, a second one names the command or page for consecutive blows.
 std::vector<Message> estimateSentences(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                                        const ReadingStyle& style = plainStyle());
-/// In one paragraph, in the language of the reader.
+/// Returns the sentences on the required feed force (see estimateSentences()) as one paragraph, in the
+/// language of the reader.
 std::string estimateText(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                          const ReadingStyle& style = plainStyle());
 
-/// Returns the remedy where the feed is below what this blow requires: "At least 4.4 kN at 60 Hz, or at most
-/// 48 Hz, would cover this blow."
+/// Returns the remedy if the feed force is below what this blow requires. Example: "This blow is covered by
+/// at least 4.4 kN at 60 Hz, or at most 48 Hz with this feed."
 Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
-/// Says how much more feed brings, as far as single blows tell it: what covers this blow and every gap, or
-/// that they need no more. Empty where no feed is installed and where the estimate does not apply.
+/// Returns a sentence on the benefit of more feed force, judged by single blows. It says how much more covers
+/// this blow and every gap, or that no more is needed. Empty without an installed feed force, or if the
+/// estimate does not apply.
 Message moreFeedMessage(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
-/// Stands once beside every statement on more feed.
+/// Sentence on what the model neglects, printed once beside statements on more feed force.
 inline constexpr const char* feedLimitsOfModel =
     translatable("Friction, rotation and buckling are not modelled.");
 
-/// Names what follows dampers and waves from blow to blow, in the middle of a sentence: the command, in print
-/// and in a window its page.
+/// Returns the name of the tool that computes sequences of blows, for use within a sentence. It is the
+/// command `drill`, or in print and in the window the page "Drilling".
 Message drillingWords(const ReadingStyle& style);
 
-/// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts.
+/// Returns the feed force in words, such as "installed feed force 8 kN". If an inclination is given, it is
+/// the effective feed force with its parts.
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
-/// Returns the label of a case in tables: "this blow", "95 % of all gaps", "rigid rock", "elastic rock, worst
-/// gap".
+/// Returns the label of a case of the required feed force: "this blow", "95 % of all gaps", "rigid rock" or
+/// "elastic rock, worst gap".
 const char* labelOf(ThrustCase which);
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures as data: what is drawn over which axes. Units, language, pens and colours belong to who draws it.
+// Figures as data: curves, axes and marks. Units, language, pens and colours are chosen by the code that
+// draws them.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +17,25 @@
 
 namespace drillwave {
 
-/// A mere number, a number of hundredths that is followed by "%", a number of which the power of ten matters
-/// (errors), or seconds that the program takes.
+/// Kind of a number without a physical quantity. It is a plain number, a fraction shown as per cent, an error
+/// shown by its power of ten, or a computing time [s].
 enum class PlainNumber { number, percent, magnitude, runTime };
 
-/// Multiple of a characteristic quantity of the blow (theory §1): t0, F0, I0, d0, k0, W0, F0/A, L, v0.
+/// Characteristic quantity of the blow of which values are multiples (theory §1). In this order: t0, F0, I0,
+/// d0, k0, W0, F0/A, L, v0.
 enum class BlowScale { time, force, impulse, penetration, stiffness, energy, stress, length, velocity };
 
-/// SI values of a quantity, most of them about as large as `size` [SI].
+/// Values of a physical quantity in SI units. `size` is their typical magnitude (SI), by which a unit is
+/// chosen.
 struct SiValues {
     Quantity quantity = Quantity::ratio;
     double size = 1;
 };
 
-/// Quantity of the numbers of a figure. Values of a parameter are in SI.
+/// Quantity of the numbers of a figure. Values of a parameter (KeptParameter) are in SI units.
 using FigureQuantity = std::variant<PlainNumber, BlowScale, SiValues, KeptParameter>;
 
-/// A click at a value of an axis sets `parameter` to `factor` times that value [SI].
+/// Action of a click on an axis: sets `parameter` to `factor` times the value clicked (SI).
 struct AxisTarget {
     KeptParameter parameter;
     double factor = 1;
@@ -42,15 +45,18 @@ struct FigureAxis {
     Message title = {};
     FigureQuantity quantity = PlainNumber::number;
     bool isLogarithmic = false;
-    std::optional<std::pair<double, double>> range = {};  ///< fixed; else all values are in view
-    std::optional<AxisTarget> target = {};                ///< nothing: a click sets nothing
-    bool isFromZero = false;                              ///< from zero to a little above all values
+    /// Fixed range of the axis; empty if all values shall be visible.
+    std::optional<std::pair<double, double>> range = {};
+    /// Parameter that a click on the axis sets; empty if a click has no effect.
+    std::optional<AxisTarget> target = {};
+    bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
 };
 
-/// line: y over ascending x, or marked points in any order. path: through points in their order. area: the
-/// same, closed and filled.
+/// Kind of a series. `line` is y over ascending x, or marked points in any order. `path` joins the points in
+/// their order; `area` is a closed, filled path.
 enum class SeriesKind { line, path, area };
 
+<<<<<<< HEAD
 /// Colour and dashes of a series, which numbers beyond these continue.
 enum class SeriesRole { result, second, third, fourth };
 
@@ -61,22 +67,31 @@ enum class SeriesStroke { usual, wide, dotted, dashed, strong };
 /// Marks at the points of a line: none, with the line through them, without it; stars or small rings without
 /// it.
 enum class SeriesPoints { none, joined, apart, stars, rings };
+=======
+/// Role of a series, which determines its pen and colour; `reference` is a thick line in the text colour.
+enum class SeriesRole { result, second, third, fourth, reference };
 
-/// A number in a caption.
+/// Marks at the points of a line: none, marks with the line, marks without the line, or stars without the
+/// line.
+enum class SeriesPoints { none, joined, apart, stars };
+>>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
+
+/// Number in a caption, with its quantity and number of digits.
 struct FigureNumber {
     double value = 0;
     FigureQuantity quantity = PlainNumber::number;
     int digits = 4;
-    Message words = {};  ///< instead of the number: a name or a reason
+    Message words = {};  ///< text shown instead of the number, such as a name or a reason
 };
 
-/// A sentence with numbers in the places %1, %2 and so on.
+/// Sentence with numbers at the placeholders %1, %2, …
 struct FigureText {
     const char* pattern = "";
     std::vector<FigureNumber> numbers = {};
 };
 
-/// A click near a line takes the place on the line, and sets `parameter`, if there is one, to `value` [SI].
+/// Effect of a click near a line: `parameter`, if there is one, becomes `value` [SI], besides that of the x
+/// axis.
 struct SeriesTarget {
     KeptParameter parameter = {};
     double value = 0;
@@ -85,24 +100,41 @@ struct SeriesTarget {
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::result;
+<<<<<<< HEAD
     SeriesStroke stroke = SeriesStroke::usual;
     Message legend = {};  ///< empty: it is not in the legend
+=======
+    Message legend = {};  ///< text in the legend; the series is not listed if it is empty
+>>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
     std::vector<double> x = {};
     std::vector<double> y = {};
-    bool isOnTop = false;                             ///< its x are those of the top axis
-    std::function<double(double x)> value = nullptr;  ///< of a line, y between its points; may be empty
-    bool isFaint = false;                             ///< stays behind the others
-    std::vector<double> upper = {};                   ///< of a line, the other edge of a strip, drawn thin
-    bool isFilled = false;                            ///< whether the strip is shaded
+    bool isOnTop = false;  ///< whether its x values belong to the top axis of the panel
+    /// Function that gives y between the points of a line; may be empty.
+    std::function<double(double x)> value = nullptr;
+    bool isFaint = false;  ///< whether the series is drawn faintly, behind the others
+    /// Second edge of a strip that begins at the line y, drawn thin; empty for a simple line.
+    std::vector<double> upper = {};
+    bool isFilled = false;  ///< whether the strip between y and `upper` is shaded
     SeriesPoints points = SeriesPoints::none;
+<<<<<<< HEAD
     std::vector<FigureText> texts = {};  ///< beside the first points, empty ones beside those without
     bool isTextBelow = false;            ///< texts are left below their points, not right above
     std::vector<std::size_t> rows = {};  ///< row of the study's table of each point
     std::optional<SeriesTarget> target = {};
     std::optional<AxisTarget> dragged = {};  ///< changes by as much as the user drags the line up or down
+=======
+    /// Texts beside the first points; empty texts for points without one.
+    std::vector<FigureText> texts = {};
+    /// Whether texts are placed to the lower left of their points, otherwise to the upper right.
+    bool isTextBelow = false;
+    std::vector<std::size_t> rows = {};  ///< row of the study's table for each point
+    /// Parameter that changes by the distance by which the user drags the line up or down; empty if it cannot
+    /// be dragged.
+    std::optional<AxisTarget> dragged = {};
+>>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
 };
 
-/// Kind of a marked place of a curve.
+/// Kind of a marked point of a curve.
 enum class MarkKind { goal, extreme, crossing, kink };
 
 struct FigureMark {
@@ -111,23 +143,27 @@ struct FigureMark {
     double y = 0;
 };
 
-/// A value of y, drawn as a line through all panels of a row and named in the last one.
+/// Level of y, drawn as a line through all panels of a row and labelled in the last panel.
 struct FigureLevel {
     Message name;
     double y = 0;
-    bool isMain = false;  ///< stands out among the others
+    bool isMain = false;  ///< whether the level is drawn more prominently than others
     std::size_t row = 0;
     bool isInView = true;  ///< whether axes reach it at any rate; else only if curves keep half of the height
 };
 
-/// All values of y above `from`, shaded and named.
+/// Zone of all values of y above `from`, shaded and labelled.
 struct FigureZone {
     Message name;
     double from = 0;
 };
 
+<<<<<<< HEAD
 /// All values of x between two, shaded and named at the top; with `at`, at the foot, centred there, if there
 /// is room beside the names of other bands.
+=======
+/// Band of all values of x from `from` to `to`, shaded and labelled.
+>>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
 struct FigureBand {
     Message name;
     double from = 0;
@@ -135,56 +171,65 @@ struct FigureBand {
     std::optional<double> at = {};
 };
 
-/// Layers of y along x, from below; the lower, the darker.
+/// Layers of y along x, from bottom to top; lower layers are darker.
 struct FigureLayers {
     std::vector<Message> names = {};
     std::vector<double> x = {};
-    std::vector<std::vector<double>> edges = {};  ///< y over x between each layer and the next one
-    std::vector<double> clear = {};               ///< y over x of a line that names keep clear of, or none
+    /// Boundaries between neighbouring layers, each as values of y at `x`.
+    std::vector<std::vector<double>> edges = {};
+    /// Line that the names of the layers must not cover, as values of y at `x`; may be empty.
+    std::vector<double> clear = {};
 };
 
-/// A line at a value of x that the reader can drag.
+/// Vertical line at a value of x that the reader can drag.
 struct FigureHandle {
     Message name;
     double x = 0;
-    std::optional<double> snap = {};  ///< a value that the line jumps to within a few pixels
+    /// Value that the line snaps to when it is within a few pixels; empty for none.
+    std::optional<double> snap = {};
 };
 
-/// A point of the first panel; without y a line.
+/// Point of the first panel of a figure; without y, a vertical line at x.
 struct FigurePoint {
     double x = 0;
     std::optional<double> y = {};
 };
 
-/// One plot. Panels of a row share the axis of y.
+/// One plot of a figure. Panels in the same row share their y axis.
 struct StudyPanel {
-    std::size_t row = 0;   ///< from the top; rows follow each other in the list of panels
-    double width = 1;      ///< over that of the first panel of its row
-    double height = 1;     ///< over that of the first row; of the first panel of its row
-    bool sharesX = false;  ///< its x axis shows the same values as that of the first panel
+    /// Row of the panel, counted from the top. Panels are listed row by row.
+    std::size_t row = 0;
+    double width = 1;   ///< width relative to the first panel of its row
+    double height = 1;  ///< height relative to the first row; only that of the first panel in a row is used
+    bool sharesX = false;  ///< whether its x axis shows the same range as that of the first panel
     FigureAxis x = {};
-    FigureAxis y = {};                   ///< of the first panel of its row
-    std::optional<FigureAxis> top = {};  ///< a second x axis
-    double topPerX = 0;  ///< the top axis shows that many times x (values of `top` over values of `x`); 0: it
-                         ///< has values of its own, of series that are `isOnTop`
+    FigureAxis y = {};                   ///< y axis; only that of the first panel in a row is used
+    std::optional<FigureAxis> top = {};  ///< second x axis, along the top; empty for none
+    /// Ratio of values on the top axis to values on the x axis. It is 0 if the top axis has its own values,
+    /// for series with `isOnTop`.
+    double topPerX = 0;
     std::vector<FigureSeries> series = {};
+<<<<<<< HEAD
     std::vector<FigureMark> marks = {};  ///< of the series `marked`
     std::size_t marked = 0;
+=======
+    std::vector<FigureMark> marks = {};  ///< marks on the first series
+>>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
     std::optional<FigureZone> zone = {};
     std::vector<FigureBand> bands = {};
     FigureLayers layers = {};
     std::optional<FigureHandle> handle = {};
 };
 
-/// Panels in rows, with what stands above them. A figure with another number of panels is another figure:
-/// series, marks and levels may change from one result to the next.
+/// Figure of panels in rows, with a caption above them. From one result to the next, series, marks and levels
+/// may change. A different number of panels means a different figure.
 struct StudyFigure {
     std::vector<FigureText> caption = {};
     std::vector<StudyPanel> panels = {};
     std::vector<FigureLevel> levels = {};
-    bool isPreview = false;  ///< a first look, without what needs the whole result
-    Message summary = {};    ///< in words, where the caption says less
-    int paperHeight = 110;   ///< [mm], of a figure 180 mm wide
+    bool isPreview = false;  ///< whether this is a preview that lacks what needs the whole result
+    Message summary = {};    ///< summary in words, if the caption says less
+    int paperHeight = 110;   ///< height on paper for a width of 180 mm [mm]
 };
 
 }  // namespace drillwave

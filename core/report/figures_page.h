@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page that compares the paper with what is computed here.
+// Page that compares the figures and numbers of the paper with those computed by the program.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// HTML with the figures (fig3.svg and so on beside it, which are there in `formats`, of pictureFormats) and
-/// a table of every printed number.
+/// Returns an HTML page with the figures and a table of every printed number. The picture files (fig3.svg and
+/// so on) must be beside the page, in the formats `formats` of pictureFormats.
 std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
                         const std::vector<std::string>& formats);
 

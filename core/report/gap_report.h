@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of all gaps between bit and rock, and its statistics as text, JSON, CSV and figure.
+// Study of all gaps between bit and rock: its statistics as text, JSON, CSV and figure.
 #pragma once
 
 #include <string>
@@ -14,33 +14,37 @@
 
 namespace drillwave {
 
-/// `drillwave gap` and the page COR–gap: what a gap that nobody controls does to a blow (paper, Fig. 8).
+/// Returns the study behind `drillwave gap` and the page COR–gap: the effect of an uncontrolled gap on a blow
+/// (paper, Fig. 8).
 const Study& gapStudy();
 
-/// Returns what the reader should know about the period; empty when it begins at no gap.
+/// Returns a note about the gap from which on results repeat periodically; empty if they do so from gap 0 on.
 Message periodRemark(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns one JSON object, dimensionless, with the scales that lead to SI; `scenarioText` gives the same
-/// scenario again.
+/// Returns the study as one dimensionless JSON object, with the scales for conversion to SI units.
+/// `scenarioText` is the scenario file that reproduces the scenario.
 std::string gapJson(const GapStudy& study, const std::string& scenarioText);
 
-/// Returns the curve as CSV: gap and all outputs, kinks included. SI needs a dimensional scenario.
+/// Returns the curve as CSV: the gap and all outputs, including points at kinks. SI units require a scenario
+/// with units.
 std::string gapCsv(const GapStudy& study, OutputUnits units);
 
-/// Returns the table of the statistics, which must be there: a line of titles, then one for each of them.
+/// Returns a table of the statistics: headings, then one line for each statistic. Requires that the
+/// statistics exist.
 TextGrid gapGrid(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns remarks on the statistics, which must be there, a sentence or most of one each; the last states
-/// their errors.
+/// Returns notes on the statistics, about one sentence each; the last one states their errors. Requires that
+/// the statistics exist.
 std::vector<std::string> gapRemarks(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns table and remarks, and how long the study took.
+/// Returns the study as text: the table, the notes and the computing time.
 std::string gapText(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns an output over one period of the gap, with its distribution beside it, of a complete study.
+/// Returns a figure of an output over one period of the gap, with its distribution beside it. Requires a
+/// complete study.
 StudyFigure gapFigure(const GapStudy& study, GapOutput output);
 
-/// Returns the same of a first look.
+/// Returns a preview figure of an output over one period of the gap, from a few solved gaps.
 StudyFigure gapPreviewFigure(const Scenario& scenario, const std::vector<GapSample>& samples,
                              GapOutput output);
 

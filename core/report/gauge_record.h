@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The record that strain gauges on rod or string would make of a computed blow: a rehearsal of `identify`.
+// Simulated record of strain gauges on rod or string for a computed blow, to rehearse the command `identify`.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,22 @@
 
 namespace drillwave {
 
-/// Name and place of a gauge that is planned.
+/// Planned strain gauge: its column in the table and its position.
 struct PlannedGauge {
-    std::string column;   ///< its name in the table
-    double distance = 0;  ///< from the bit face [m], on a uniform section of rod or string
+    std::string column;   ///< name of its column in the table
+    double distance = 0;  ///< distance from the bit face [m]; must be on a uniform section of rod or string
 };
 
-/// Samples in a second of such a record, and its time before the blow reaches the struck end.
-inline constexpr double gaugeRecordRate = 1e6;    ///< [1/s]
-inline constexpr double gaugeRecordBegin = 3e-4;  ///< [s]
+/// Sampling rate of the simulated record, and recorded time before the blow reaches the struck end.
+inline constexpr double gaugeRecordRate = 1e6;  ///< sampling rate [1/s]
+/// Recorded time before the blow reaches the struck end [s].
+inline constexpr double gaugeRecordBegin = 3e-4;
 
-/// Returns a table of `time [us]` and the strain of each gauge [microstrain], tension positive. Each sample
-/// is the mean over its interval, with white noise from `seed` of the share `noise` (0 … 1) of the gauge's
-/// largest strain. The record ends two round trips after the blow reaches the bit, or where the waves of a
-/// string end. Requires a blow with units and histories (Impact::hasHistories()), and gaugePlace() of every
-/// gauge.
+/// Returns a table of `time [us]` and the strain of each gauge [microstrain], tension positive. A sample is
+/// the mean over its interval. White noise from `seed` is added, with a share `noise` (0 … 1) of the gauge's
+/// largest strain. The record ends two round trips after the blow reaches the bit, or when the waves of a
+/// string end. Requires a blow with units and histories (Impact::hasHistories()), and a valid gaugePlace()
+/// for every gauge.
 std::string gaugeRecordCsv(const Blow& blow, const std::vector<PlannedGauge>& gauges, double noise,
                            std::uint64_t seed);
 

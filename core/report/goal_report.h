@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the lines of a study along a parameter take the goal: text, JSON and CSV.
+// Report of the parameter values at which the curves take a goal value, as text, JSON and CSV.
 #pragma once
 
 #include <string>
@@ -12,35 +12,39 @@
 
 namespace drillwave {
 
-/// How the CSV begins.
+/// Beginning of the header of the CSV of goalCsv(), by which such files are recognised.
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
 /// Returns the number of significant digits of goals and places.
 int goalDigits(const ReadingStyle& style);
 
-/// Returns a value of the question's output in its unit: "0.7", "240 kN".
+/// Returns a value of the only output with its unit: "0.7", "240 kN".
 std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style);
 
-/// Returns "cor = 0.7", "peak_force = 240 kN", in print "peak force = 240 kN". Requires a goal, as all that
-/// follows does.
+/// Returns the goal in words, such as "cor = 0.7" or, in print, "peak force = 240 kN". Requires that the
+/// question has a goal.
 std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style = plainStyle());
 
 /// Returns that a line does not reach the goal, with the nearest value: "no beta from 0.1 to 10 gives cor =
 /// 2: the nearest is 1.4140683, at 0.29982658".
 Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style);
 
-/// A table of the places of a line, whether there may be others, and where there is none the nearest value.
+/// Returns a table of the parameter values for which an output takes the goal value, and whether there may be
+/// others. If there are none, gives the nearest value. Requires that the question has a goal.
 std::string goalText(const CurveQuestion& question, const CurveLine& line,
                      const ReadingStyle& style = plainStyle());
 
-/// A sentence for each line that takes the goal nowhere; empty when all do.
+/// Returns one sentence for each curve that nowhere takes the goal value; empty if all do. Requires that the
+/// question has a goal.
 std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
-/// `places` with `kind`, `complete`, and `nearest` where there is none.
+/// Returns a JSON object with the members `places` (each with its `kind`) and `complete`, and with `nearest`
+/// if there is no place.
 JsonObject goalJson(const GoalAnswer& answer);
 
-/// A row for each place of each line: the goal, kind and direction, the value of the family, place and error
-/// in the unit of the parameter, the output and its error there, and what follows a leap.
+/// Returns one CSV row for each place where a curve takes the goal value. Columns are goal, kind, direction,
+/// value of the second parameter (family), place, its error, output there, its error, and output after a
+/// jump. Places are in the unit of the parameter. Requires that the question has a goal.
 std::string goalCsv(const CurveStudy& study);
 
 }  // namespace drillwave

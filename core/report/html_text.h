@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text and tables as HTML.
+// Converts text and tables to HTML.
 #pragma once
 
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace drillwave {
 
-/// A text as it stands between the tags of HTML, SVG and XML, or in a quoted attribute: printableLines(), and
-/// nothing of it is markup.
+/// Returns a text escaped for use between tags of HTML, SVG or XML, or in a quoted attribute. Applies
+/// printableLines() first; the result contains no markup.
 std::string escapedHtml(std::string_view text);
 
-/// "<TAG>text</TAG>", the text escaped.
+/// Returns "<TAG>text</TAG>" with the text escaped.
 std::string htmlElement(std::string_view tag, std::string_view text);
 
-/// The head of a column; a word is not broken.
+/// Returns the header cell of a table column; a single word is not broken across lines.
 std::string htmlHead(std::string_view text);
 
-/// The line that names the columns of a table, which paper has again on every page.
+/// Returns the header line of a table, which is repeated on every printed page.
 std::string htmlHeads(const std::vector<std::string>& names);
 
-/// Lines of a table, the first of which names the columns; in the others a number stays with what is beside
-/// it.
+/// Returns the lines of a table, of which the first has the headings. In the other lines, a number is not
+/// separated from its unit by a line break.
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports of an identification: text, JSON, and the tables of its files.
+// Reports of an identification: text, JSON, and the tables of its output files.
 #pragma once
 
 #include <optional>
@@ -15,95 +15,104 @@
 
 namespace drillwave {
 
-/// A question with its answer, and the text of the scenario.
+/// Question and result of an identification, with scenario texts.
 struct IdentifyReport {
     IdentifyQuestion question;
     IdentifyFindings findings;
-    std::string scenarioText;    ///< of FILE
-    std::string identifiedText;  ///< with the rock as identified; that of FILE where nothing is known
+    std::string scenarioText;  ///< text of the scenario file given
+    /// Scenario file with the identified rock; equal to `scenarioText` if nothing was identified.
+    std::string identifiedText;
 };
 
-/// Draws in posterior.csv.
+/// Number of random samples of the rock parameters in posterior.csv.
 inline constexpr std::size_t posteriorRows = 200;
 
-/// Answer first, then what limits it and what was seen, at most 40 lines for one record.
+/// Returns the report as text, at most 40 lines for one record: the result first, then its limits and what
+/// was observed.
 std::string identifyText(const IdentifyReport& report, const ReadingStyle& style = plainStyle());
 std::string identifyJson(const IdentifyReport& report);
 
-/// `time [s]`, `incident [N]`, `measured [N]`, `model [N]`, `residual [N]`; of several records `record`
-/// first.
+/// Returns the waves over time as CSV with the columns `time [s]`, `incident [N]`, `measured [N]`, `model
+/// [N]`, `residual [N]`. With several records, `record` is the first column.
 std::string matchCsv(const IdentifyReport& report);
-/// `time [s]`, `penetration [m]`, `force [N]`, `model_force [N]`; of several records `record` first.
+/// Returns the rock response as CSV with the columns `time [s]`, `penetration [m]`, `force [N]`, `model_force
+/// [N]`. With several records, `record` is the first column.
 std::string forcePenetrationCsv(const IdentifyReport& report);
-/// Draws headed by keys with units, for `design --draws`; empty where there are none.
+/// Returns random samples of the identified parameters as CSV, with keys and units as headings, for `design
+/// --draws`. Empty if there are none.
 std::string posteriorCsv(const IdentifyReport& report);
-/// A row for each record.
+/// Returns the results as CSV with one row for each record.
 std::string recordsCsv(const IdentifyReport& report);
-/// `time [us]`, `force [kN]` from the front to the end of the incident wave.
+/// Returns the incident wave as CSV with the columns `time [us]` and `force [kN]`, from its front to its end.
 std::string incidentCsv(const IdentifyReport& report);
 
-/// Returns the sentence of a remark by its code; `scenario` gives the names of its sections.
+/// Returns the sentence for the code of a warning. `scenario` provides the names of its sections.
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
                        const ReadingStyle& style);
-/// Whether a remark stands among those that a reader sees; the others are said elsewhere.
+/// Returns whether the report lists a warning, given by its code. Warnings that other parts of the report
+/// already express are not listed.
 bool isRemarkShown(std::string_view code);
-/// First sentence about one record: whether the model holds and what is known.
+/// Returns the first sentence about a record: whether the model agrees with it and what is known.
 Message identifySentence(const RecordAnswer& answer);
-/// Whether a record agrees with the model, in a few words; the reason where it is refused.
+/// Returns in a few words whether a record agrees with the model, or why it was refused.
 Message recordVerdict(const RecordAnswer& answer);
-/// Reason why a rejected record may be so, most likely first.
+/// Returns the most likely reason why the model disagrees with a rejected record.
 Message rejectionReason(const RecordAnswer& answer);
 
-/// Returns a size in words, with its key if the reader writes commands: "diameter of bit head
-/// (string.bit_head.diameter)"; other keys as they are.
+/// Returns the size of a section in words, with its key if the reader uses commands: "diameter of bit head
+/// (string.bit_head.diameter)". Other keys are returned unchanged.
 Message sizeWords(const std::string& key, const Scenario& scenario, const ReadingStyle& style);
-/// Returns a gap or a tolerance of a size in mm, or in the unit that the reader has for millimetres.
+/// Returns a short length (SI), such as a gap or a tolerance, as text in mm, or in the reader's unit instead
+/// of millimetres.
 std::string shortLength(double si, int digits, const ReadingStyle& style);
 
-/// A value of the answer in words: "rock when it is first loaded", "stiffness", "131.2 MN/m",
+/// One identified value in words, for example "rock when it is first loaded", "stiffness", "131.2 MN/m",
 /// "127.1 MN/m … 135.4 MN/m", "known".
 struct IdentifyRow {
-    std::string key;  ///< of the parameter
+    std::string key;  ///< key of the parameter
     Message what, term;
     std::string value;
-    std::string interval;  ///< 95 %; empty where there is none on both sides
+    std::string interval;  ///< 95 % interval; empty if it is not bounded on both sides
     Message verdict;
 };
-/// Returns rows of a record and, of several records, of the next blow.
+/// Returns the rows of a table of identified values: those of a record, then those for the next blow if there
+/// are several records.
 std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
                                       const std::vector<NextBlowParameter>& nextBlow,
                                       const ReadingStyle& style);
 
-/// A cause of the error of an answer.
+/// Source of error that limits the accuracy of a result.
 struct IdentifyLimit {
     Message cause;
-    std::string key;  ///< of --known, may be empty
+    std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
     Message tolerance;
-    double onStiffness = 0, onGamma = 0;  ///< relative, 95 %
+    double onStiffness = 0, onGamma = 0;  ///< effect on stiffness and gamma: relative 95 % half-width
     bool isAssumed = false;
 };
-/// Returns the largest causes, the largest first; none of a record that is refused or rejected.
+/// Returns the largest sources of error, the largest first; empty for a record that is refused or rejected.
 std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
                                           const ReadingStyle& style);
-/// Returns the one measurement that would help most, in a sentence; empty where there is none.
+/// Returns a sentence that recommends the most useful further measurement; empty if there is none.
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 
-/// A 95 % tolerance that is assumed where --known gives none.
+/// Default 95 % tolerance, used if --known does not give one.
 struct AssumedTolerance {
     std::string key;
     Quantity quantity = Quantity::length;
-    std::optional<double> tolerance;  ///< SI; nothing where it depends on the record
+    std::optional<double> tolerance;  ///< default tolerance in SI units; empty if it depends on the record
 };
-/// Returns those of the amplifier, the place of the gauges, and the sizes of gauge's section and of the
-/// sections towards the bit.
+/// Returns the default tolerances of the amplifier, the gauge positions, and the sizes of the gauge's section
+/// and of the sections towards the bit.
 std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place);
 
-/// Returns a picture of a record that is not refused, one of the findings. Panels are one below the other:
-/// waves over time, what the model leaves over, and force over penetration; of several records stiffness and
-/// gamma along the list instead of the last. Times are those of the record, compression is positive.
+/// Returns the figure of a record that is not refused; it must be one of the findings. Panels from top to
+/// bottom: waves over time, residual of the model, force over penetration. With several records, the last
+/// panel shows stiffness and gamma of all records instead. Times are those of the record; compression is
+/// positive.
 StudyFigure identifyFigure(const IdentifyFindings& findings, const RecordAnswer& answer);
 
-/// The rock in comments of a file: "identified from string.csv: 127.1 to 135.4 MN/m (95 %)" by key.
+/// Returns a comment for the scenario file about an identified parameter, such as "identified from
+/// string.csv: 127.1 to 135.4 MN/m (95 %)".
 std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values that several JSON reports hold.
+// JSON values that several reports have in common.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,23 @@
 
 namespace drillwave {
 
-/// The name of the SI unit of a quantity; "1" for a ratio.
+/// Returns the name of the SI unit of a quantity as JSON; "1" for a ratio.
 Json unitJson(Quantity quantity);
 
-/// beta, gamma, tau and delta.
+/// Returns a JSON object with the dimensionless groups beta, gamma, tau and delta.
 JsonObject groupsJson(const Groups& groups);
 
-/// The beginning that the JSON of all commands about a scenario has in common.
+/// Beginning of the JSON of every command that works on a scenario.
 struct JsonHead {
     const Scenario& scenario;
-    std::string_view scenarioText;            ///< gives the scenario again
-    std::optional<MethodChoice> method = {};  ///< none where several methods are compared
-    JsonObject units = {};                    ///< by parameter, output or key; left out where empty
-    std::optional<double> runTime = {};       ///< wall clock time of the computation [s]
+    std::string_view scenarioText;            ///< scenario file that reproduces the scenario
+    std::optional<MethodChoice> method = {};  ///< method used; empty if several methods are compared
+    JsonObject units = {};  ///< units by parameter, output or key; omitted from the JSON if empty
+    std::optional<double> runTime = {};  ///< elapsed computing time [s]
 };
 
-/// Returns `version`, `title`, `scenario`, `groups` and, as far as given, `method`, `segments`, `units` and
-/// `run_time` (files §5).
+/// Returns a JSON object with `version`, `title`, `scenario`, `groups` and, if given, `method`, `segments`,
+/// `units` and `run_time` (files §5).
 JsonObject headJson(const JsonHead& head);
 
 }  // namespace drillwave

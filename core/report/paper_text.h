@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of any length on paper, which has room for so much of them. All of them are UTF-8.
+// Fits texts of any length into the space available on paper. All texts are UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace drillwave {
 
-/// The beginning of a text that fits on paper.
+/// Beginning of a text that fits on paper.
 struct PaperLines {
-    std::string text;     ///< broken where a line would be too long
-    bool isWhole = true;  ///< nothing is left out
+    std::string text;     ///< text with line breaks added where a line would be too long
+    bool isWhole = true;  ///< whether the text is complete, with nothing omitted
 };
 
-/// Returns the first `lines` lines of a text, broken at `columns` columns; a tab and the characters of wide
+/// Returns the first `lines` lines of a text, broken at `columns` columns. A tab and characters of wide
 /// scripts take several columns.
 PaperLines linesOnPaper(std::string_view text, std::size_t lines, std::size_t columns);
 
-/// A text of one line for a cell of a table: what is wider than so many columns ends with "…", and words that
-/// would widen a column of the table may be broken anywhere (U+200B).
+/// Returns a text of one line for a table cell. Text wider than `columns` columns is cut and ends with "…".
+/// Words that would widen the column may be broken anywhere (marked by U+200B).
 std::string cellOnPaper(std::string_view text, std::size_t columns);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a parameter is called by people, in parts that a window can say in the user's language.
+// Names of parameters for people, in parts that the window can translate.
 #pragma once
 
 #include <string_view>
@@ -10,21 +10,23 @@
 
 namespace drillwave {
 
-/// "stiffness", "length of hammer 1", "force of corner 2": the label, without the symbol.
+/// Returns the label of a parameter without its symbol, such as "stiffness", "length of hammer 1" or "force
+/// of corner 2".
 Message labelMessage(const Parameter& parameter);
 
-/// The same with the words of the section that it is of, "length of 2nd rod", where it is of one and there
-/// are any.
+/// Returns the label of a parameter, with the words `section` for the section it belongs to, such as "length
+/// of 2nd rod". Without a section it is the plain label.
 Message labelMessage(const Parameter& parameter, const Message& section);
-/// With the words that tables of the sections of the scenario have.
+/// Returns the label of a parameter, with the name that tables of the scenario's sections use for its
+/// section.
 Message labelMessage(const Parameter& parameter, const Scenario& scenario);
 
-/// "stiffness k", as in the form: the label, and behind it the symbol as it is written there, where it has
-/// one.
+/// Returns the title of a form field, such as "stiffness k": the label and, if there is one, the symbol as it
+/// is written there.
 Message titleMessage(const Parameter& parameter, std::string_view symbol);
 
-/// How a sentence names what is to be given: by the key of a file for a command, and in print and in a window
-/// by the title of the field, as the form has it.
+/// Returns the name of a parameter for a sentence that asks for it. It is the key for commands, and the title
+/// of the form field in print and in the window.
 Message fieldMessage(const Parameter& parameter, const ReadingStyle& style);
 
 }  // namespace drillwave

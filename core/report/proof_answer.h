@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answers of the studies of accuracy and stability: their figures, tables and texts.
+// Results of the accuracy and stability studies, with their figures, tables and texts.
 #pragma once
 
 #include "core/report/study.h"
@@ -9,16 +9,19 @@
 
 namespace drillwave {
 
-/// Error against run time, a series for each method; errors below the resolution of a double are shown there
-/// (theory §9, strings §11). The table has the columns of the command. The study took `runTime` [s].
+/// Returns the result of an accuracy study. Its figure shows error against computing time with a series for
+/// each method. Errors below the resolution of a double are drawn at that resolution (theory §9, strings
+/// §11). Its table has the columns of the command. `runTime` is the computing time of the study [s].
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const Accuracy& accuracy, double runTime = 0);
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const StringAccuracy& accuracy, double runTime = 0);
 
-/// The worst check of each case over its limit, against β/γ, the stiffest rate. Figure and table have the
-/// worst case first, the CSV has the cases in their order.
+/// Returns the result of a stability study. Its figure shows the worst check of each case relative to its
+/// limit, against β/γ, the fastest rate. Figure and table list the worst case first, the CSV keeps the order
+/// of the cases.
 StudyAnswerPtr stabilityAnswer(const StabilityReport& report, double runTime = 0);
 
-/// Measures a uniform rod over `ladder` (measureAccuracy()), or a drill string (measureStringAccuracy()).
+/// Returns the measured accuracy of a uniform rod for the numbers of segments in `ladder` (see
+/// measureAccuracy()), or of a drill string (see measureStringAccuracy()).
 StudyAnswerPtr studyAccuracy(const Scenario& scenario, const std::vector<int>& ladder, const StudyWork& work);
 
 }  // namespace drillwave

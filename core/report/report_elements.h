@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of the page of a report: paragraphs, headings, tables and alerts, for screen and paper.
+// Elements of a report page: paragraphs, headings, tables and alerts, for screen and paper.
 #pragma once
 
 #include <string>
@@ -12,19 +12,20 @@
 
 namespace drillwave {
 
-/// Use of a page.
+/// Intended use of a report page, which determines its HTML.
 enum class ReportMedium {
-    screen,  ///< a file of its own, valid HTML 5, with the record from which it can be run again
-    paper,   ///< the little HTML that QTextDocument knows; long scenarios are cut short
+    screen,  ///< separate file in valid HTML 5, including the data from which it can be run again
+    paper,   ///< subset of HTML that QTextDocument supports; long scenarios are truncated
 };
 
-/// Returns a reason with a capital and a full stop; names such as e stay as they are.
+/// Returns a reason as a sentence, with a capital letter and a full stop. Names such as e are not
+/// capitalised.
 std::string asSentence(std::string reason);
 
-/// Writes elements in the language and units of a reader.
+/// Writer of the elements of a page, in the language and units of a reader.
 class ReportElements {
   public:
-    /// Must not outlive the style.
+    /// Stores a reference to the style, which must outlive this object.
     ReportElements(ReportMedium medium, const ReadingStyle& style) : m_medium(medium), m_style(style) {}
 
     bool isScreen() const { return m_medium == ReportMedium::screen; }
@@ -33,7 +34,7 @@ class ReportElements {
 
     std::string paragraph(const Message& text) const;
     std::string heading(const Message& text) const;
-    /// Returns a table with a rule below each line, for which paper has less room.
+    /// Returns a table with a rule below each line; `rows` is its HTML. On paper it is more compact.
     std::string table(const std::string& id, const std::string& rows) const;
     std::string alert(const Alert& alert) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on a blow as a page of HTML.
+// Report on a blow as an HTML page.
 #pragma once
 
 #include <string>
@@ -12,33 +12,34 @@
 
 namespace drillwave {
 
-/// One of its plots.
+/// Plot in the page of a report.
 struct ReportPicture {
-    std::string name;     ///< "blow"
-    std::string caption;  ///< a sentence
-    std::string source;   ///< of <img>: a data: URI, or a name that the printer of the page knows
+    std::string name;     ///< name of the plot, such as "blow"
+    std::string caption;  ///< caption, one sentence
+    /// Source of the <img> element: a data: URI, or a name that the printer of the page can resolve.
+    std::string source;
 };
 
-/// The name of the one that shows the sections of a string.
+/// Name of the picture that shows the sections of a string.
 inline constexpr std::string_view stringPicture = "string";
 
-/// Lines of the scenario on paper: two pages of small ones.
+/// Maximum number of scenario lines on paper, about two pages of small type.
 inline constexpr std::size_t mostPaperLines = 180;
 
-/// Title with the head of the report, what is to be done about the feed, the first of the pictures, verdict,
-/// alerts, results, studies of the blow and of ReportStudies, inputs with sources, the other pictures,
-/// scenario, and last how well it is solved; no time and no place but those of the head. Numbers are in the
-/// style of the reader. On the screen each number stands in full in `data-value` of its cell, and a page
-/// without pictures says that they were left out by --no-plots. The blow must be solved.
+/// Returns the report as an HTML page, with numbers in the style of the reader. Its order is: title and head,
+/// recommendation on the feed force, first picture, verdict, alerts, results and studies. Then inputs with
+/// sources, other pictures, the scenario and the numerical accuracy follow.
+/// The page has no date or place except those of the head. On the screen, each table cell has its full number
+/// in `data-value`, and a page without pictures says that --no-plots omitted them. Requires a solved blow.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium, const ReadingStyle& style = plainStyle(),
                        std::size_t paperLines = mostPaperLines);
 
-/// Version, method, title and scenario as JSON, from the top of such a page for the screen; empty where there
-/// are none.
+/// Returns version, method, title and scenario as JSON from the top of a report page for the screen; empty if
+/// there are none.
 std::string_view reportRecord(std::string_view html);
 
-/// The title of the report, for a heading and the properties of a file.
+/// Returns the title of the report, for a heading and the properties of a file.
 std::string reportTitle(const BlowReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a report in rows: as people read them, and in full behind that.
+// Rows of numbers in a report, each as text for people and as the full number.
 #pragma once
 
 #include <optional>
@@ -13,41 +13,45 @@
 
 namespace drillwave {
 
-/// Content of one cell.
+/// Contents of one cell of a report table.
 struct ReportCell {
     std::string text;
-    std::optional<double> number;  ///< behind the text, as JSON has it; nothing where it is no number of JSON
+    /// Full number behind the text, as in JSON; empty if JSON does not have it.
+    std::optional<double> number;
 };
 
-/// A line: its name, then the cells of the columns.
+/// Row of a report table: its name and the cells of its columns.
 struct ReportRow {
-    std::string key;  ///< the name in JSON, or a symbol
+    std::string key;  ///< name of the value in JSON, or a symbol
     std::string label;
     std::vector<ReportCell> cells;
 };
 
-/// Returns the unit of a multiple: "I0"; empty for a plain number. Energies of a blow by a force are shares
-/// of its work W.
+/// Returns the unit of a dimensionless value, such as "I0"; empty for a plain number. Energies of a blow by a
+/// prescribed force are shares of its work W.
 std::string_view multipleName(Measure measure, const Scenario& scenario);
 
-/// Shares are known to 1e-12: what is smaller is rounding, and 0.
+/// Returns 0 for a share smaller than 1e-12, which is only rounding; otherwise the value unchanged.
 double shareOrZero(const Output& output, double value);
 
-/// The value of an output in its unit, of work and of its shares in joules.
+/// Returns the value of an output with its unit as text; work and its shares are in joules.
 std::string siText(const Output& output, double value, const Blow& blow,
                    const ReadingStyle& style = plainStyle(), int digits = 5);
 
-/// Where in the rod and when a largest force is: "1.2 m from the hammer, at 300 us"; empty for one of size 0.
+/// Returns where in the rod and when a largest force occurs, such as "1.2 m from the hammer, at 300 us".
+/// Empty if the force is 0.
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Returns every output of the scenario except solverRows(): as a multiple, and in its unit if the scenario
-/// has units; with place and time for the largest stresses. Requires a solved blow.
+/// Returns rows for all outputs of the scenario except those of solverRows(). Each has the dimensionless
+/// value and, if the scenario has units, the value with its unit. The largest stresses also have position and
+/// time. Requires a solved blow.
 std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Returns the rows on the numerical error: errors and residuals of the balances.
+/// Returns the rows on numerical accuracy: errors, and residuals of momentum and energy balances.
 std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// The four groups and, where the scenario has units, the scales and what follows for the rod.
+/// Returns the rows of the four dimensionless groups. If the scenario has units, adds its scales and derived
+/// values of the rod.
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

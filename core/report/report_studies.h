@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies that a report contains if they are wanted, and their sections in its page.
+// Studies that a report contains on request, and their sections in its page.
 #pragma once
 
 #include <array>
@@ -15,19 +15,21 @@ struct DesignReport;
 struct DrillingResult;
 struct DrillingScan;
 
-/// Names of the studies for `report --with`, those of their commands.
+/// Names of the studies for `report --with`, equal to the names of their commands.
 inline constexpr std::string_view drillStudyName = "drill", designStudyName = "design";
 inline constexpr std::array reportStudyNames{drillStudyName, designStudyName};
 
-/// Finished studies of the scenario of a report; nullptr where there is none.
+/// Finished studies of the scenario of a report; nullptr for a study that was not made.
 struct ReportStudies {
     std::shared_ptr<const DrillingResult> drilling;
-    std::shared_ptr<const DrillingScan> scan;    ///< has points
-    std::shared_ptr<const DesignReport> design;  ///< has a robust best; its texts may be empty
+    /// Scan over several values of a parameter; has at least one point.
+    std::shared_ptr<const DrillingScan> scan;
+    /// Design study with a best design for uncertain rock; its texts may be empty.
+    std::shared_ptr<const DesignReport> design;
 };
 
-/// Returns the sections of the studies: for continuous drilling its means with their errors, for a scan its
-/// best value, for a design study the answer and the best designs. Empty without studies.
+/// Returns the HTML sections of the studies; empty without studies. A sequence of blows has its means with
+/// errors, a scan its best value, a design study its result and the best designs.
 std::string studiesHtml(const ReportStudies& studies, const ReportElements& page);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of numbers and words as data, and how they are written as CSV.
+// Tables of numbers and words as data, and their CSV form.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// Content of one cell: nothing, a number or words. A number that is not finite is nothing.
+/// Contents of one cell: empty, a number or words. A number that is not finite gives an empty cell.
 class Cell {
   public:
     Cell() = default;
@@ -29,7 +29,8 @@ class Cell {
     Cell(std::string_view words) : m_content(std::string(words)) {}
     Cell(const char* words) : m_content(std::string(words)) {}
 
-    /// Appends the shortest text that reads back as the same number, or the words, quoted where CSV needs it.
+    /// Appends the cell to CSV text: the shortest text that reads back as the same number, or the words,
+    /// quoted if CSV requires it.
     void appendTo(std::string& csv) const;
 
   private:
@@ -38,18 +39,19 @@ class Cell {
 
 using Cells = std::vector<Cell>;
 
-/// Headers and rows. The cells of a row are made when the table is written: a table of many rows takes no
-/// memory of its own, and what it shows must outlive it.
+/// Table of headers and rows. The cells of a row are created when the table is written, so a long table needs
+/// no memory. The data that `cellsOf` uses must outlive the table.
 struct ReportTable {
-    std::vector<std::string> headers;  ///< of the columns, with their units
+    std::vector<std::string> headers;  ///< headers of the columns, with units
     std::size_t rows = 0;
-    std::function<Cells(std::size_t row)> cellsOf;  ///< of a row, from 0; missing cells at its end are empty
+    /// Function that returns the cells of a row (index from 0); missing cells at the end are empty.
+    std::function<Cells(std::size_t row)> cellsOf;
 };
 
-/// Returns header and rows as CSV, RFC 4180.
+/// Returns header and rows as CSV (RFC 4180).
 std::string csvText(const ReportTable& table);
 
-/// Appends the parts to the whole.
+/// Appends the elements of `parts` to `whole`.
 template <class Value>
 void append(std::vector<Value>& whole, std::vector<Value> parts) {
     whole.insert(whole.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers and tables of numbers as reports for people show them.
+// Numbers and tables in text reports for people.
 #pragma once
 
 #include <string>
@@ -11,37 +11,40 @@
 
 namespace drillwave {
 
-/// Title of a scenario in one line, nothing where it has none; and its groups in another.
+/// Returns the title of a scenario as one line, empty without a title; groupsLine() returns its dimensionless
+/// groups as one line.
 std::string titleLine(const Scenario& scenario);
 std::string groupsLine(const Scenario& scenario, const ReadingStyle& style = plainStyle());
-/// The law of bit and rock in a line where it is not bilinear; nothing where it is.
+/// Returns the law of bit and rock as one line; empty if it is bilinear.
 std::string lawLine(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 
-/// All of them, as reports begin.
+/// Returns the first lines of a report: title, dimensionless groups and rock law.
 std::string headingOf(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 
-/// Broken into lines of at most 100 characters, two blanks before each.
+/// Returns words broken into lines of at most 100 characters, each indented by two spaces.
 std::string paragraph(std::string_view words);
 
-/// Joins sentences with blanks, in the language of the reader.
+/// Returns sentences joined by spaces, in the language of the reader.
 std::string inOneParagraph(const std::vector<Message>& sentences, const ReadingStyle& style = plainStyle());
 
-/// Alignment of all cells of a line except the first, which is aligned to the left.
+/// Alignment of all cells of a line except the first, which is always left-aligned.
 enum class CellAlignment { left, right };
 
-/// Lines of cells in columns. The last cell of a line of one or two is a remark, which widens no column.
+/// Table of text cells in aligned columns. The last cell of a line with one or two cells is a note, which
+/// does not widen its column.
 class TextGrid {
   public:
     explicit TextGrid(CellAlignment alignment = CellAlignment::right) : m_alignment(alignment) {}
 
     void add(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
-    /// Each a text of the program, or a symbol.
+    /// Adds a line of headings; each must be a translatable text of the program or a symbol.
     void addTitles(const std::vector<const char*>& titles, const ReadingStyle& style);
     const std::vector<std::vector<std::string>>& rows() const { return m_rows; }
     std::string text() const;
 
   private:
-    /// Widths of the columns; the last of a line of two is as wide as its text.
+    /// Returns the widths of the columns, in characters. The last cell of a line with one or two cells is not
+    /// counted.
     std::vector<std::size_t> widths() const;
 
     CellAlignment m_alignment;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The comment lines with which the scenario of a result begins: who solved it, and how.
+// Comment lines at the start of a result's scenario, which state the program version and the method.
 #pragma once
 
 #include <cstddef>
@@ -11,22 +11,23 @@
 
 namespace drillwave {
 
-/// How a CSV file that begins with its scenario begins.
+/// First characters of a CSV file that begins with its scenario.
 inline constexpr std::string_view csvRemarksBegin = "# # Written by Drillwave ";
 
-/// Content of the remarks; all empty for a text that does not begin with them.
+/// Contents of the comment lines at the start of a result; all empty if the text does not begin with them.
 struct ResultRemarks {
     std::string version;
     std::optional<MethodChoice> method;
-    std::size_t length = 0;  ///< bytes of these lines
-    Message problem;         ///< a method that is none of this program; empty when it is
+    std::size_t length = 0;  ///< length of these lines [bytes]
+    Message problem;         ///< error if the method is not known to this program; empty otherwise
 };
 
-/// The lines, as comments of a YAML file; `columns` says what the columns of a CSV file mean, and is left out
-/// where it is empty, as `method` is.
+/// Returns the comment lines for the start of a YAML file. `columns` explains the columns of a CSV file;
+/// empty `method` and `columns` are omitted.
 std::string remarksText(std::string_view about, std::string_view method, std::string_view columns = {});
 
-/// Reads them at the top of a YAML text, behind a byte order mark where it has one.
+/// Returns the contents of the comment lines at the start of a YAML text, after a byte order mark if there is
+/// one.
 ResultRemarks remarksOf(std::string_view yaml);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of a sweep or a table as CSV.
+// Writes the rows of a sweep or a table as CSV.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,10 @@
 
 namespace drillwave {
 
-/// Takes the next bytes of a file; false when it cannot.
+/// Callback that writes the next bytes of a file; returns false if it cannot.
 using WriteText = std::function<bool(std::string_view)>;
 
-/// Writes header and rows; a row that was not solved has empty cells.
+/// Sink that writes header and rows as CSV. A row that was not solved has empty cells for its outputs.
 class RowCsv : public RowSink {
   public:
     explicit RowCsv(WriteText write) : m_write(std::move(write)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Energy and stresses of the sections of hammer and string, for people.
+// Tables of energy and stresses in the sections of hammer and string, for people.
 #pragma once
 
 #include <string>
@@ -9,11 +9,13 @@
 
 namespace drillwave {
 
-/// Where the energy of the hammer went, in shares and in J. Empty for a uniform rod.
+/// Returns a table of how the hammer energy was distributed, as shares and in joules. Empty for a uniform
+/// rod.
 TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Returns titles, then for every section its largest stresses with place and time, as shares of its
-/// strengths if sections have them, and the share reflected by the joint at its far end. Requires the forces.
+/// Returns a table with headings and one line per section. A line has the largest stresses with position and
+/// time, and the share reflected by the joint at the far end. If sections have strengths, stresses are also
+/// given as shares of them. Requires a blow with the forces in its sections.
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

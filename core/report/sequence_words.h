@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statements about a sequence of blows: penetration and rate with errors, contact, gap; and about a scan.
+// Statements about a sequence of blows (penetration and rate with errors, contact share, gap) and about a
+// scan.
 #pragma once
 
 #include <optional>
@@ -13,22 +14,25 @@
 
 namespace drillwave {
 
-/// A number with its error to the digits that the error leaves: "2.07 +- 0.02 mm". `error` ≥ 0.
+/// Returns a value with its error, rounded to the digits that the error justifies, such as "2.07 +- 0.02 mm".
+/// `si` and `error` (≥ 0) are in SI units.
 std::string withError(double si, const std::optional<double>& error, Quantity quantity,
                       const ReadingStyle& style = plainStyle());
 
-/// "a constant force", "a damper of 6.3 kN s/m and 6.3 MN/m".
+/// Returns the feed model in words, such as "a constant force" or "a dashpot of 6.3 kN s/m and a spring of
+/// 6.3 MN/m".
 Message feedModelWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 
-/// Sentences on what a sequence gives, or why there is nothing: penetration and rate, contact, what is not
-/// resolved, the model of the feed.
+/// Returns sentences on the results of a sequence: penetration and rate, contact share, what is too
+/// uncertain, and the feed model. If there is no result, says why.
 std::vector<Message> sequenceSentences(const DrillingResult& result,
                                        const ReadingStyle& style = plainStyle());
-/// In one paragraph, in the language of the reader.
+/// Returns the sentences of sequenceSentences() as one paragraph, in the language of the reader.
 std::string sequenceText(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
-/// The value that gives the most, where the errors tell it, and by how much it is above `present`; empty
-/// without values, and of a parameter that is a word.
+/// Returns sentences on the value of a scan with the highest penetration rate, if the errors allow a
+/// decision. They say by how much its rate exceeds that of `present`. Empty without values, and for a word
+/// parameter.
 std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional<Sequence>& present,
                                    const ReadingStyle& style = plainStyle());
 

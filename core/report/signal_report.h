@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports of a record: text, a row of a series, JSON and a table of samples.
+// Reports on a measured record: text, row of a series, JSON, and a table of samples.
 #pragma once
 
 #include <span>
@@ -11,22 +11,24 @@
 
 namespace drillwave {
 
-/// A reading and the name of its file.
+/// Measured record as read from a file, with the name of the file.
 struct NamedReading {
     std::string file;
     SignalReading reading;
 };
 
-/// One line for each fact, questions last with the option that answers each.
+/// Returns one line for each fact about a record. Open questions are last, each with the option that answers
+/// it.
 std::string signalText(const NamedReading& record, const ReadingStyle& style);
 
-/// One row for each record: what was read, and its quality.
+/// Returns one row for each record, with what was read and its quality.
 std::string signalSeriesText(std::span<const NamedReading> records, const ReadingStyle& style);
 
-/// The object of one record.
+/// Returns the JSON object of one record.
 JsonObject signalJson(const NamedReading& record);
 
-/// Returns the blow as CSV, "time [us],force [kN]". Requires a reading without questions.
+/// Returns the recorded blow as CSV with the header "time [us],force [kN]". Requires a reading without open
+/// questions.
 std::string signalCsv(const SignalReading& reading);
 
 }  // namespace drillwave

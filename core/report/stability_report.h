@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Report of the checks of stiff and extreme cases, as text, CSV and JSON.
+// Report of the tests with stiff and extreme cases, as text, CSV and JSON.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@
 
 namespace drillwave {
 
-/// A line for each kind of case, the worst value of each measure with its mark and where it is, and a line
-/// for each case that failed.
+/// Returns the report as text. It has one line for each kind of case, then the worst value of each measure
+/// with limit and case. One line for each failed case follows.
 std::string stabilityText(const StabilityReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns one JSON object with all cases, which took `runTime` [s]; null where a check does not apply.
+/// Returns one JSON object with all cases; null where a check does not apply. `runTime` is the computing time
+/// [s].
 std::string stabilityJson(const StabilityReport& report, double runTime);
 
-/// One row for each case; empty cells where a check does not apply.
+/// Returns one CSV row for each case; cells are empty where a check does not apply.
 std::string stabilityCsv(const StabilityReport& report);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer to which section breaks first, for people.
+// Sentence for people that says which section breaks first.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// "First to break: 3rd rod, by a tension of 362 MPa, 90.4 % of its fatigue strength of 400 MPa.", and how
-/// many sections of the string have no strength. Asks for strengths where no section has one. Empty without
-/// stresses.
+/// Returns a sentence such as "First to break: 3rd rod, by a tension of 362 MPa, 90.4 % of its fatigue
+/// strength of 400 MPa." The number of sections without a strength follows. If no section has one, asks for
+/// strengths. Empty without stresses.
 Message strengthSentence(const Scenario& scenario, const std::vector<SectionStress>& stresses,
                          const ReadingStyle& style);
 

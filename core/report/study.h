@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study as a value: options, question, run and what is shown of its answer. The command and the page are
-// made from it (app/study_command.h, ui/pages/study/figure_page.h).
+// Study as a value: its options, question, computation and presentation. A command and a page are generated
+// from it (app/study_command.h, ui/pages/study/figure_page.h).
 #pragma once
 
 #include <any>
@@ -25,67 +25,72 @@ namespace drillwave {
 
 struct Blow;
 
-/// Options that are given, each with its words of a command line: {"gap-mean", "0.5 mm"}.
+/// Values of the options given, as typed on a command line, by option name: {"gap-mean", "0.5 mm"}.
 using StudyWords = std::map<std::string, std::string, std::less<>>;
 
-/// Scenario and options of a study.
+/// Question for a study: a scenario with option values.
 struct StudyQuestion {
-    Scenario scenario;  ///< without what does not matter to the study
+    Scenario scenario;  ///< scenario from which all values without influence on the study are removed
     StudyWords words;
     bool operator==(const StudyQuestion&) const = default;
 };
 
-/// Why a question cannot be answered.
+/// Reason why a question cannot be answered, and the option that causes it.
 struct StudyProblem {
-    std::string_view option;  ///< whose words are wrong; empty where it is the scenario or all options
+    /// Option with the wrong value; empty if the scenario or a combination of options is the cause.
+    std::string_view option;
     Message reason;
-    bool isUsage = false;  ///< options that do not go together, rather than a value that is out of range
+    bool isUsage = false;  ///< whether the options are incompatible; otherwise a value is out of range
 };
 
-/// A field for a number with a unit.
+/// Input field on the page for a number with a unit.
 struct QuantityControl {
-    std::string_view like;                ///< key of the parameter whose units it has; of a scenario without
-                                          ///< units it is a mere number
-    double (*proposed)(const Scenario&);  ///< first value, in SI or as that number
+    /// Key of the parameter whose units the field uses. For a scenario without units, the field is a plain
+    /// number.
+    std::string_view like;
+    double (*proposed)(const Scenario&);  ///< initial value, in SI units or as a plain number
     double (*step)(const Scenario&);      ///< size of a step from zero, in the same unit
 };
 
-/// A box of the parameters that apply to the scenario, with both ends of a range: KEY=START:STOP[:log].
+/// Input on the page for a parameter range, "KEY=START:STOP[:log]": a list of the parameters that apply to
+/// the scenario, and both ends.
 struct RangeControl {
-    std::vector<std::string_view> preferred;  ///< keys: the first that applies is offered first
+    /// Keys of preferred parameters; the first one that applies is offered first.
+    std::vector<std::string_view> preferred;
 };
 
-/// No control on the page: only the command has the option.
+/// Marks an option without an input on the page; only the command has it.
 struct NoControl {};
 
-/// Options that are given together or not at all: a box on the page chooses.
+/// Options that must be given together or not at all. A box on the page chooses between the two.
 struct StudyGroup {
-    std::string_view key;  ///< name of the box
-    const char* label;     ///< in front of it
-    const char* name;      ///< for a screen reader
+    std::string_view key;  ///< identifier of the box that chooses between the two
+    const char* label;     ///< label in front of the box
+    const char* name;      ///< accessible name for a screen reader
     const char* tip;
-    const char* without;  ///< chosen at first: none of them is given
+    const char* without;  ///< text of the initial choice, with which none of the options is given
     const char* with;
 };
 
-/// One option: a row of the help, a control of the page, a word of the copied command.
+/// Option of a study. It appears as a row of the help, an input on the page, and a word of the copied
+/// command.
 struct StudyOption {
-    std::string_view key;    ///< "gap-mean"
-    std::string_view value;  ///< what it takes, for the help: "GAP"
+    std::string_view key;    ///< name on the command line without dashes, such as "gap-mean"
+    std::string_view value;  ///< placeholder of its value in the help, such as "GAP"
     std::string_view help;
     std::variant<NoControl, QuantityControl, RangeControl> control = NoControl{};
-    const char* label = "";             ///< before the control
-    const char* name = "";              ///< for a screen reader
-    const StudyGroup* group = nullptr;  ///< whose choice it belongs to
+    const char* label = "";             ///< label in front of the input
+    const char* name = "";              ///< accessible name for a screen reader
+    const StudyGroup* group = nullptr;  ///< group of options it belongs to; nullptr for none
 };
 
-/// The axis of the rows that a study writes, and the option that gives it.
+/// Axis along which a study writes rows of CSV, and the name of the option that gives it.
 struct StudyAxis {
     std::string_view option;
     SweepAxis axis;
 };
 
-/// Numbers below a figure.
+/// Table of numbers below the figure of a study.
 struct StudyTable {
     struct Title {
         Message text;
@@ -93,14 +98,14 @@ struct StudyTable {
     };
     struct Cell {
         std::string text;
-        std::string more = {};  ///< shown with the text at the pointer
+        std::string more = {};  ///< more text, shown when the pointer is on the cell
     };
     std::vector<Title> columns = {};
     std::vector<Title> rows = {};
-    std::vector<std::vector<Cell>> cells = {};  ///< by rows
+    std::vector<std::vector<Cell>> cells = {};  ///< cells of each row, indexed [row][column]
 };
 
-/// The result of a study, or a first look at it; it does not change once made.
+/// Result of a study, or a preview of it; immutable.
 class StudyAnswer {
   public:
     explicit StudyAnswer(Scenario scenario) : m_scenario(std::move(scenario)) {}
@@ -110,34 +115,37 @@ class StudyAnswer {
 
     const Scenario& scenario() const { return m_scenario; }
 
-    /// Why it is not complete, in the words that follow "FILE: "; empty when it is.
+    /// Returns why the result is incomplete, as words that follow "FILE: "; empty if it is complete.
     virtual Message gap() const = 0;
-    /// Why rows lack numbers, in the same way; empty when none do.
+    /// Returns why some rows lack numbers, as words that follow "FILE: "; empty if none do.
     virtual Message gapInRows() const { return {}; }
-    /// Whether there are rows, although there may be a gap().
+    /// Returns whether there are rows to write; there may be even if the result is incomplete.
     virtual bool hasRows() const { return gap().isEmpty(); }
-    /// The answer in sentences, of a complete study (default: none).
+    /// Returns the result in sentences. Requires a complete study; the default is none.
     virtual std::vector<Message> sentences(const ReadingStyle& /*style*/) const { return {}; }
-    /// One of Study::views; also of a first look.
+    /// Returns the figure for one of Study::views, given by its index; also available for a preview.
     virtual StudyFigure figure(std::size_t view) const = 0;
-    /// Where a scenario that differs in the parameters on the axes only is in that figure; nothing where it
-    /// is outside.
+    /// Returns the point of the figure that corresponds to a scenario, which may differ only in the
+    /// parameters on the axes. Empty if it is outside the figure.
     virtual std::optional<FigurePoint> placeOf(const Scenario& /*scenario*/, std::size_t /*view*/) const {
         return std::nullopt;
     }
-    /// The series that is laid over the figure of another answer, up to a value of x (default: the first).
+    /// Returns the series to draw over the figure of another result, up to the abscissa `until`. The default
+    /// is the first series.
     virtual std::optional<FigureSeries> overlay(std::size_t view, double until) const;
-    /// Where the blow of a pinned run is in the figure of Study::marksBlows.
+    /// Returns the point of the figure that corresponds to the blow of a pinned run; used by
+    /// Study::marksBlows. Empty if there is none.
     virtual std::optional<FigurePoint> placeOfBlow(const Blow& /*blow*/) const { return std::nullopt; }
-    /// The numbers of Study::tableName.
+    /// Returns the table of numbers below the figure, described by Study::tableName; the default is empty.
     virtual StudyTable table(const ReadingStyle& /*style*/) const { return {}; }
-    /// The scenario of a row of that table, which a click there loads; or nothing.
+    /// Returns the scenario that a click on a row of the table loads; empty if a click has no effect.
     virtual std::optional<Scenario> scenarioOfRow(std::size_t /*row*/) const { return std::nullopt; }
-    /// Table and remarks for a terminal.
+    /// Returns the result as text for a terminal: a table and notes.
     virtual std::string text(const ReadingStyle& style) const = 0;
-    /// One JSON object; the text gives the scenario again.
+    /// Returns the result as one JSON object. `scenarioText` is the scenario file that reproduces the
+    /// scenario.
     virtual std::string json(const std::string& scenarioText) const = 0;
-    /// Header and rows.
+    /// Returns the rows of the result as CSV text with a header, dimensionless or in SI units.
     virtual std::string csv(OutputUnits units) const = 0;
 
   private:
@@ -146,69 +154,77 @@ class StudyAnswer {
 
 using StudyAnswerPtr = std::shared_ptr<const StudyAnswer>;
 
-/// How a study works: with so many threads, until it is stopped; tells the share that is done (0 … 1) and
-/// shows first looks to who wants them.
+/// Execution settings of a study: stop token, callbacks for progress (share done, 0 … 1) and for previews,
+/// and number of threads.
 struct StudyWork {
     std::stop_token stop = {};
     std::function<void(double share)> progress = [](double) {};
     std::function<void(StudyAnswerPtr)> show = nullptr;
     int threads = 1;
-    WorkLimits limits = {};      ///< of one blow
-    bool isForText = true;       ///< whether text() or json() is asked for, not only the rows
-    std::any* memory = nullptr;  ///< kept from question to question, for one thread at a time; or none
+    WorkLimits limits = {};  ///< work limits of one blow
+    bool isForText = true;   ///< whether text() or json() will be called, not only csv()
+    /// Memory that a study may keep between questions, used by one thread at a time; nullptr for none.
+    std::any* memory = nullptr;
 };
 
-/// One study. Texts are in English and marked by translatable().
+/// Description of a study, from which its command and page are generated. Texts are in English and marked by
+/// translatable().
 struct Study {
-    std::string_view name;     ///< of its command
-    const char* title;         ///< of its page
-    const char* plotTitle;     ///< of its plot, for a screen reader
-    std::string_view summary;  ///< one line of help
-    std::string_view details;  ///< further help
-    std::string_view csvHelp;  ///< what -o writes
+    std::string_view name;     ///< name of its command
+    const char* title;         ///< title of its page
+    const char* plotTitle;     ///< accessible name of its plot for a screen reader
+    std::string_view summary;  ///< summary for the help, one line
+    std::string_view details;  ///< further text for the help
+    std::string_view csvHelp;  ///< help text for -o, which describes the CSV
     std::vector<StudyOption> options;
-    std::vector<const char*> views;  ///< what its figure can show, in the order of a box; empty: one thing
-    const char* firstLook;           ///< sentence while there is no more than that
-    const char* clickHelp;           ///< what a click does, behind the sentences on the page
-    bool hasSi;                      ///< whether the CSV has --si
+    /// Names of the views of its figure, in the order of a selection box; empty if there is only one.
+    std::vector<const char*> views;
+    const char* firstLook;  ///< sentence shown with a preview
+    const char* clickHelp;  ///< sentence on what a click does, after the other sentences on the page
+    bool hasSi;             ///< whether the CSV has the option --si
 
-    /// Why a scenario has no such study, in the words that follow "FILE: "; empty when it has.
+    /// Returns why a scenario cannot have this study, as words that follow "FILE: "; empty if it can.
     Message (*whyNot)(const Scenario& scenario);
-    /// The same on the page, with where the answer is.
+    /// Text on the page if the scenario cannot have this study: the reason and, if there is one, the other
+    /// page that has the result.
     const char* elsewhere;
-    /// Whether the answer is on the page COR–stiffness with the gap as its parameter.
+    /// Whether a scenario that cannot have this study can be studied over the gap on the page Curve (tab
+    /// COR–stiffness or Efficiency–stiffness).
     bool isElsewhereOverGap = false;
-    /// Takes out of a scenario what does not matter to the answer.
+    /// Removes from a scenario the values that do not influence the result.
     void (*reduce)(Scenario& scenario);
-    /// Returns the fault of a question whose scenario has the study, or nothing.
+    /// Returns the problem of a question whose scenario passes whyNot(); empty if it can be answered.
     std::optional<StudyProblem> (*problem)(const StudyQuestion& question);
-    /// Answers a question without a problem. A stop leaves an answer with a gap().
+    /// Returns the result of a question for which problem() is empty. After a stop request the result is
+    /// incomplete (see StudyAnswer::gap()).
     StudyAnswerPtr (*run)(const StudyQuestion& question, const StudyWork& work);
 
-    /// Whether it is of scenarios with physical units, and shown in these.
+    /// Whether the study requires physical units and is shown in them.
     bool isPhysical = false;
-    /// Whether its page stands behind those of single blows, and its command behind `drill`.
+    /// Whether its page is listed after those of single blows, and its command after `drill`.
     bool isOfFeed = false;
-    /// Keys of optional parameters: the page asks for those that the scenario lacks.
+    /// Keys of optional parameters that the page asks for if the scenario lacks them.
     std::vector<std::string_view> asked = {};
-    /// Why there is no answer before these are given; nullptr where none are needed.
+    /// Returns why there is no result until the parameters in `asked` are given; nullptr if none are needed.
     Message (*lacks)(const Scenario& scenario, const ReadingStyle& style) = nullptr;
-    /// The axis of the rows that are asked for; nullptr where rows need no axis.
+    /// Returns the axis of the requested rows; nullptr if the rows need no axis.
     std::optional<StudyAxis> (*axis)(const StudyQuestion& question) = nullptr;
-    std::string_view threadsHelp = {};  ///< of -j; empty: all threads are taken
-    bool hasWorkLimit = false;          ///< whether the command has --work-limit
-    const char* tableName = nullptr;    ///< of the table on the page, for a screen reader; or none
-    bool marksBlows = false;            ///< whether pinned runs are only marked, without studies of their own
+    std::string_view threadsHelp = {};  ///< help text for -j; empty if the study always uses all threads
+    bool hasWorkLimit = false;          ///< whether the command has the option --work-limit
+    /// Accessible name of the table on the page, for a screen reader; nullptr without a table.
+    const char* tableName = nullptr;
+    /// Whether pinned runs are only marked in the figure and not studied themselves.
+    bool marksBlows = false;
 
-    /// The question about a scenario, which is reduced.
+    /// Returns the question for a scenario, from which values without influence are removed (see reduce).
     StudyQuestion question(Scenario scenario, StudyWords words) const;
 };
 
-/// Returns all studies that are values, in the order of commands and pages. In a source of its own, so that a
-/// program can have further ones.
+/// Returns all studies that are described as values, in the order of commands and pages. Defined in its own
+/// source file, so that a program can add others.
 std::vector<const Study*> studies();
 
-/// The words of an option; nullptr where it is not given.
+/// Returns the value typed for an option; nullptr if it was not given.
 const std::string* wordsOf(const StudyQuestion& question, std::string_view option);
 
 }  // namespace drillwave

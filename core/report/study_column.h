@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The columns of a table of a study, named once, and how its rows are written for people, as CSV and as JSON.
+// Columns of a study's table, and how its rows are written for people, as CSV and as JSON.
 #pragma once
 
 #include <cmath>
@@ -13,21 +13,22 @@
 
 namespace drillwave {
 
-/// How a number is shown in the table.
+/// Format of a number in a table for people.
 enum class NumberStyle { error, time, count, factor, order };
 
-/// For people; "-" for none.
+/// Returns a number as text for people; "-" if it is NaN.
 std::string shownNumber(double value, NumberStyle form, const ReadingStyle& style = plainStyle());
 
+/// Column of a study's table, whose rows have the type Row.
 template <class Row>
 struct StudyColumn {
-    std::string_view key;    ///< JSON key and CSV column
-    std::string_view title;  ///< in a table for people; empty: not there
+    std::string_view key;    ///< JSON key and name of the CSV column
+    std::string_view title;  ///< heading in the table for people; empty if the column is not shown there
     NumberStyle style;
-    double (*value)(const Row&);  ///< not a number: none
+    double (*value)(const Row&);  ///< function that returns the number of a row; NaN if there is none
 };
 
-/// Behind the heading of what comes first.
+/// Returns the headings of a table for people: `first`, then those of the columns shown.
 std::vector<std::string> withTitles(std::string first, const auto& columns,
                                     const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> titles{std::move(first)};
@@ -36,7 +37,7 @@ std::vector<std::string> withTitles(std::string first, const auto& columns,
     return titles;
 }
 
-/// Behind what the row is called.
+/// Returns the cells of a row for people: `first`, then the numbers of the columns shown.
 std::vector<std::string> withCells(std::string first, const auto& columns, const auto& row,
                                    const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> cells{std::move(first)};
@@ -45,17 +46,19 @@ std::vector<std::string> withCells(std::string first, const auto& columns, const
     return cells;
 }
 
-/// Appends the headers of the columns in CSV.
+/// Appends the CSV headers of the columns to `headers`.
 void appendKeys(std::vector<std::string>& headers, const auto& columns) {
     for (const auto& column : columns) headers.emplace_back(column.key);
 }
 
-/// Appends the cells of a row; empty where there is no number, as all are of what was not solved.
+/// Appends the CSV cells of a row. Missing numbers are empty cells, as are all cells of a row that was not
+/// solved.
 void appendCells(Cells& cells, const auto& columns, const auto& row, bool isSolved = true) {
     for (const auto& column : columns) cells.push_back(isSolved ? Cell(column.value(row)) : Cell());
 }
 
-/// Adds members to a row in JSON, null where there is no number.
+/// Adds the numbers of a row to a JSON object, by the key of the column. Missing numbers are null, as are all
+/// of a row that was not solved.
 void addMembers(JsonObject& object, const auto& columns, const auto& row, bool isSolved = true) {
     for (const auto& column : columns) object[column.key] = isSolved ? Json(column.value(row)) : Json();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Required feed force with all that is reported about it: text, JSON and CSV.
+// Report of the required feed force as text, JSON and CSV.
 #pragma once
 
 #include <optional>
@@ -17,53 +17,55 @@
 
 namespace drillwave {
 
-/// A parameter, its values, and the needs at each.
+/// Parameter with its values, and the required feed force at each of them.
 struct ThrustAlong {
     SweepAxis axis;
     ThrustCurve curve;
 };
 
-/// All that is reported.
+/// Contents of the report of the required feed force.
 struct ThrustReport {
     Scenario scenario;
     ThrustStudy study = {};
     std::optional<ThrustAlong> along = {};
-    double runTime = 0;  ///< [s]
+    double runTime = 0;  ///< computing time [s]
 };
 
-/// `drillwave thrust` and the page Feed: the required feed force, and how the installed one compares (theory
-/// §10).
+/// Returns the study behind `drillwave thrust` and the page Feed: the required feed force compared with the
+/// installed one (theory §10).
 const Study& thrustStudy();
 
-/// Returns the required forces along a parameter as strips, the states of the feed as layers, and the feed,
-/// of a report that has them.
+/// Returns the figure of a report that has a curve along a parameter. It shows required feed forces as
+/// strips, states of the feed as layers, and the feed force itself.
 StudyFigure thrustFigure(const ThrustReport& report);
 
-/// Returns the required feed of the four cases as text: a line of titles, then a line for each case. Requires
-/// a study.
+/// Returns a table of the required feed force in the four cases: headings, then one line for each case.
+/// Requires a study with a result.
 TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// The estimate in words, then what the cases say of it. `shareCovered` is ThrustStudy::shareFull, where
-/// known.
+/// Returns the estimate of the required feed force in words, then sentences on the four cases. `shareCovered`
+/// is ThrustStudy::shareFull; empty if it is not known.
 std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimate& feed,
                                      const std::optional<double>& shareCovered,
                                      const ReadingStyle& style = plainStyle());
 
-/// Sentences and tables for people.
+/// Returns the report as text for people, with sentences and tables.
 std::string thrustText(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// One JSON object, SI; the text gives the scenario again.
+/// Returns the report as one JSON object in SI units. `scenarioText` is the scenario file that reproduces the
+/// scenario.
 std::string thrustJson(const ThrustReport& report, const std::string& scenarioText);
 
-/// Points of a range for which no number was given.
+/// Number of points of a range if the user gives none.
 inline constexpr std::uint64_t customaryThrustPoints = 101;
 
-/// All values of the axis, SI.
+/// Returns all values of an axis in SI units.
 std::vector<double> valuesOf(const SweepAxis& axis);
 
-/// One row for each point: the parameter in the unit of its axis; of each case f I0 (1+e) and, `_undamped`,
-/// f I0 (1+2e) [N]; then the effective force, the margin over the largest need, the gap at the blow by the e
-/// of the blow [m], n_b and the verdict. Where something is not known, its cell is empty.
+/// Returns one CSV row for each point. First comes the parameter in the unit of its axis. For each case f I0
+/// (1 + e) and (`_undamped`) f I0 (1 + 2e) follow [N]. Then follow the effective feed force [N], the margin
+/// over the largest required force, and the gap at the blow [m], computed from its e. The last columns are
+/// n_b (round trips of a wave between blows) and the verdict. Unknown values are empty cells.
 std::string thrustCsv(const ThrustAlong& along);
 
 }  // namespace drillwave

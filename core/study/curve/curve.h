@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outputs along one parameter, to a known accuracy: smooth pieces between kinks that are found, not stepped
-// over.
+// Results of one blow as functions of one parameter, fitted to a known accuracy. Each curve consists of
+// smooth functions between kinks, whose positions are solved for.
 #pragma once
 
 #include <cstdint>
@@ -23,39 +23,49 @@
 
 namespace drillwave {
 
-/// Parameters and outputs of a curve study.
+/// Input of a curve study: the scenario, the parameter that varies and the outputs that are followed.
 struct CurveQuestion {
     Scenario base;
-    /// The parameter to go along, as parseRange() gives it.
+    /// Parameter that varies along the curve, with its range, as read by parseRange().
     SweepAxis along;
-    std::optional<SweepAxis> family;    ///< a line for each of its values
-    std::vector<OutputColumn> columns;  ///< at least one
-    std::vector<double> levels;         ///< for every output to cross, each in its own unit
-    std::optional<double> goal = {};    ///< target of the only output, in the unit of its column
+    /// Second parameter, if any: one line is computed for each of its values.
+    std::optional<SweepAxis> family;
+    std::vector<OutputColumn> columns;  ///< outputs to compute, at least one
+    /// Levels whose crossings are reported for every output, each in the unit of that output.
+    std::vector<double> levels;
+    /// Target value of the output, in the unit of its column. Allowed only with a single column.
+    std::optional<double> goal = {};
     MethodChoice method = {};
-    long workLimit = defaultWorkLimit;  ///< most wave pieces of a blow; beyond, it is not solved
+    /// Maximum work of one blow, in wave pieces (the solver's unit of work). Blows that need more have no
+    /// result.
+    long workLimit = defaultWorkLimit;
 
     CurveRange range() const;
-    /// The base with the first value of every axis.
+    /// Returns the base scenario with every varied parameter at the first value of its range.
     Scenario firstScenario() const;
     bool operator==(const CurveQuestion&) const = default;
-    std::vector<SweepAxis> axes() const;  ///< the family, if there is one, and the parameter to go along
+    /// Returns the axis of the second parameter (family), if there is one, then the axis along the curve.
+    std::vector<SweepAxis> axes() const;
 };
 
-/// Maximum number of lines of a family.
+/// Maximum number of values of the second parameter (family) of a curve study; each value gives one line of
+/// curves.
 inline constexpr std::size_t maximumCurveLines = 50;
 
-/// Returns the problems of a question, each a line: a range that cannot be followed (see followProblem()),
-/// and then no others; as problemsOf(Sweep), axes of one quantity, or no end that is a scenario; outputs that
-/// need a study at every point. Empty if it can be studied.
+/// Returns the reasons why a question cannot be studied, one message each; empty if it can. If the range
+/// cannot be followed (see followProblem()), that is the only message. Otherwise the messages name axes of
+/// the same quantity, and ranges without a valid scenario at an end (as problemsOf(Sweep) does). They also
+/// name outputs that need a separate study at every point.
 std::vector<Message> problemsOf(const CurveQuestion& question);
 
-/// Returns why the family has too many lines; empty if it has not.
+/// Returns a message if the second parameter (the family) has more than maximumCurveLines values; empty
+/// otherwise.
 Message familyProblem(const CurveQuestion& question);
-/// Why the goal of a question is none; empty when it is one, or there is none.
+/// Returns a message if a goal is set for more than one output; empty if the goal is valid or not set.
 Message goalProblem(const CurveQuestion& question);
 
-/// A part of the range, SI, and why it is not as the others (there may be other reasons within).
+/// Stretch of the parameter range (start and end in SI units) with the reason why the curve is not fitted or
+/// has no result there. Only the first reason in the stretch is given.
 struct CurveStretch {
     double start = 0;
     double end = 0;
@@ -63,59 +73,75 @@ struct CurveStretch {
     bool operator==(const CurveStretch&) const = default;
 };
 
-/// An output along the range.
+/// Curve of one output over the parameter range.
 struct CurveOutput {
-    /// Over shares of the range (CurveRange), 0 … 1, ascending, one function each.
+    /// Functions whose argument is the share of the range, 0 … 1 (see CurveRange). The pieces ascend, and
+    /// each has one function.
     std::vector<FitPiece> pieces;
-    /// Stretches where the output is not smooth, or not within the permitted work: only computed at the
-    /// points of the line, no more than 1/500 of the range and 1/16 of the stretch apart, and straight
-    /// between them.
+    /// Stretches where the output is not smooth, or where a fit would exceed the permitted work. There it is
+    /// solved only at CurveLine::points and is linear between them. The points are at most 1/500 of the range
+    /// and 1/16 of the stretch apart.
     std::vector<CurveStretch> grid;
-    std::vector<CurveStretch> unsolved;  ///< without results
-    std::vector<CurveFeature> features;  ///< by place
+    std::vector<CurveStretch> unsolved;  ///< stretches where the output has no result, with the reasons
+    /// Extremes, kinks, jumps and level crossings of the curve, ascending in the parameter.
+    std::vector<CurveFeature> features;
 
-    /// The least or largest of the line; nullptr where there is no answer at all.
+    /// Returns the global minimum or maximum of the curve; nullptr if no point of the curve has a result.
     const CurveFeature* extreme(CurveFeature::Kind kind) const;
 };
 
-/// All outputs along the range, for one value of the family.
+/// Curves of all outputs for one value of the second parameter (family) of a curve study.
 struct CurveLine {
-    std::optional<double> family;  ///< SI, or the number of a shape
+    /// Value of the second parameter (family) in SI units, or the index of a pulse shape; empty without a
+    /// second parameter.
+    std::optional<double> family;
     CurveRange range;
-    std::vector<double> points;               ///< to draw and write: ascending values of the parameter, SI
-    std::vector<std::vector<double>> values;  ///< of each output at each point; NaN where there is none
-    std::vector<CurveOutput> outputs;         ///< in the order of CurveQuestion::columns
-    std::optional<GoalAnswer> goal = {};      ///< where the question has one
+    /// Parameter values at which to draw and export the curves, ascending, in SI units.
+    std::vector<double> points;
+    /// Values of the outputs, indexed [output][point], in the units of their columns; NaN if there is no
+    /// result.
+    std::vector<std::vector<double>> values;
+    std::vector<CurveOutput> outputs;  ///< curves of the outputs, in the order of CurveQuestion::columns
+    /// Parameter values for which the output takes the goal value; empty if the question has no goal.
+    std::optional<GoalAnswer> goal = {};
 
-    /// An output anywhere in the range; nothing where there is no answer.
+    /// Returns the value of an output at any parameter value x (SI) of the range, in the unit of its column.
+    /// Empty if there is no result at x.
     std::optional<double> value(double x, std::size_t output) const;
-    /// The bound on its error as estimated; nothing where there is no answer.
+    /// Returns the estimated bound (≥ 0) of the error of value(), in the unit of the output. Empty if there
+    /// is no result at x.
     std::optional<double> error(double x, std::size_t output) const;
 };
 
-/// The answer.
+/// Result of a curve study.
 struct CurveStudy {
     CurveQuestion question;
-    std::vector<CurveLine> lines;  ///< one for each value of the family, one without
-    std::uint64_t solves = 0;      ///< blows solved
-    long effort = 0;               ///< their wave pieces, or cells of drill strings
-    bool stopped = false;          ///< on the stop token: there are no lines
-    Message refusal = {};          ///< why the question has no answer: there are no lines; empty otherwise
+    /// Curves of all outputs: one entry for each value of the second parameter (family), or a single entry
+    /// without one.
+    std::vector<CurveLine> lines;
+    std::uint64_t solves = 0;  ///< number of blows solved
+    /// Work of all blows: wave pieces of the exact solver, or cells of the method of drill strings.
+    long effort = 0;
+    bool stopped = false;  ///< set if the stop token ended the study early; `lines` is then empty
+    /// Reason why the question cannot be studied; empty if it can. With a reason, `lines` is empty.
+    Message refusal = {};
 
-    /// Whether every output has an answer all along every line.
+    /// Returns whether every output has a result over the whole range of every line.
     bool isComplete() const;
-    /// Whether every line takes the goal somewhere, where there is one.
+    /// Returns whether every curve takes the goal value for at least one parameter value. True without a
+    /// goal, false if the study was stopped or refused.
     bool isReached() const;
 };
 
-/// Called on the calling thread with the share of the work that is done, 0 … 1.
+/// Callback for progress, called on the calling thread with the completed share of the work, 0 … 1.
 using CurveProgress = std::function<void(double)>;
 
-/// Fits every output by itself, in the parameter or its logarithm, to 1e-10 of its size and the error of the
-/// solver: other requested outputs change nothing. Work is bounded: all blows of a cell for one output have
-/// as many wave pieces together as five at the work limit; beyond, the output is only known at points, each
-/// of which may take a sixth of the limit. The lines do not depend on `jobs` (≥ 1). Requires problemsOf() to
-/// be empty.
+/// Returns the curves of all outputs over the range of the question. Requires problemsOf() to be empty.
+/// Each output is fitted separately, in the parameter or its logarithm, so other requested outputs do not
+/// affect it. The error is at most 1e-10 of the output's size plus the error of the solver.
+/// Work is limited: for one output, all blows of a cell (one part of the range) may take five times the work
+/// limit. Beyond that, the output is solved only at points, each of which may take a sixth of the limit.
+/// The lines do not depend on the number of threads `jobs` (≥ 1).
 CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                       const CurveProgress& progress = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outputs of a curve fitted cell by cell, which is what threads share.
+// Fits the outputs of a curve in cells. A cell is one part of the parameter range and is computed by one
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -11,40 +12,47 @@
 
 namespace drillwave {
 
-/// The range of a question is cut in so many cells, where to look first: a feature that is narrower, and on
-/// which nothing happens at the bit in another order, may be missed. More for many periods of the gap.
+/// Returns the number of cells, 16 … 256, into which the parameter range is divided. The gap gets more cells:
+/// 8 for each period of the results. A feature narrower than a cell may be missed if the order of events at
+/// the bit does not change there.
 std::size_t cellCount(const CurveQuestion& question);
 
-/// Returns why an output is only known at points everywhere; empty if it is fitted.
+/// Returns why an output cannot be fitted and is only solved at points; empty if it is fitted.
 Message whyRough(const Output& output);
 
-/// Output in one cell.
+/// Fitted functions of one output in one cell.
 struct CellOutput {
-    std::vector<FitPiece> pieces;  ///< open where it is not smooth
-    Message reason;                ///< of those without a result
+    /// Ascending pieces over shares of the range; a piece is open (has no function) where the output is not
+    /// smooth.
+    std::vector<FitPiece> pieces;
+    Message reason;  ///< reason why pieces without a result have none; empty if all have results
 };
 
+/// One cell of one line: its position, and after CellFitter has run, its fitted outputs and their cost.
 struct CellTask {
     std::size_t line = 0;
-    double start = 0;  ///< shares of the way
+    /// Start of the cell as a share of the parameter range, 0 … 1; `end` is in the same measure.
+    double start = 0;
     double end = 1;
     std::vector<CellOutput> outputs;
     std::uint64_t solves = 0;
-    long effort = 0;  ///< of these
+    long effort = 0;  ///< work of these blows: wave pieces, or cells of the method of drill strings
 };
 
-/// Returns a piece to be filled from points: it has a result, but no function yet.
+/// Returns a piece of a curve without a function. The output has a result there, and fillPieces() later adds
+/// straight lines between solved points.
 FitPiece openPiece(double start, double end);
 bool isOpen(const FitPiece& piece);
 
-/// Fits the outputs of one cell after another. One for each thread.
+/// Functor that fits all outputs of a cell. Each thread needs its own object.
 class CellFitter {
   public:
-    /// Requires that both outlive it.
+    /// Stores references to both arguments, which must outlive this object.
     CellFitter(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Fills a task of that line and those ends.
+    /// Fits all outputs over the range from `start` to `end` of a task, and stores the results and their cost
+    /// in it.
     void operator()(CellTask& task, const std::stop_token& stop) const;
 
   private:
@@ -55,11 +63,12 @@ class CellFitter {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Appends the results of a cell to the pieces and stretches of the outputs. Requires the cells of a line in
-/// their order.
+/// Appends the fitted outputs of a cell to those of its line; the pieces of `task` are moved from. Requires
+/// that the cells of a line are added in ascending order.
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
 
-/// Appends the stretch of a piece, or extends the last one if it continues.
+/// Appends the range of a piece to a list of stretches, or extends the last stretch if the piece continues
+/// it. Converts shares of the range to parameter values in SI units.
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
                 const Message& reason);
 

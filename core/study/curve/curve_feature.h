@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Features of a curve: minimum and maximum, turns, jumps and crossings of a level.
+// Features of a curve: minima, maxima, kinks, jumps and crossings of a level.
 #pragma once
 
 #include <cstddef>
@@ -10,39 +10,42 @@
 
 namespace drillwave {
 
-/// Place of a curve, with errors as estimated from the accuracy of the curve.
+/// Notable point of a curve, such as an extreme or a jump. Positions and values have error bounds estimated
+/// from the accuracy of the curve.
 struct CurveFeature {
     enum class Kind {
-        minimum,   ///< least of a neighbourhood, or of the range
-        maximum,   ///< largest of a neighbourhood, or of the range
-        kink,      ///< the slope jumps, and it is no extreme
-        jump,      ///< the value jumps
-        crossing,  ///< `level` is passed
+        minimum,   ///< local minimum, or the minimum over the whole range
+        maximum,   ///< local maximum, or the maximum over the whole range
+        kink,      ///< jump of the slope at a point that is neither minimum nor maximum
+        jump,      ///< discontinuity of the value
+        crossing,  ///< point where the curve passes through `level`
     };
-    /// Shape of the curve at the feature.
+    /// Local shape of the curve at the feature.
     enum class Shape {
-        smooth,      ///< no more than the kind says
-        cusp,        ///< the slope jumps, or the value does
-        end,         ///< the range, or the known part of it, begins or ends here
-        grid,        ///< the curve is only known at points here, and the place within their distance
-        everywhere,  ///< the curve is the same everywhere, within errors
+        smooth,      ///< the curve is smooth here (or is only as irregular as its Kind says)
+        cusp,        ///< the slope or the value jumps here
+        end,         ///< the range, or the part of it with results, begins or ends here
+        grid,        ///< the curve is solved only at points here; the position is uncertain by their spacing
+        everywhere,  ///< the curve is constant over the whole range, within its errors
     };
     Kind kind = Kind::minimum;
     Shape shape = Shape::smooth;
-    bool ofAll = false;      ///< the least or largest of the whole line
-    Estimate x = {};         ///< SI
-    Estimate value = {};     ///< in the unit of the output column; of a jump the value before it
-    double valueAfter = 0;   ///< of a jump
-    double level = 0;        ///< of a crossing
-    bool rising = false;     ///< of a crossing: with growing x
-    double slopeBefore = 0;  ///< of a kink or cusp, per unit of x (SI)
+    bool ofAll = false;  ///< whether this is the minimum or maximum of the whole line, not only a local one
+    Estimate x = {};     ///< parameter value of the feature, in SI units
+    /// Output at the feature, in the unit of its column; at a jump, the value before it.
+    Estimate value = {};
+    double valueAfter = 0;  ///< output just after a jump, in the unit of its column; only used for jumps
+    double level = 0;  ///< level that the curve crosses, in the unit of the output; only used for crossings
+    bool rising = false;     ///< whether the output increases with x at a crossing; only used for crossings
+    double slopeBefore = 0;  ///< slope just before a kink or cusp, in units of the output per SI unit of x
+    /// Slope just after a kink or cusp, in units of the output per SI unit of x.
     double slopeAfter = 0;
     bool operator==(const CurveFeature&) const = default;
 };
 
-/// "minimum", "maximum", "kink", "jump", "crossing".
+/// Returns the name of a kind: "minimum", "maximum", "kink", "jump" or "crossing".
 std::string_view name(CurveFeature::Kind kind);
-/// "smooth", "cusp", "end", "grid", "everywhere".
+/// Returns the name of a shape: "smooth", "cusp", "end", "grid" or "everywhere".
 std::string_view name(CurveFeature::Shape shape);
 
 }  // namespace drillwave

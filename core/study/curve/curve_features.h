@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The features of a curve, from its pieces.
+// Finds the features of a curve from its fitted pieces.
 #pragma once
 
 #include <span>
@@ -11,12 +11,13 @@
 
 namespace drillwave {
 
-/// Returns the pieces with values of slivers limited by their neighbours: within a jump any value is
-/// possible, but none beyond its ends.
+/// Returns the pieces with the values of slivers limited to those of their neighbours. A sliver is the tiny
+/// bracket around a kink or jump, where a fitted value could lie outside the values at both ends.
 std::vector<FitPiece> mergeSlivers(std::span<const FitPiece> pieces);
 
-/// Features by place, of the first function of pieces over shares of the range: the least and the largest and
-/// all local ones, kinks, jumps, and where the levels are crossed. None where there is no answer at all.
+/// Returns the features of a curve, ascending in the parameter: global and local extremes, kinks, jumps and
+/// crossings of `levels`. Uses the first function of the pieces, whose argument is the share of `range`.
+/// Empty if no piece has a result.
 std::vector<CurveFeature> featuresOf(std::span<const FitPiece> pieces, const CurveRange& range,
                                      std::span<const double> levels);
 

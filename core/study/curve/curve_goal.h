@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which values of a parameter give an output the value that is wanted.
+// Parameter values at which an output equals a wanted value (the goal).
 #pragma once
 
 #include <optional>
@@ -10,39 +10,49 @@
 
 namespace drillwave {
 
-/// A value of the parameter that gives the goal, or at which the output leaps over it.
+/// Parameter value at which an output equals the goal, or at which it jumps across the goal.
 struct GoalPlace {
     enum class Kind {
-        crossing,    ///< the output passes the goal
-        touch,       ///< reaches the goal and turns round
-        end,         ///< at the goal where the range, or the known part of it, begins or ends
-        everywhere,  ///< the same as the goal everywhere, within errors
-        between,     ///< on one side at one point and on the other at the next: only known at points
-        jump,        ///< it leaps over the goal: no value gives it
+        crossing,  ///< the output passes through the goal
+        touch,     ///< the output reaches the goal and turns back
+        /// The output equals the goal where the range, or the part of it with results, begins or ends.
+        end,
+        everywhere,  ///< the output equals the goal over the whole range, within errors
+        /// Two neighbouring solved points lie on opposite sides of the goal; the output is not known between
+        /// them.
+        between,
+        jump,  ///< the output jumps across the goal, so no parameter value gives it
     };
     Kind kind = Kind::crossing;
-    Estimate x = {};        ///< SI; of a jump or between points, where within its error is not known
-    Estimate value = {};    ///< the output solved there; of a jump or between points, before it
-    double valueAfter = 0;  ///< of a jump, or between points
-    bool rising = false;    ///< where it passes the goal: with growing x
+    /// Parameter value in SI units. For a jump, or between two points, the true position is anywhere within
+    /// its error.
+    Estimate x = {};
+    /// Output solved at x, in the unit of its column; for a jump, or between two points, the value before the
+    /// goal.
+    Estimate value = {};
+    /// Output after a jump, or at the second of two points; not used for other kinds.
+    double valueAfter = 0;
+    bool rising = false;  ///< whether the output increases with x where it passes the goal
 
     bool isGiven() const { return kind != Kind::jump; }
-    /// Returns whether the output passes from one side to the other.
+    /// Returns whether the output lies on opposite sides of the goal before and after this place.
     bool isPassed() const { return kind == Kind::crossing || kind == Kind::between || kind == Kind::jump; }
     bool operator==(const GoalPlace&) const = default;
 };
 
 std::string_view name(GoalPlace::Kind kind);
 
-/// Places of a goal along a line.
+/// Parameter values for which an output takes the goal value, along one curve.
 struct GoalAnswer {
-    std::vector<GoalPlace> places;  ///< ascending
-    /// Whether these are all places in the range, within the errors of the curve; false where a part of it is
-    /// only known at points, or has no result.
+    /// Places where the output equals or crosses the goal, ascending in the parameter.
+    std::vector<GoalPlace> places;
+    /// Whether `places` contains every place in the range, within the errors of the curve. False if part of
+    /// the range is solved only at points or has no result.
     bool isComplete = true;
-    /// If no place reaches the goal: the nearest value. Nothing if there is no result at all.
+    /// Closest approach of the output to the goal value, given if no parameter value reaches it. Empty if the
+    /// curve has no result at all.
     struct Nearest {
-        Estimate x = {};  ///< SI
+        Estimate x = {};  ///< parameter value in SI units
         Estimate value = {};
         bool operator==(const Nearest&) const = default;
     };

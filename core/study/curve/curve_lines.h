@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of a curve, pass by pass: cells fitted, and what is not smooth solved at points.
+// Computes the lines of a curve study in two passes: fits all cells, then solves points where the fit is not
+// smooth.
 #pragma once
 
 #include <stop_token>
@@ -8,7 +9,7 @@
 
 namespace drillwave {
 
-/// Studies the curves; see studyCurve().
+/// Returns the result of a curve study. Implements studyCurve(), with the same arguments and guarantees.
 CurveStudy followLines(const CurveQuestion& question, int jobs, std::stop_token stop,
                        const CurveProgress& progress);
 

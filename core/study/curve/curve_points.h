@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points of a line, and outputs that are only known at points.
+// Points at which a curve is drawn, and curves that are only known at points.
 #pragma once
 
 #include <cstdint>
@@ -12,37 +12,41 @@
 
 namespace drillwave {
 
-/// Returns shares of the range at which to draw and write a line: the ends of the pieces of all its outputs,
-/// except slivers, no more than 1/500 apart and closer where a piece is open; one without a result.
+/// Returns the shares of the range, 0 … 1, at which to draw and export a line. These are the ends of all
+/// pieces except slivers, plus points so that the spacing is at most 1/500. The spacing is closer where a
+/// piece has no function yet. A piece without a result gets one point.
 std::vector<double> pointsOf(const CurveLine& line);
 
-/// Returns those of `points` at which open pieces need values, and the ends of these pieces.
+/// Returns the entries of `points` that lie in open pieces (those without a function), with the ends of these
+/// pieces. Outputs must be solved at these shares of the range.
 std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> points);
 
-/// All outputs at a point of a line, solved.
+/// Values of all outputs, solved at one parameter value.
 struct LinePoint {
     double share = 0;
     std::vector<FitSample> outputs;
-    std::vector<Message> reasons;  ///< why there is none
+    /// Reason why each output has no value; empty messages for outputs with a value.
+    std::vector<Message> reasons;
 };
 
-/// Some points of one line.
+/// Points of one curve to be solved together by one thread.
 struct PointTask {
     std::size_t line = 0;
     std::vector<double> shares;
     std::vector<LinePoint> points;
     std::uint64_t solves = 0;
-    long effort = 0;  ///< of these
+    long effort = 0;  ///< work of these blows: wave pieces, or cells of the method of drill strings
 };
 
-/// Solves the points of one task after another. One for each thread.
+/// Functor that solves all points of a task. Each thread needs its own object.
 class PointSolver {
   public:
-    /// Requires that both outlive it.
+    /// Stores references to both arguments, which must outlive this object.
     PointSolver(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Fills a task of that line and shares.
+    /// Solves the blows at the shares of the range given in a task, and stores the results and their cost in
+    /// it.
     void operator()(PointTask& task, const std::stop_token& stop) const;
 
   private:
@@ -50,8 +54,8 @@ class PointSolver {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Fills the open pieces of output i with straight ones between solved points, ascending, which hold all of
-/// openPointsOf().
+/// Fills the open pieces of output i with straight lines between solved points. Requires that `solved` is
+/// ascending and includes every share that openPointsOf() returns.
 void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,
                 std::span<const LinePoint> solved);
 

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A range of a parameter, laid out evenly or by its logarithm.
+// Parameter range with linear or logarithmic spacing.
 #pragma once
 
 namespace drillwave {
 
-/// Range from `start` to `stop` (SI, start < stop; both > 0 if it is logarithmic). A share of the range is 0
-/// at the start and 1 at the stop.
+/// Range of a parameter from `start` to `stop`, in SI units, with start < stop. Both must be > 0 for
+/// logarithmic spacing. A position in the range is given as a share: 0 at the start, 1 at the stop.
 struct CurveRange {
     double start = 0;
     double stop = 1;
     enum class Spacing { linear, logarithmic } spacing = Spacing::linear;
 
-    /// The value at a share of the way, 0 … 1; both ends exactly.
+    /// Returns the parameter value at a share 0 … 1 of the range. Shares 0 and 1 give exactly `start` and
+    /// `stop`.
     double at(double share) const;
-    /// The share of the way at which a value of the range lies.
+    /// Returns the share of the range, 0 … 1, at which a parameter value lies.
     double shareOf(double value) const;
-    /// Returns the change of the value per share of the range, at that value.
+    /// Returns the derivative of the parameter value with respect to the share of the range, at the given
+    /// value.
     double slopeAt(double value) const;
     bool operator==(const CurveRange&) const = default;
 };

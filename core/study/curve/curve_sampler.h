@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blows along the range of a curve, each solved once for all outputs.
+// Solves blows along the parameter range of a curve, each once for all outputs.
 #pragma once
 
 #include <cstdint>
@@ -15,32 +15,35 @@
 
 namespace drillwave {
 
-/// Solves the blows of one line. One for each thread.
+/// Solver for blows along one curve, which keeps every blow already solved. Each thread needs its own object.
 class CurveSampler {
   public:
-    /// `axes` are those of the question, `line` the number of the line; all must outlive this. A blow may
-    /// take one such part of the work limit.
+    /// Stores references to the question and its axes, which must outlive this object. `line` is the index of
+    /// the family value. Each blow may take 1/`partOfLimit` of the work limit of the question.
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
                  std::stop_token stop, long partOfLimit = 1);
 
-    /// Returns an output at a share of the range, with an error like that of e.
+    /// Returns the value of an output at a share 0 … 1 of the range. Its error estimate is based on that of
+    /// the coefficient of restitution e.
     FitSample operator()(double share, std::size_t output);
-    /// Why there was no answer for the last sample that had none.
+    /// Returns the reason of the most recent sample that had no value.
     const Message& reason() const { return m_reason; }
-    /// Returns the size of the numbers of an output in its unit, at a share of the range: d0 for a
-    /// penetration and so on; 1 for a ratio; 0 if there is no scenario.
+    /// Returns a reference size for an output, in the unit of its column, at a share of the range. For
+    /// example, a penetration uses its scale d0. Ratios give 1; the result is 0 if there is no valid
+    /// scenario.
     double unitAt(double share, std::size_t output);
-    /// Returns the work of the blow at a share of the range: wave pieces, or cells of a drill string.
+    /// Returns the work of the blow at a share of the range: wave pieces, or cells of the method of drill
+    /// strings.
     long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
-    /// Returns the work of all blows so far.
+    /// Returns the work of all blows so far: wave pieces, or cells of the method of drill strings.
     long effort() const { return m_effort; }
 
   private:
     struct Blow {
-        std::vector<double> values;  // of all outputs; none where it was not solved
+        std::vector<double> values;  // values of all outputs; empty if the blow was not solved
         Message reason;
-        Message lack;  // why an output of it has none, where that is known
+        Message lack;  // reason why one of the outputs has no value, if the reason is known
         double scatter = 0;
         std::uint64_t order = 0;
         int contacts = 0;
@@ -54,10 +57,10 @@ class CurveSampler {
     std::stop_token m_stop;
     AxisScenario m_scenario;
     CaseSolver m_solver;
-    std::vector<double> m_values;  // of the axes
-    bool m_pulseMoves;             // with the parameter
+    std::vector<double> m_values;  // values of the axes, the followed parameter last
+    bool m_pulseMoves;             // whether the hammer force changes with the parameter
     bool m_hasPulse = false;
-    std::unordered_map<double, Blow> m_blows;  // by share
+    std::unordered_map<double, Blow> m_blows;  // solved blows, by their share of the range
     long m_effort = 0;
     Message m_reason;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between which places a curve takes a value, by its pieces.
+// Brackets of the parameter within which a curve takes the goal value.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,39 @@
 
 namespace drillwave {
 
-/// Part of a curve that passes a goal, or touches it; in shares of the range.
+/// Stretch of a curve within which it passes or touches the goal value. Positions are shares of the parameter
+/// range, 0 … 1.
 struct GoalBracket {
-    Estimate share;   ///< at the goal, within its error
-    double from = 0;  ///< the bracket: at its ends the curve is clearly on the sides named, if on any
+    Estimate share;  ///< position at which the curve takes the goal, with its error
+    /// Start of the bracket. At both ends the curve clearly lies on the sides given by `before` and `after`.
+    double from = 0;
     double to = 0;
-    double valueFrom = 0;  ///< of the curve at `from`
+    /// Value of the curve at the start of the bracket (`from`), in the unit of the output.
+    double valueFrom = 0;
+    /// Value of the curve at the end of the bracket (`to`), in the unit of the output.
     double valueTo = 0;
-    int before = 0;       ///< −1 below, +1 above; 0 where the curve begins at the goal
-    int after = 0;        ///< −1 below, +1 above; 0 where the curve ends at the goal
-    double margin = 0;    ///< error of the curve there: closer values cannot be distinguished from the goal
-    bool isOpen = false;  ///< inside, between two points of a curve that is only known at points
+    /// Side of the curve before the goal: −1 below, +1 above, 0 if the curve begins at the goal.
+    int before = 0;
+    /// Side of the curve after the goal: −1 below, +1 above, 0 if the curve ends at the goal.
+    int after = 0;
+    /// Error of the curve here; values closer to the goal cannot be distinguished from it.
+    double margin = 0;
+    /// Whether the bracket lies between two solved points, with the curve not known between them.
+    bool isOpen = false;
 
     bool isPassed() const { return before * after < 0; }
 };
 
-/// Returns all brackets, ascending. A curve that stays within its error of the goal is in one bracket. At a
-/// stretch without a result the curve ends and begins again.
+/// Returns all brackets, ascending. A stretch within the error of the goal forms one bracket. The curve ends
+/// before a stretch without a result and begins again after it.
 std::vector<GoalBracket> goalBrackets(std::span<const MonotoneSegment> segments, double goal);
 
-/// Value of the curve nearest to the goal, and its share of the range. Requires a segment.
+/// Value of the curve that is closest to the goal, and the share of the range where it occurs.
 struct NearestValue {
     Estimate share;
     Estimate value;
 };
+/// Returns the value of the curve that is closest to the goal. Requires at least one segment.
 NearestValue nearestTo(std::span<const MonotoneSegment> segments, double goal);
 
 }  // namespace drillwave

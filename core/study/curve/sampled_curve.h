@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outputs along one parameter by points alone: of drill strings, whose waves leave more kinks than can be
-// followed.
+// Curves solved only at points, without a fit. Used for drill strings, whose waves cause too many kinks to
+// follow.
 #pragma once
 
 #include <functional>
@@ -12,19 +12,21 @@
 
 namespace drillwave {
 
-/// Returns the problems of a question, as problemsOf(CurveQuestion); whole numbers are allowed here.
+/// Returns the reasons why a question cannot be studied at points; empty if it can. The checks are those of
+/// problemsOf(CurveQuestion), except that parameters with whole-number values are allowed.
 std::vector<Message> sampledProblemsOf(const CurveQuestion& question);
 
-/// Called on the calling thread with the number of solved points and of all points; and, whenever the
-/// distance of the points is halved, with the lines through the points so far.
+/// Callbacks for progress, called on the calling thread. `tell` receives the number of solved points and of
+/// all points. `show` receives the lines through the points solved so far, each time the spacing is halved.
 struct SampledProgress {
     std::function<void(std::size_t done, std::size_t of)> tell;
     std::function<void(CurveStudy soFar)> show;
 };
 
-/// Solves the CurveQuestion::along.count (≥ 2) values of every line, coarse ones first: the rows of the sweep
-/// of family and parameter, bit for bit, for any `jobs` (≥ 1). Outputs are straight between the points; their
-/// features are the least and the largest value. Requires sampledProblemsOf() to be empty.
+/// Returns curves solved only at CurveQuestion::along.count (≥ 2) parameter values, from coarse to fine
+/// spacing, for each value of the second parameter (family). The values are bit for bit those of a sweep over
+/// both parameters, for any number of threads `jobs` (≥ 1). Outputs are linear between the points; the only
+/// features are the minimum and the maximum. Requires sampledProblemsOf() to be empty.
 CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                        const SampledProgress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search for the largest value in a box that learns which way a ridge runs.
+// Local search for a maximum in a box, which adapts to the direction of narrow ridges.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,23 @@
 
 namespace drillwave {
 
-/// Range and duration of an adapted search.
+/// Settings of climb(): the size of the steps, when to end, and the random seed.
 struct AdaptedSearch {
-    double spread = 0.03;       ///< standard deviation of the first steps, of the width of the box
-    double leastSpread = 1e-9;  ///< it ends there
-    int steps = 1000;           ///< at most
+    double spread = 0.03;  ///< standard deviation of the first steps, as a share of the box width
+    /// The search ends when the standard deviation of the steps falls below this share of the box width.
+    double leastSpread = 1e-9;
+    int steps = 1000;  ///< maximum number of steps
     std::uint64_t seed = 1;
 };
 
-/// Climbs from `place`, where the value is `value`, to a larger one; every coordinate stays in 0 … 1.
-/// `valueAt` may return NaN where there is no value. Steps are normally distributed. After a step that leads
-/// on the next ones are wider and more of them point that way, after others they are narrower: the (1+1)
-/// evolution strategy with an adapted covariance matrix [Igel, Suttorp and Hansen, GECCO 2006]. So it follows
-/// a ridge that is not along any coordinate, as kinks of e and of forces have. The same seed gives the same
-/// result. Returns the number of values requested; a stop ends it early.
+/// Climbs from the point `place` with objective `value` to a larger objective, and updates both. Returns the
+/// number of calls of `valueAt`. Every coordinate stays in 0 … 1; `valueAt` may return NaN at points without
+/// a value.
+/// Uses the (1+1) evolution strategy with an adapted covariance matrix [Igel, Suttorp and Hansen, GECCO
+/// 2006]. Steps are normally distributed. After a successful step, steps get wider and more of them take that
+/// direction; after failures they get narrower. Hence the search follows ridges oblique to the coordinates,
+/// which kinks of e and of forces cause. The same seed gives the same result. A stop request ends the search
+/// early.
 int climb(std::vector<double>& place, double& value,
           const std::function<double(const std::vector<double>&)>& valueAt, const AdaptedSearch& search,
           const std::stop_token& stop = {});

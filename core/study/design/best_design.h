@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which designs are best: by the first aim, and which none is better than in every aim.
+// Selection of the best designs: by the first objective, and as the Pareto set of all objectives.
 #pragma once
 
 #include <cstddef>
@@ -11,60 +11,68 @@
 
 namespace drillwave {
 
-/// Direction of an aim: large or small values are good.
+/// Direction of an objective (called aim in the code): whether large or small values are better.
 enum class Sense { largest, least };
 
-/// A statistic of an output: numbers in DesignSamples::statistics.
+/// Location of one statistic of one output, as indices into DesignSamples::statistics.
 struct StatisticPlace {
     std::size_t output = 0;
     std::size_t statistic = 0;
-    bool hasError = true;  ///< Statistic::hasError()
+    bool hasError = true;  ///< whether the statistic has a sampling error, as Statistic::hasError() returns
 };
 
-/// An aim as numbers.
+/// Objective of a design study, in the form that bestOf() uses: a statistic and the better direction.
 struct AimOrder {
     Sense sense = Sense::largest;
     StatisticPlace place;
 };
 
-/// A limit as numbers: at most the bound, or at least.
+/// Limit of a design study, in the form that bestOf() uses: a statistic and its upper or lower bound.
 struct LimitOrder {
     bool atMost = true;
     StatisticPlace place;
     double bound = 0;
 };
 
-/// Relation of a design to the limits.
+/// Whether a design satisfies the limits, and how clearly.
 struct Feasibility {
-    bool feasible = false;  ///< every limit holds for the value
-    bool marginal = false;  ///< some value is within its error of its bound
+    bool feasible = false;  ///< whether all statistics of the objectives exist and satisfy every limit
+    bool marginal = false;  ///< whether a limited statistic is closer to its bound than its own error
 };
 
-/// Returns not feasible without statistics.
+/// Returns whether a design satisfies the limits. A design without statistics of the objectives is not
+/// feasible.
 Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
                           std::span<const LimitOrder> limits);
 
-/// Returns whether two designs are equal in an aim: within the errors, or within rounding if it has none.
+/// Returns whether two designs are equally good in one objective: within its errors, or within rounding if
+/// its statistic has no error.
 bool areTied(const DesignSamples& one, const DesignSamples& other, const AimOrder& aim);
 
-/// Best of all designs, by number from 0.
+/// Best designs of a study, each given by its index, from 0.
 struct BestDesigns {
-    std::optional<std::size_t> robust;   ///< feasible, best statistic of the first aim
-    std::optional<std::size_t> nominal;  ///< best with x as in the scenario; limits apply to those values
-    /// Feasible, and equal to the robust best within the errors; without the robust best.
+    /// Feasible design with the best first objective over all samples; empty if no design is feasible.
+    std::optional<std::size_t> robust;
+    /// Best design for the uncertain inputs at their values entered. The limits apply to those values.
+    std::optional<std::size_t> nominal;
+    /// Feasible designs whose first objective equals that of `robust` within the errors, without `robust`
+    /// itself.
     std::vector<std::size_t> ties;
-    /// Best in the next aim among the robust best and its ties; nothing if there is no such aim or no
-    /// tie.
+    /// Design with the best second objective among `robust` and `ties`. Empty without a second objective or
+    /// without ties.
     std::optional<std::size_t> nextBest;
-    /// Feasible, and best or tied with the best in every aim, each aim deciding among those left by the aims
-    /// before it; ascending.
+    /// Feasible designs that are best, or equally good, in every objective in turn: each objective selects
+    /// among the designs left by those before it. Ascending.
     std::vector<std::size_t> equal;
-    std::optional<std::size_t> chosen;  ///< of these the robust best, or else the best in the last aim
-    std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none
+    /// Recommended one of `equal`: `robust` if it is among them, otherwise the best in the last objective.
+    std::optional<std::size_t> chosen;
+    /// For each design, whether it is Pareto-optimal: feasible, and no feasible design is better in one
+    /// objective without being worse in another.
+    std::vector<bool> pareto;
 };
 
-/// Returns the best designs. Requires at least one aim. The first of those that are equal within rounding is
-/// best. Statistics without an error tie only in that case.
+/// Returns the best designs of a study. Requires at least one objective. Among designs that are equal within
+/// rounding, the first is taken as best. Statistics without an error count as equal only within rounding.
 BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOrder> aims,
                    std::span<const LimitOrder> limits);
 

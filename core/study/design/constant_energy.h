@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blows of one energy: machines compared at equal power.
+// Scaling of blows to equal energy, for comparing machines at equal power.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace drillwave {
 
-/// Returns the energy of a blow [J]: of a prescribed force that of its incident wave, ∫Fa² dt/Z, in the
-/// reference case I0²/2m, of an elastic hammer m v0²/2. Requires a valid scenario with units.
+/// Returns the energy of a blow [J]. A prescribed hammer force gives the energy of its incident wave, ∫Fa²
+/// dt/Z. The reference case gives I0²/2m, an elastic hammer m v0²/2. Requires a valid scenario with units.
 double blowEnergy(const Scenario& scenario);
 
-/// Returns the parameter that scales the energy: impulse or hammer velocity; none for a table of points.
+/// Returns the parameter that scales the blow energy: the impulse or the hammer velocity. Null if the force
+/// is a table of points.
 KeptParameter energyParameter(const Scenario& scenario);
 
-/// Returns why the energy of such a scenario cannot be kept and what to do; empty if it can be.
+/// Returns why the blow energy of a scenario cannot be kept constant and what to do; empty if it can.
 Message keepEnergyProblem(const Scenario& scenario);
 
-/// Gives the blow that energy: impulse or velocity times √(energy/blowEnergy()). Requires that there is no
-/// keepEnergyProblem().
+/// Sets the blow energy of a scenario to `energy` [J]. Multiplies the impulse or hammer velocity by
+/// √(energy/blowEnergy()). Requires that keepEnergyProblem() is empty.
 void keepEnergy(Scenario& scenario, double energy);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Problems of a design study, found before anything is computed.
+// Checks of a design study before anything is computed.
 #pragma once
 
 #include <stop_token>
@@ -10,24 +10,28 @@
 
 namespace drillwave {
 
-/// A problem, and its cause: the words of the question or the scenario.
+/// Problem of a design study, with its origin: the options given (isUsage) or the scenario.
 struct DesignProblemLine {
     bool isUsage = false;
     Message text;
 };
 
-/// A key that the question names, and where.
+/// Parameter key that the user named, and the kind of option that named it.
 struct NamedKey {
     std::string key;
+    /// Whether the key belongs to a design variable; otherwise to an uncertain input.
     bool isChosen = false;
-    bool isPercent = false;   ///< of a range: ± P %, which a choice may have too
-    std::string choice = {};  ///< the chosen part whose presets set it: "hammer"; empty if none do
+    /// Whether the range is given as ± P %; such a key may also be a design variable.
+    bool isPercent = false;
+    /// Design variable whose presets set this key, such as "hammer"; empty if none does.
+    std::string choice = {};
 };
 
-/// All of it: too many of anything, nothing uncertain, two that set one thing, keys and outputs that a design
-/// has not, ranges that no design takes, an energy that cannot be kept. Empty when it can run. Ten thousand
-/// designs take some tenths of a second: a stop ends it with what was found by then. `unread` are keys whose
-/// values could not be read and which the study therefore has not: they too may be given twice.
+/// Returns the problems of a design study; empty if it can run. The checks find too many inputs, designs or
+/// blows, a missing uncertain input, and two inputs that set the same value. They also find keys and outputs
+/// that a design lacks, ranges that no design accepts, and an energy that cannot be kept.
+/// Checking 10,000 designs takes some tenths of a second. A stop request returns the problems found so far.
+/// `unread` lists keys whose values could not be read; they are checked for duplicates only.
 std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop = {},
                                           const std::vector<NamedKey>& unread = {});
 

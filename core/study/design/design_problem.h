@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subject of a design study, whatever solves it: designs, uncertain numbers, outputs.
+// Interface of a design study to its solver: designs, uncertain inputs and outputs.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-/// Solves one point after another. One for each thread.
+/// Solver for single samples of a design. Each thread needs its own object.
 class DesignSolver {
   public:
     DesignSolver() = default;
@@ -23,16 +23,18 @@ class DesignSolver {
     DesignSolver(const DesignSolver&) = delete;
     DesignSolver& operator=(const DesignSolver&) = delete;
 
-    /// Puts the outputs of a design (from 0) at uncertain values, one of each distribution, into `outputs`.
-    /// Returns why there are none; empty when there are.
+    /// Solves one sample of a design and writes its results to `outputs`. `design` is an index from 0;
+    /// `values` has one value for each uncertain input. Returns why there are no results; empty if there are.
     virtual Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
                           const std::stop_token& stop) = 0;
-    /// Solves with the uncertain numbers as the scenario has them.
+    /// Solves a design with the uncertain inputs at the values of its scenario. Arguments and return value
+    /// are those of solve().
     virtual Message solveNominal(std::uint64_t design, std::span<double> outputs,
                                  const std::stop_token& stop) = 0;
 };
 
-/// Safe for several threads.
+/// Designs with their uncertain inputs and outputs, as the sampling routines see them. Safe to use from
+/// several threads.
 class DesignProblem {
   public:
     DesignProblem() = default;
@@ -42,19 +44,20 @@ class DesignProblem {
 
     virtual std::uint64_t designCount() const = 0;
     virtual std::size_t outputCount() const = 0;
-    /// Returns those of the uncertain numbers: at least one, equally many for each design.
+    /// Returns the distributions of the uncertain inputs of a design: at least one, and the same number for
+    /// every design.
     virtual std::vector<Distribution> distributions(std::uint64_t design) const = 0;
     virtual std::unique_ptr<DesignSolver> solver() const = 0;
-    /// Returns places in the box of a coordinate, besides its ends, where worst cases are likely.
+    /// Returns values of one uncertain input, inside its range, near which worst cases are likely.
     virtual std::vector<double> likelyPlaces(std::uint64_t /*design*/, std::size_t /*coordinate*/) const {
         return {};
     }
 };
 
-/// Called with the number of points solved since the last call.
+/// Callback for progress, called with the number of samples solved since the last call.
 using SolveProgress = std::function<void(std::uint64_t)>;
 
-/// Way of working: threads (≥ 1), stop, progress.
+/// Execution settings of a design study: number of threads (≥ 1), stop token and progress callback.
 struct DesignWork {
     int jobs = 1;
     std::stop_token stop = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every design solved at the same points, and the statistics of its outputs.
+// Solves every design at the same sample points and collects the statistics of its outputs.
 #pragma once
 
 #include <cstdint>
@@ -12,45 +12,50 @@
 
 namespace drillwave {
 
-/// Beyond this share of points that could not be solved a design has no statistics.
+/// Maximum share of samples without a solution. A design with more has no statistics.
 inline constexpr double mostUnsolvedShare = 1e-3;
 
-/// Number of points in one piece of work: enough to make handing over cheap, few enough to end soon.
+/// Number of samples that a thread takes at a time: large enough for low overhead, small enough to end soon.
 inline constexpr std::uint64_t pointsOfBlock = 256;
 
-/// Results of a design.
+/// Results of one design: outputs at the values entered, and statistics over all samples.
 struct DesignSamples {
-    std::vector<double> nominal = {};  ///< outputs; NaN where that blow could not be solved
-    /// Output by output, in the order of the requested statistics; NaN where there are none.
+    /// Outputs for the uncertain inputs at their values entered; NaN if that blow was not solved.
+    std::vector<double> nominal = {};
+    /// Statistics of the samples, indexed [output][statistic] in the requested order; NaN without enough
+    /// samples.
     std::vector<std::vector<SampledValue>> statistics = {};
-    std::uint64_t unsolved = 0;  ///< points left out
-    Message reason = {};         ///< of the first one
-    double uncertainShare = 0;   ///< of points, see UncertainPoints
+    std::uint64_t unsolved = 0;  ///< number of samples without a solution, which the statistics leave out
+    Message reason = {};         ///< reason why the first such sample was not solved
+    /// Share of samples, 0 … 1, whose own numerical error exceeds the error of a statistic (see
+    /// UncertainPoints).
+    double uncertainShare = 0;
 
     bool hasStatistics(std::uint64_t samples) const {
         return static_cast<double>(unsolved) <= mostUnsolvedShare * static_cast<double>(samples);
     }
 };
 
-/// Search for points that are less certain than the statistics: those whose own error is larger than that of
-/// mean or quantile.
+/// Settings for counting samples whose own numerical error exceeds the sampling error of a mean or quantile.
 struct UncertainPoints {
-    std::size_t errorOutput;       ///< output whose value is the own error of a point
-    std::vector<bool> isRelative;  ///< of each output: the error is one of the value, not of 1
+    std::size_t errorOutput;  ///< index of the output that holds the numerical error of a sample
+    /// For each output, whether the error of a sample is relative to its value; otherwise it is absolute.
+    std::vector<bool> isRelative;
     bool concerns(std::size_t output) const { return output != errorOutput; }
 };
 
-/// Number of points, which ones, and their statistics.
+/// Number and random seed of the samples, and the statistics to compute from them.
 struct SampleOrder {
-    std::uint64_t samples = 4096;  ///< N, a power of two, at least 64
+    std::uint64_t samples = 4096;  ///< number of samples N for each design: a power of two, at least 64
     std::uint64_t seed = 1;
-    std::vector<std::vector<Statistic>> statistics;  ///< of each output; some may have none
+    /// Statistics to compute for each output; the list of an output may be empty.
+    std::vector<std::vector<Statistic>> statistics;
     std::optional<UncertainPoints> uncertain = {};
 };
 
-/// Solves all designs, each at the same points of SobolPoints, in order. Results depend neither on the number
-/// of threads nor on the other designs. Keeps the outputs of one design at a time; after a stop, returns
-/// those that are finished.
+/// Returns the results of all designs, in their order. All designs are solved at the same sample points (see
+/// SobolPoints). Results do not depend on the number of threads or on the other designs. Memory holds the
+/// samples of one design at a time. After a stop request, only finished designs are returned.
 std::vector<DesignSamples> sampleDesigns(const DesignProblem& problem, const SampleOrder& order,
                                          const DesignWork& work);
 

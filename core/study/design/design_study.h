@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which choice is best over what is not known of a scenario.
+// Study that finds the best design of a machine or string while some inputs are uncertain.
 #pragma once
 
 #include <cstdint>
@@ -27,29 +27,32 @@ inline constexpr std::size_t mostUncertain = 12, mostChoices = 4, mostAims = 3;
 inline constexpr std::uint64_t mostDesigns = 10'000, mostDesignSolves = 1'000'000'000;
 inline constexpr std::uint64_t leastDesignSamples = 64, mostDesignSamples = std::uint64_t{1} << 20;
 
-/// Statistic that should be large, or small.
+/// Objective of a study: a statistic of an output that should be as large or as small as possible.
 struct DesignAim {
     Sense sense = Sense::largest;
     const Output* output = nullptr;
     Statistic statistic;
 
-    /// "max:efficiency@q05"
+    /// Returns the objective as typed on the command line, such as "max:efficiency@q05".
     std::string name() const;
     bool operator==(const DesignAim&) const = default;
 };
 
-/// A statistic that must stay on one side of a bound, SI where the scenario is.
+/// Limit of a study: a statistic of an output with an upper or lower bound. The bound is in SI units if the
+/// scenario has units, otherwise dimensionless.
 struct DesignLimit {
     bool atMost = true;
     const Output* output = nullptr;
     Statistic statistic;
     double bound = 0;
 
-    std::string name() const;  ///< "thrust@q95"
+    /// Returns the statistic as typed on the command line, such as "thrust@q95".
+    std::string name() const;
     bool operator==(const DesignLimit&) const = default;
 };
 
-/// Settings of a design study. Designs are the grid of the choices, the last one fastest, or only the base.
+/// Input of a design study. The designs are all combinations of the design variables (`choices`), with the
+/// last one varying fastest. Without design variables, the base scenario is the only design.
 struct DesignStudy {
     Scenario base;
     std::vector<UncertainInput> uncertain;
@@ -62,62 +65,76 @@ struct DesignStudy {
     std::uint64_t seed = 1;
     long workLimit = defaultWorkLimit;
 
-    std::uint64_t designCount() const;  ///< 0 if too many to count
-    /// Returns the choices of a design (from 0), in their order, in SI.
+    /// Returns the number of designs; 0 if it exceeds maximumSweepPoints.
+    std::uint64_t designCount() const;
+    /// Returns the values of the design variables of one design (index from 0), in the order of `choices`, in
+    /// SI units.
     std::vector<double> choice(std::uint64_t design) const;
-    /// Returns the outputs of aims and limits, each once.
+    /// Returns the outputs that the objectives and limits use, each once.
     std::vector<OutputColumn> columns() const;
-    /// Returns the statistics of an output: the default ones, then those needed by aims and limits.
+    /// Returns the statistics computed for an output: the default ones, then further ones of objectives and
+    /// limits.
     std::vector<Statistic> statisticsOf(const Output& output) const;
-    /// Returns the number of uncertain numbers that scatter independently.
+    /// Returns the number of independent uncertain inputs; a table of correlated values (`draws`) counts as
+    /// one.
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
-    /// Returns the parameters that scatter, those of the draws last.
+    /// Returns the parameters that are uncertain; those of the table `draws` are last.
     std::vector<KeptParameter> scattered() const;
-    /// Returns the place in DesignSamples of the statistic of an aim or limit.
+    /// Returns where DesignSamples stores the statistic of an objective or limit.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
     bool operator==(const DesignStudy&) const = default;
 };
 
-/// The aims that are taken where none are given: efficiency in the worst 5 %, and thrust in the largest where
-/// there is a blow frequency.
+/// Returns the default objectives: the largest 5 % quantile of efficiency. With a blow frequency, the second
+/// is the least 95 % quantile of the required feed force.
 std::vector<DesignAim> customaryAims(const Scenario& scenario);
 
 /// Results of a design study.
 struct DesignFindings {
-    Message refusal = {};   ///< why the study cannot be made; then all else is empty
-    Message unsolved = {};  ///< why no design is solved even without scatter; then all else is empty
+    Message refusal = {};  ///< reason why the study cannot run; the other members are then empty
+    /// Reason why no design is solved even at the values entered; the other members are then empty.
+    Message unsolved = {};
     std::vector<DesignSamples> designs;
-    std::vector<Feasibility> feasibility;  ///< of each
-    BestDesigns best;  ///< the robust and the chosen one with the present value of what makesDifference() not
-    std::vector<const Output*> aimed;             ///< outputs of the aims, each once: those of
-    Sensitivity sensitivity;                      ///< at the robust best
-    std::vector<std::optional<WorstCase>> worst;  ///< of each aim, at the robust best
-    /// Recommended design: the base if it is equal to the best ones, else that of the aims.
+    std::vector<Feasibility> feasibility;  ///< feasibility of each design, in the order of `designs`
+    /// Best designs. For design variables without influence (see makesDifference()), the robust and the
+    /// chosen design keep their present values.
+    BestDesigns best;
+    /// Outputs that the objectives use, each once. `sensitivity` has the same order.
+    std::vector<const Output*> aimed;
+    /// Sensitivity of these outputs to the uncertain inputs, for the design that is best for uncertain rock.
+    Sensitivity sensitivity;
+    /// Worst case of each objective, for the design that is best for uncertain rock.
+    std::vector<std::optional<WorstCase>> worst;
+    /// Recommended design: the present design if it is equally good as the best ones, otherwise
+    /// BestDesigns::chosen. Empty if no design is feasible.
     std::optional<std::size_t> recommended = {};
-    /// Warnings of the blow of that design with the values entered: all about strengths, and those that the
-    /// base does not have.
+    /// Warnings about a blow of the recommended design at the values entered: all about strength, and others
+    /// that the base scenario does not have.
     std::vector<Alert> alerts = {};
-    double energySpread = 0;  ///< largest over least energy of the designs, less 1; 0 without units
+    /// Largest over smallest blow energy of all designs, minus 1; 0 for a dimensionless scenario.
+    double energySpread = 0;
 };
 
-/// A scenario for every design, valid, with its energy kept.
+/// Returns the valid scenario of a design (index from 0), with the blow energy kept constant if the study
+/// requires it.
 Scenario designScenario(const DesignStudy& study, std::uint64_t design);
 
-/// The number of the design that is the base itself; nothing where it is none of the choices.
+/// Returns the index of the design that equals the base scenario; empty if no combination of the design
+/// variables does.
 std::optional<std::size_t> presentDesign(const DesignStudy& study);
 
-/// Whether designs that differ only in that choice differ in any aim by more than the errors, or in meeting
-/// the limits.
+/// Returns whether a design variable matters. It does if designs that differ only in it differ in an
+/// objective by more than the errors, or in satisfying the limits.
 bool makesDifference(const DesignStudy& study, const DesignFindings& findings, std::size_t choice);
 
-/// About how many blows runDesign() solves.
+/// Returns the approximate number of blows that runDesign() solves.
 std::uint64_t designSolves(const DesignStudy& study);
 
-/// Called with the results so far: the designs, then with indices.
+/// Callback for intermediate results: called first with the designs, later again with the sensitivities.
 using ShowFindings = std::function<void(const DesignFindings&)>;
 
-/// Returns only the first line of problemsOf() the study if there are any. After a stop, the result must not
-/// be used.
+/// Returns the results of a design study. If problemsOf() the study is not empty, only `refusal` is set, to
+/// its first message. After a stop request, the result is incomplete and must not be used.
 DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show = {});
 
 }  // namespace drillwave

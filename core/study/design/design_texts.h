@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choices, aims and limits of a design study read from the words that options and files share.
+// Parsers for the design variables, objectives and limits of a design study, as typed in options and files.
 #pragma once
 
 #include <functional>
@@ -14,42 +14,45 @@
 
 namespace drillwave {
 
-/// Source of the names of presets for a choice.
+/// Source of presets that a design variable may name, such as hammers or bits.
 struct PresetLookup {
-    std::function<const PresetFile&()> presets;     ///< called only for names of presets
-    std::string listCommand = "drillwave presets";  ///< for messages
+    /// Function that loads the presets; called only if the text names presets.
+    std::function<const PresetFile&()> presets;
+    std::string listCommand = "drillwave presets";  ///< command that lists the presets, for use in messages
 };
 
-/// Returns the lookup in the built-in presets.
+/// Returns a lookup that uses the presets built into the program.
 PresetLookup builtInLookup();
 
-/// Returns whether the text chooses presets: "hammer=…", "rod=…" or "bit=…".
+/// Returns whether a text chooses presets: whether it begins with "hammer=", "rod=" or "bit=".
 bool choosesPresets(std::string_view text);
 
-/// Reads "hammer=NAME,NAME", also for rod and bit, or what parseAxis() reads. The names are those of presets
-/// that suit the scenario; for drill strings, hammers are pistons. A name may be cut short where only one
-/// begins so, and may have commas. Refuses a part that no preset can replace in the scenario.
+/// Returns the design variable read from "hammer=NAME,NAME" (also "rod=" or "bit="), or from the text of a
+/// sweep axis (see parseAxis()). Names must be presets that suit the scenario; for drill strings, hammers are
+/// pistons. Names may be abbreviated if unique, and may contain commas. Returns a problem if no preset can
+/// replace that component of the scenario.
 ParsedAxis parseChoice(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);
 
-/// An aim read from text, or why not.
+/// Objective read from text, or the problem why it could not be read.
 struct ParsedAim {
     DesignAim aim;
     Message problem;
 };
 
-/// Returns whether the text begins as an aim does: "max:" or "min:".
+/// Returns whether a text begins like an objective: with "max:" or "min:".
 bool beginsAsAim(std::string_view text);
-/// Reads "max:OUTPUT@STATISTIC" or "min:OUTPUT@STATISTIC".
+/// Returns the objective read from "max:OUTPUT@STATISTIC" or "min:OUTPUT@STATISTIC", or a problem.
 ParsedAim parseAim(std::string_view text);
 
-/// A limit read from text, or why not.
+/// Limit read from text, or the problem why it could not be read.
 struct ParsedLimit {
     DesignLimit limit;
-    bool isMistyped = false;  ///< the problem is one of the words, not of the value
+    bool isMistyped = false;  ///< whether the problem is a misspelt word rather than an invalid value
     Message problem;
 };
 
-/// Reads "OUTPUT@STATISTIC=VALUE", at most or at least; the value has a unit where the output has one.
+/// Returns the limit read from "OUTPUT@STATISTIC=VALUE", or a problem. `atMost` selects an upper bound,
+/// otherwise a lower one. VALUE has a unit if the output has one.
 ParsedLimit parseLimit(std::string_view text, bool atMost, const Scenario& scenario);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an uncertain number scatters, as its quantile function.
+// Probability distribution of an uncertain input, given by its quantile function.
 #pragma once
 
 #include <cstdint>
@@ -8,50 +8,51 @@
 
 namespace drillwave {
 
-/// Meaning of LOW and HIGH of a range.
+/// Shape of a distribution, and the meaning of LOW and HIGH in the range typed for it.
 enum class DistributionKind {
-    uniform,    ///< the ends
-    log,        ///< the ends, even in the logarithm
-    normal,     ///< the 2.5 % and 97.5 % quantiles
-    lognormal,  ///< the 2.5 % and 97.5 % quantiles, of the logarithm
-    percent,    ///< the ends, so many per cent below and above the value of the design
-    draws,      ///< rows of a table, from 0 up to their number
+    uniform,    ///< uniform; LOW and HIGH are the ends
+    log,        ///< uniform in the logarithm; LOW and HIGH are the ends
+    normal,     ///< normal; LOW and HIGH are the 2.5 % and 97.5 % quantiles
+    lognormal,  ///< lognormal; LOW and HIGH are the 2.5 % and 97.5 % quantiles
+    percent,    ///< uniform; the ends lie P per cent below and above the value of the design
+    draws,      ///< random row of a table; the value is the row index, from 0
 };
 
-/// "uniform", …, as on the command line and in JSON.
+/// Returns the name of a distribution as used on the command line and in JSON, such as "uniform".
 std::string_view name(DistributionKind kind);
 
-/// Half the width of 95 % of a normal distribution, in its standard deviations.
+/// Half-width of the central 95 % of a normal distribution, in standard deviations.
 inline constexpr double normalHalfWidth = 1.959964;
-/// Deviation from its mean where a normal distribution is cut, in standard deviations.
+/// Distance from the mean at which a normal distribution is truncated, in standard deviations.
 inline constexpr double normalCut = 4;
 
-/// Independent uncertain number, in the unit of low and high.
+/// Distribution of one independent uncertain input. All values are in the unit of `low` and `high`.
 class Distribution {
   public:
     Distribution() : Distribution(DistributionKind::uniform, 0, 1) {}
-    /// low < high, both > 0 of `log` and `lognormal`. Normal ones are cut at `least` and `most`, the range
-    /// of the parameter, too, and rescaled.
+    /// Requires low < high; for `log` and `lognormal` both must be > 0. Normal and lognormal distributions
+    /// are also truncated at `least` and `most`, the allowed range of the parameter, and rescaled.
     Distribution(DistributionKind kind, double low, double high,
                  double least = -std::numeric_limits<double>::infinity(),
                  double most = std::numeric_limits<double>::infinity());
-    /// Which of so many rows, all alike: whole numbers.
+    /// Returns the distribution of a row index, 0 … rows − 1, with equal probability for each row.
     static Distribution ofRows(std::uint64_t rows);
 
     DistributionKind kind() const { return m_kind; }
     double low() const { return m_low; }
     double high() const { return m_high; }
-    /// Whether there is a box to look for worst cases in.
+    /// Returns whether the distribution has a continuous range in which to search for worst cases; false for
+    /// rows of a table.
     bool hasBox() const { return m_kind != DistributionKind::draws; }
 
-    /// Returns the value below which the share u lies, 0 < u < 1.
+    /// Returns the value below which the distribution has the probability u, 0 < u < 1.
     double quantile(double u) const;
-    /// Returns the value at the share b of the range, 0 (low) … 1 (high), along the logarithm for `log` and
-    /// `lognormal`. Rows of draws are as in quantile().
+    /// Returns the value at a position b of the range from low (b = 0) to high (b = 1). The scale is
+    /// logarithmic for `log` and `lognormal`. For rows of a table, returns quantile(b).
     double inBox(double b) const;
-    /// Returns the share of the range at which a value is.
+    /// Returns the position of a value in the range, from 0 (low) to 1 (high), clamped. Inverse of inBox().
     double boxPlace(double value) const;
-    /// Return the least and the largest possible value.
+    /// Returns the smallest possible value; most() returns the largest.
     double least() const;
     double most() const;
 
@@ -60,8 +61,9 @@ class Distribution {
 
     DistributionKind m_kind;
     double m_low, m_high;
-    double m_mean = 0, m_deviation = 0;    // of normal ones, of the logarithm of lognormal ones
-    double m_shareBelow = 0, m_share = 1;  // cut off below; kept
+    // Mean and standard deviation of normal distributions, of the logarithm for lognormal ones.
+    double m_mean = 0, m_deviation = 0;
+    double m_shareBelow = 0, m_share = 1;  // probability below the truncated range; probability within it
 };
 
 }  // namespace drillwave

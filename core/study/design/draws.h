@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of values that belong together, as an identification of a rock leaves them.
+// Table of correlated parameter values, such as the result of identifying a rock from measurements.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,28 @@
 
 namespace drillwave {
 
-/// Most rows.
+/// Maximum number of rows of a table of correlated values.
 inline constexpr std::size_t mostDraws = 1'000'000;
 
-/// Rows of which one is true, with equal probability: the columns vary together.
+/// Table of correlated parameter values. Each row is a possible set of values; all rows are equally likely.
 struct Draws {
     std::vector<KeptParameter> parameters;
-    std::vector<std::vector<double>> columns;  ///< SI, of each parameter
+    std::vector<std::vector<double>> columns;  ///< values in SI units, indexed [parameter][row]
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
     bool operator==(const Draws&) const = default;
 };
 
-/// Draws read from a table, or why not.
+/// Table of correlated values read from a file, or the reasons why it could not be read.
 struct ReadDraws {
     Draws draws;
-    std::vector<Message> unreadable;  ///< cells missing, no rows, no text: "posterior.csv:7: …"
-    std::vector<Message> invalid;     ///< columns and values that no parameter takes
+    /// Errors of the file, such as missing cells or rows, each with its position: "posterior.csv:7: …".
+    std::vector<Message> unreadable;
+    std::vector<Message> invalid;  ///< columns and values that are not valid for any parameter
 };
 
-/// Reads a CSV table with a header of keys and units, as of `drillwave table`; `source` names it in messages,
-/// of which there are at most twenty.
+/// Returns the table of correlated values read from CSV text. The header has parameter keys with units, as
+/// `drillwave table` requires. `source` is the name of the file for messages. At most twenty messages are
+/// returned.
 ReadDraws readDraws(std::istream& table, const std::string& source);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Designs of a scenario, as a design problem to be solved.
+// Designs of a scenario, made available to the sampling routines.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,12 @@
 
 namespace drillwave {
 
-/// Designs of a study; its outputs are the columns of the study, then the own error of a point.
+/// Designs of a design study, solved as blows. The outputs are the columns of the study, followed by the
+/// numerical error of each sample.
 class ScenarioDesigns : public DesignProblem {
   public:
-    /// The study must outlive it and have no problemsOf() it.
+    /// Stores a reference to the study, which must outlive this object. Requires that problemsOf() the study
+    /// is empty.
     explicit ScenarioDesigns(const DesignStudy& study);
 
     std::uint64_t designCount() const override { return m_study.designCount(); }
@@ -21,7 +23,7 @@ class ScenarioDesigns : public DesignProblem {
     std::vector<Distribution> distributions(std::uint64_t design) const override;
     std::unique_ptr<DesignSolver> solver() const override;
     std::vector<double> likelyPlaces(std::uint64_t design, std::size_t coordinate) const override;
-    /// Which points are less certain than the statistics.
+    /// Returns the settings for counting samples whose numerical error exceeds the error of the statistics.
     UncertainPoints uncertainPoints() const;
 
   private:
@@ -29,7 +31,8 @@ class ScenarioDesigns : public DesignProblem {
     std::vector<OutputColumn> m_columns;
 };
 
-/// The uncertain numbers as axes with their extreme values: of each input, then of each column of the draws.
+/// Returns the uncertain inputs as sweep axes from their smallest to their largest value. Single inputs come
+/// first, then the columns of the table of correlated values.
 std::vector<SweepAxis> uncertainAxes(const DesignStudy& study, const Scenario& design);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which uncertain number an output depends on: Sobol indices.
+// Sobol indices: how much of an output's variance each uncertain input causes.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,39 @@
 
 namespace drillwave {
 
-/// Shares of the variance of an output: by one uncertain number only, and including effects with others.
+/// Sobol indices of one uncertain input: shares of the variance of an output. `first` counts only the effect
+/// of this input, `total` also its interactions with others.
 struct SobolIndex {
     Estimate first;
     Estimate total;
 };
 
-/// Sensitivities of one output.
+/// Sensitivity of one output to all uncertain inputs.
 struct OutputSensitivity {
-    bool isConstant = false;          ///< the output does not scatter: there are no indices
-    std::vector<SobolIndex> indices;  ///< of each uncertain number
+    bool isConstant = false;          ///< whether the output does not vary; `indices` is then empty
+    std::vector<SobolIndex> indices;  ///< Sobol indices of each uncertain input, in the order of the inputs
 };
 
 struct Sensitivity {
-    std::vector<OutputSensitivity> outputs;  ///< in the order requested; none after a stop
-    std::uint64_t unsolved = 0;              ///< points left out, with all that are compared with them
+    /// Sensitivity of each requested output, in the requested order; empty after a stop.
+    std::vector<OutputSensitivity> outputs;
+    /// Number of samples left out because they, or samples compared with them, were not solved.
+    std::uint64_t unsolved = 0;
     Message reason;
 };
 
-/// Returns the number of solves of sensitivityOf() for d uncertain numbers.
+/// Returns the number of solves that sensitivityOf() needs for a number of uncertain inputs and of samples.
 std::uint64_t sensitivitySolves(std::size_t uncertain, std::uint64_t samples);
 
-/// Indices of the outputs named by number, of one design, from points in 2d dimensions (A, B, and A with
-/// coordinate i of B):
+/// Returns the Sobol indices of the outputs (given by index) of one design. Uses points in 2d dimensions for
+/// d uncertain inputs: two sets A and B, and A_Bi, which is A with coordinate i taken from B:
 ///
-///     S_i = (1/n) Σ f(B)[f(AB_i) − f(A)] / V       (Saltelli 2010)
-///     T_i = (1/2n) Σ [f(A) − f(AB_i)]² / V         (Jansen 1999)
+///     S_i = (1/n) Σ f(B)[f(A_Bi) − f(A)] / V       (Saltelli 2010)
+///     T_i = (1/2n) Σ [f(A) − f(A_Bi)]² / V         (Jansen 1999)
 ///
-/// f centred by the mean of A and B, V the variance of both; by replicates, with the error of their mean. A
-/// single uncertain number has S = T = 1. `samples` is as in SampleOrder.
+/// Here S is the first-order index, T the total index, f the output minus its mean over A and B, and V the
+/// variance over both. Each index is the mean over the replicates of SobolPoints, with the error of that
+/// mean. A single uncertain input has S = T = 1. `samples` has the meaning of SampleOrder::samples.
 Sensitivity sensitivityOf(const DesignProblem& problem, std::uint64_t design,
                           const std::vector<std::size_t>& outputs, std::uint64_t samples, std::uint64_t seed,
                           const DesignWork& work);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points that fill a box evenly: a Sobol sequence in replicates, each shifted by digits of its own.
+// Points that fill a box evenly: a Sobol sequence in several replicates, each with its own digital shift.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,28 @@
 
 namespace drillwave {
 
-/// Replicates of every set of points: their scatter gives the error of a statistic.
+/// Number of replicates (independently shifted copies) of every point set. Their scatter gives the error of a
+/// statistic.
 inline constexpr std::size_t replicateCount = 8;
 
-/// u = (MX ⊕ s + ½)/2^64 for each coordinate of a point n of replicate r: X is the Sobol sequence of Joe and
-/// Kuo with its point 0; the digital shift s and the mixing M of its digits are by SplitMix64 from seed, r
-/// and the coordinate. A point only needs its number, not those before it.
+/// Sobol points in several replicates. A coordinate of point n in replicate r is u = (MX ⊕ s + ½)/2^64. X is
+/// the Sobol sequence of Joe and Kuo, including its point 0. The digital shift s and the digit mixing M come
+/// from SplitMix64 with the seed, r and the coordinate. Points can be computed in any order.
 class SobolPoints {
   public:
-    /// Requires at most mostDimensions; a replicate has up to 2^20 points.
+    /// Requires 1 … mostDimensions dimensions. A replicate has at most 2^20 points.
     SobolPoints(std::size_t dimensions, std::uint64_t seed);
 
     static constexpr std::size_t mostDimensions = 32;
 
     std::size_t dimensions() const { return m_dimensions; }
-    /// Puts the point n of replicate r into `u`, every coordinate in (0, 1).
+    /// Writes the coordinates of point n of a replicate to `u`; every coordinate lies in (0, 1).
     void point(std::size_t replicate, std::uint64_t n, std::span<double> u) const;
 
   private:
     std::size_t m_dimensions;
-    std::vector<std::uint64_t> m_directions;  // by replicate, bit and coordinate
-    std::vector<std::uint64_t> m_shifts;      // replicate by replicate
+    std::vector<std::uint64_t> m_directions;  // direction numbers, by replicate, bit and coordinate
+    std::vector<std::uint64_t> m_shifts;      // digital shifts, replicate by replicate
 };
 
 }  // namespace drillwave

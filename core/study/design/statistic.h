@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statistics of many samples of an output: a mean, a quantile, each with its error.
+// Statistics of many samples of an output, such as a mean or a quantile, with their errors.
 #pragma once
 
 #include <array>
@@ -15,51 +15,57 @@
 
 namespace drillwave {
 
-/// Which statistic.
+/// Kind of statistic of an output over all samples, with the percentage of a quantile.
 struct Statistic {
     enum class Kind { mean, quantile, least, largest, nominal } kind = Kind::mean;
-    int percent = 0;  ///< of a quantile, 1 … 99
+    int percent = 0;  ///< percentage of a quantile, 1 … 99; not used for other kinds
 
-    /// "mean", "q05", "min", "max", "nominal".
+    /// Returns the name used on the command line: "mean", "q05", "min", "max" or "nominal".
     std::string name() const;
-    /// Returns whether it has an error: min and max are extremes seen, nominal is one blow.
+    /// Returns whether the statistic has a sampling error. Minimum and maximum are the extremes of the
+    /// samples and `nominal` is a single blow; these have none.
     bool hasError() const { return kind == Kind::mean || kind == Kind::quantile; }
     auto operator<=>(const Statistic&) const = default;
 };
 
-/// Returns the statistic of that name; nothing if there is none.
+/// Returns the statistic with a name such as "mean" or "q05"; empty if the name is unknown.
 std::optional<Statistic> findStatistic(std::string_view name);
 
-/// Returns the statistics reported for every output: mean, min, q05, q50, q95, max.
+/// Returns the statistics reported for every output by default: mean, min, q05, q50, q95 and max.
 std::span<const Statistic> customaryStatistics();
 
-/// Statistic of all samples, and of each replicate by itself.
+/// Value of a statistic over all samples, and over each replicate separately.
 struct SampledValue {
     double value = std::numeric_limits<double>::quiet_NaN();
     std::array<double, replicateCount> replicates{};
 
-    /// 2.4 sd/√8 of the replicates, 95 %: t of 7 degrees of freedom.
+    /// Returns the 95 % error of the value: 2.4 sd/√8 with the standard deviation sd of the eight replicates.
+    /// The factor 2.4 is Student's t for 7 degrees of freedom.
     double error() const;
 };
 
-/// The 95 % error of a mean of eight.
+/// Returns the 95 % error of the mean of the replicates, 2.4 sd/√8 for eight replicates with standard
+/// deviation sd.
 double errorOf(std::span<const double, replicateCount> replicates);
-/// Returns the error of the difference of two statistics over the same points, replicate by replicate.
+/// Returns the 95 % error of the difference of two statistics over the same sample points, from the
+/// differences of their replicates.
 double errorOfDifference(const SampledValue& one, const SampledValue& other);
-/// Whether two values differ by no more than that error, or by so small a part of their own errors that no
-/// digit of them shows it. NaN equals only NaN.
+/// Returns whether two values are equally good. They are if their difference is below its 95 % error, or
+/// below 5 % of the smaller of their own errors. NaN equals only NaN.
 bool areEqualWithinErrors(const SampledValue& one, const SampledValue& other);
 
-/// The quantile of sorted numbers, at least one: at the position q n + ½ (Hazen), linear between, clamped.
+/// Returns the quantile q, 0 … 1, of ascending numbers. It lies at the position n q + ½ of n numbers, counted
+/// from 1 (Hazen), with linear interpolation, clamped to the ends. Requires at least one number.
 double sortedQuantile(std::span<const double> sorted, double q);
 
-/// Samples of one output, sorted once for all statistics. NaN are left out.
+/// Samples of one output, sorted once so that any statistic can be read from them. NaN values are left out.
 class SortedSamples {
   public:
-    /// Requires the samples of one replicate after another, equally many of each.
+    /// Sorts the samples. Requires the samples of one replicate after the other, the same number for each.
     explicit SortedSamples(std::span<const double> samples);
     std::size_t count() const { return m_all.size(); }
-    /// Returns a statistic other than `nominal`; NaN if a replicate is empty.
+    /// Returns a statistic of the samples with its replicates; NaN if a replicate is empty. `nominal` is not
+    /// allowed.
     SampledValue of(const Statistic& statistic) const;
 
   private:

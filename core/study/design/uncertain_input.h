@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An uncertain number of a scenario as it is asked for.
+// Uncertain input of a scenario, as requested by the user.
 #pragma once
 
 #include <optional>
@@ -14,32 +14,36 @@
 
 namespace drillwave {
 
-/// "bit_rock.stiffness=50MN/m:250MN/m:log" or "rod.length=+-5%".
+/// Uncertain input as typed on the command line, such as "bit_rock.stiffness=50MN/m:250MN/m:log" or
+/// "rod.length=+-5%".
 struct UncertainInput {
     KeptParameter parameter;
     DistributionKind kind = DistributionKind::uniform;
-    double low = 0, high = 0;    ///< SI; of `percent` nothing
-    double percent = 0;          ///< P of `percent`
-    const Unit* unit = nullptr;  ///< as typed, SI where two were typed
+    double low = 0, high = 0;  ///< limits LOW and HIGH of the range, in SI units; not used for `percent`
+    double percent = 0;        ///< half-width P of a `percent` range, in per cent of the value of the design
+    /// Unit typed for the range; the SI unit if LOW and HIGH had different units.
+    const Unit* unit = nullptr;
     bool operator==(const UncertainInput&) const = default;
 
-    /// Returns its distribution in a design, around the value of the parameter there. Requires problemIn() to
-    /// be empty.
+    /// Returns the distribution of the input for a design; a `percent` range is centred on the value there.
+    /// Requires that problemIn() is empty.
     Distribution in(const Scenario& design) const;
-    /// Why it cannot scatter so in a design, as a line; empty when it can.
+    /// Returns why the input cannot vary over its range in a design; empty if it can.
     Message problemIn(const Scenario& design) const;
 };
 
-/// Uncertain input read from text, or why not.
+/// Uncertain input read from text, or the problem why it could not be read.
 struct ParsedUncertain {
     UncertainInput input;
-    bool isMistyped = false;  ///< the problem is one of the words, not of key or values
+    /// Whether the problem is a misspelt word rather than an invalid key or value.
+    bool isMistyped = false;
     Message problem;
 };
 
-/// Reads "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%". Refuses unknown keys and those of no number
-/// that can scatter, a range that is reversed, empty or outside that of the parameter, `log` and `lognormal`
-/// from 0, and a `normal` that reaches 0 where the parameter must be more.
+/// Returns the uncertain input read from "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%", or a problem.
+/// Refuses unknown keys, keys without a variable number, and ranges that are reversed, empty or outside the
+/// allowed range. Refuses `log` and `lognormal` from 0, and a `normal` reaching 0 where the parameter must be
+/// positive.
 ParsedUncertain parseUncertain(std::string_view text);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where searches for worst cases begin.
+// Starting points of searches for worst cases.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,15 @@
 
 namespace drillwave {
 
-/// Place in the box of the uncertain numbers, 0 … 1 along each coordinate.
+/// Point in the box of the uncertain inputs, with coordinates 0 … 1 from the lower to the upper end of each
+/// range.
 using Place = std::vector<double>;
 
-/// Points on every face of the box.
+/// Number of points tried on every face of the box.
 inline constexpr std::uint64_t faceSamples = 512;
 
-/// Places to begin with, one after another by number: samples, then faces, then corners, each also where the
-/// problem thinks worst cases likely.
+/// Numbered sequence of starting points of a search for worst cases: samples, then points on the faces, then
+/// corners. Values where the problem expects worst cases count as further faces and corners.
 class WorstStarts {
   public:
     WorstStarts(const DesignProblem& problem, std::uint64_t design, std::uint64_t samples,
@@ -34,13 +35,13 @@ class WorstStarts {
     std::vector<Distribution> m_distributions;
     std::uint64_t m_samples;
     SobolPoints m_points;
-    std::vector<std::vector<double>> m_ends;  // of each coordinate, and likely places
+    std::vector<std::vector<double>> m_ends;  // ends of each coordinate, followed by likely places
     std::vector<std::pair<std::size_t, double>> m_faces;
     std::uint64_t m_corners = 0;
 };
 
-/// The worst places so far, the worst first, no two of them near each other: otherwise all searches may begin
-/// in one dip and miss a lower one. Among equals, the first one.
+/// List of the worst points found, the worst first. No two of them are close together, because otherwise all
+/// searches could start in one dip and miss a lower one. Among equal values the first is kept.
 class WorstPlaces {
   public:
     struct Found {
@@ -48,9 +49,9 @@ class WorstPlaces {
         double value;
         Place place;
     };
-    /// Keeps at most `most` places.
+    /// Limits the list to `most` points.
     explicit WorstPlaces(std::size_t most) : m_most(most) {}
-    /// Calls `placeOf()` only if needed; ignores NaN.
+    /// Adds a point if it is among the worst. Calls `placeOf()` only if the point is added; ignores NaN.
     void add(double badness, double value, const std::function<Place()>& placeOf);
     const std::vector<Found>& found() const { return m_found; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The single blow that a sequence is compared with.
+// Single blow from rest, used as a reference for a sequence of blows.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,14 @@
 
 namespace drillwave {
 
-/// A single blow from rest at no gap.
+/// Result of a single blow from rest without a gap, as a reference for a sequence of blows.
 struct BlowAlone {
-    double cor = 0;        ///< e, from the impulse on the rock over that of the hammer
-    Estimate penetration;  ///< that stays [m]
+    double cor = 0;  ///< coefficient of restitution e, from the impulse on the rock over that of the hammer
+    Estimate penetration;  ///< penetration that remains after the blow [m]
 };
 
-/// Solves a scenario with units; nothing where it is not solved.
+/// Returns the reference blow of a scenario with units: a single blow from rest without a gap. Empty if it
+/// could not be solved.
 std::optional<BlowAlone> solveBlowAlone(const Scenario& scenario, const std::stop_token& stop);
 
 }  // namespace drillwave

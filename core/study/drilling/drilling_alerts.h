@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alerts about many blows.
+// Alerts about a sequence of blows.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,17 @@
 
 namespace drillwave {
 
-/// Causes of alerts that are not part of a result.
+/// Values from which alerts are derived but which are not part of a result.
 struct AlertCauses {
-    double lateShare = 0;  ///< largest impulse of a face after its first separation, of the hammer momentum
-    double rounding = 0;   ///< of the frequency, as a share of it
-    bool hasMachine = false;  ///< a body on a damper
+    /// Largest impulse on a struck face after its first separation from the hammer, as a share of the hammer
+    /// momentum.
+    double lateShare = 0;
+    /// Relative change of the blow frequency by rounding to whole time steps; either sign.
+    double rounding = 0;
+    bool hasMachine = false;  ///< whether the machine is modelled as a body on a damper
 };
 
+/// Returns the alerts about a sequence of blows, from its result and further causes.
 std::vector<Alert> drillingAlerts(const DrillingResult& result, const AlertCauses& causes);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scenario as a march of many blows: what it needs, what it refuses, its units (drilling §1 – §4).
+// Prepares a scenario for a sequence of blows: settings, checks and units (drilling §1 – §4).
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace drillwave {
 
-/// Number of blows, and fineness of cells.
+/// Settings of a sequence of blows: number of blows, size of the cells (time steps), and initial state.
 struct DrillingSettings {
-    long blows = 1000;  ///< N
-    long settle = 200;  ///< the first of them that no statistic counts
-    int cells = 40;     ///< per t0
+    long blows = 1000;  ///< N, number of blows to compute
+    long settle = 200;  ///< number of transient blows at the start, which the statistics exclude
+    int cells = 40;     ///< number of cells (time steps) per duration t0 of the hammer force
     DrillingStart start = DrillingStart::rest;
     bool operator==(const DrillingSettings&) const = default;
 };
@@ -25,28 +25,30 @@ struct DrillingSettings {
 inline constexpr int leastDrillingCells = 10, mostDrillingCells = 400, scanCells = 20;
 inline constexpr long mostBlows = 1'000'000;
 
-/// Returns the settings of the scenario; by default `usualBlows`, a fifth of them transient.
+/// Returns the settings of a scenario. By default there are `usualBlows` blows, one fifth of them transient.
 DrillingSettings drillingSettingsOf(const Scenario& scenario, long usualBlows = 1000);
 
-/// Returns the settings for a study of many values (scanLengthOf()).
+/// Returns the settings of one value in a scan over many values of a parameter (see scanLengthOf()).
 DrillingSettings scanSettingsOf(const Scenario& scenario);
 
-/// Returns why a scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty if
-/// it can be.
+/// Returns why a sequence of blows cannot be computed, one message for each cause, such as "drill.thrust: is
+/// missing …". Empty if it can.
 std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
 
-/// SI values of the units of a Problem.
+/// Units of the dimensionless quantities of a Problem, in SI units.
 struct DrillingUnits {
-    double time = 1;      ///< t0
-    double force = 1;     ///< F0
-    double velocity = 1;  ///< F0/Zr
+    double time = 1;      ///< unit of time: t0, duration of the hammer force [s]
+    double force = 1;     ///< unit of force: F0, mean hammer force [N]
+    double velocity = 1;  ///< unit of velocity: F0/Zr, with Zr the reference impedance of the Problem [m/s]
     double length() const { return velocity * time; }
     double impulse() const { return force * time; }
     double energy() const { return force * length(); }
 };
+/// Returns the units of the dimensionless Problem of a scenario, in SI units.
 DrillingUnits drillingUnitsOf(const Scenario& scenario);
 
-/// The march of a scenario that has no drillingRefusals(). `blow` is its blow, with the pieces of its cones.
+/// Returns the dimensionless problem of a sequence of blows. `blow` is the single blow of the scenario, with
+/// its cones divided into uniform pieces. Requires that drillingRefusals() is empty.
 DrillingProblem drillingProblemOf(const Scenario& scenario, Problem blow);
 
 }  // namespace drillwave

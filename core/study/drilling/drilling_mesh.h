@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A march and its cells: a cone is so many uniform pieces as the cells can tell apart.
+// Problem of a sequence of blows with its cells (time steps). Cones are divided into as many uniform pieces
+// as the cells can resolve.
 #pragma once
 
 #include "core/model/scenario.h"
@@ -7,14 +8,17 @@
 
 namespace drillwave {
 
+/// Problem of a sequence of blows together with its grid of cells (time steps).
 struct DrillingMesh {
     DrillingProblem problem;
     DrillingGrid grid;
 };
 
-/// drillingGridOf() with the cones of the scenario in pieces. Requires that there are no drillingRefusals().
+/// Returns the problem and grid of a scenario for a number of cells per duration t0 of the hammer force (see
+/// drillingGridOf()). Cones are divided into uniform pieces. Requires that drillingRefusals() is empty.
 DrillingMesh drillingMeshOf(const Scenario& scenario, int cellsPerDuration);
-/// comparedDrillingGridOf(): a cone has fewer pieces where cells are larger, and more where they are smaller.
+/// Returns the problem and grid for a comparison that estimates the error of the cells (see
+/// comparedDrillingGridOf()). Cones have fewer pieces if its cells are larger, more if they are smaller.
 DrillingMesh comparedDrillingMeshOf(const Scenario& scenario, int cellsPerDuration);
 
 }  // namespace drillwave

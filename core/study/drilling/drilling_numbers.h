@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outputs of many blows from their march.
+// Outputs of a sequence of blows.
 #pragma once
 
 #include "core/blow/drill_problems.h"
@@ -8,10 +8,11 @@
 
 namespace drillwave {
 
-/// Returns the available outputs. Penetration error needs `cellError`, λ `lyapunov` of DrillingRequest.
+/// Returns the available outputs of a sequence of blows. The error of the penetration requires
+/// DrillingRequest::cellError, the Lyapunov exponent λ requires DrillingRequest::lyapunov.
 DrillNumbers drillNumbersOf(const DrillingResult& result);
 
-/// Returns why there are no statistics: pushed back, stopped, or not solved; empty if there are.
+/// Returns why a sequence of blows has no statistics (pushed back, stopped, or not solved); empty if it has.
 Message whyNoStatistics(const DrillingResult& result);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One march of a study of many blows, kept blow by blow.
+// Computes a sequence of blows and records it blow by blow.
 #pragma once
 
 #include <functional>
@@ -16,69 +16,80 @@ namespace drillwave {
 
 enum class DrillingOutcome {
     done,
-    pushedBack,  ///< the machine is pushed back: no bounded motion
+    pushedBack,  ///< machine is pushed back: the motion is not bounded
     notSolved,
     stopped,
 };
-/// "done", "pushed_back", …
+/// Returns the name of an outcome as in JSON: "done", "pushed_back", …
 std::string_view name(DrillingOutcome outcome);
 
-/// Blows that are recorded in full, from 1.
+/// Range of blows whose histories are recorded, first and last included, numbered from 1.
 struct BlowRange {
     long first = 1, last = 1;
 };
 
-/// State at one time, by straight lines between the marched ones; in units of Problem.
+/// State of the machine, rod and bit at one time, interpolated linearly between time steps. Values are in the
+/// dimensionless units of Problem.
 struct DrillingInstant {
     double time = 0, force = 0, penetration = 0, frontVelocity = 0, rearVelocity = 0, damperForce = 0,
            bodyPlace = 0;
 };
 inline constexpr std::size_t mostDrillingInstants = 200'000;
 
-/// Called with the number of further blows done; by one thread at a time.
+/// Callback for progress, called with the number of blows computed since the last call; by one thread at a
+/// time.
 using DrillingProgress = std::function<void(long)>;
 
-/// Result of a march.
+/// Recorded result of a sequence of blows.
 struct DrillingRecord {
     std::vector<DrillingBlow> blows;
     DrillingOutcome outcome = DrillingOutcome::done;
     Message reason;
     DrillingLedger ledger;
     double momentumResidual = 0;
-    double lateShare = 0;  ///< largest
+    /// Largest DrillingMarch::lateShare() of all blows: impulse after the first separation, as a share of the
+    /// hammer momentum.
+    double lateShare = 0;
     std::vector<DrillingInstant> instants;
-    std::vector<double> growths;  ///< ln of how a small distance has grown, of each blow
+    /// Natural logarithm of the growth of a small deviation during each blow; for the Lyapunov exponent.
+    std::vector<double> growths;
 };
 
-/// Permitted work of one march by default [cells × nodes].
+/// Default maximum work of one sequence of blows, in time steps times nodes of the string [cells × nodes].
 inline constexpr double mostDrillingWork = 4e9;
 
-/// Length of a march, and extent of its record.
+/// Length of a sequence of blows, and what to record of it.
 struct RecordLength {
     long blows;
-    double mostWork = mostDrillingWork;  ///< a march that needs more is given up after its first blows
+    /// Maximum work [cells × nodes]. A sequence estimated to need more is abandoned after its first blows.
+    double mostWork = mostDrillingWork;
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
-    int jobs = 1;  ///< the march of λ has a thread of its own where they are more
+    /// Number of threads, ≥ 1. With more than one, the deviation for the Lyapunov exponent is computed on its
+    /// own thread.
+    int jobs = 1;
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Called after every blow: true ends the march there because what follows is known.
+    /// Callback after every blow, with all blows so far. Returning true ends the sequence, because the rest
+    /// is known.
     std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 
-/// Number of blows with a growing gap, of a machine that is pushed back on their mean, after which the bit is
-/// away for ever.
+/// Number of successive blows with growing gaps after which the bit is taken to have left the rock for good.
+/// The machine must also be pushed back on their average.
 inline constexpr long growingBlows = 50;
 
-/// J, of the last so many blows. Requires blows.
+/// Returns J, the mean impulse on the rock of the last `last` blows, in the dimensionless units of Problem.
+/// Requires at least one blow.
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
 
-/// Why a march cannot be kept in memory; empty where it can.
+/// Returns a message if a sequence of blows would need too much memory; empty otherwise.
 Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid);
 
-/// Returns why a march is given up: the work of all blows [cells × nodes]; empty if that is permitted.
-/// Requires a blow.
+/// Returns a message if `blows` blows would need more than `mostWork` [cells × nodes]; empty otherwise.
+/// Requires that at least one blow is computed.
 Message workProblem(const DrillingMarch& march, long blows, double mostWork);
 
+/// Returns the record of a sequence of blows, with the outcome if it ended early.
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statistics of many blows: means with errors, contact share, period, scatter of gaps (drilling §5).
+// Statistics of a sequence of blows: means with errors, contact share, period, scatter of gaps (drilling §5).
 #pragma once
 
 #include <algorithm>
@@ -14,32 +14,33 @@
 
 namespace drillwave {
 
-/// A number of every blow over all blows that count.
+/// Statistics of one quantity over all counted blows (those after the transient blows).
 struct BlowSpread {
     double mean = 0;
-    std::optional<double> meanError;  ///< 95 %, by up to 20 batches of consecutive blows; nothing of one blow
+    /// 95 % error of the mean, from up to 20 batches of consecutive blows; empty for a single blow.
+    std::optional<double> meanError;
     double deviation = 0;
     double q05 = 0, q50 = 0, q95 = 0;
     double least = 0, largest = 0;
 };
 
-/// Requires values.
+/// Returns the statistics of values, one for each blow. Requires at least one value.
 BlowSpread spreadOf(std::span<const double> values);
 
-/// Unit of a number of a blow: times, gaps, impulses, forces, velocities.
+/// Kind of unit of a quantity of a blow.
 enum class DrillingMeasure { count, time, length, velocity, impulse, force, energy };
 
-/// A number of every blow.
+/// Quantity recorded for every blow, with its name and unit.
 struct BlowQuantity {
-    const char* name = nullptr;  ///< of its column, and its key in JSON
+    const char* name = nullptr;  ///< name of its CSV column and its key in JSON
     DrillingMeasure measure = DrillingMeasure::count;
     double DrillingBlow::*value = nullptr;
-    bool hasSpread = false;         ///< its mean, deviation and quantiles are results
-    const char* title = nullptr;    ///< where tables that people read show its spread
-    const char* meaning = nullptr;  ///< of such a row, in a sentence
+    bool hasSpread = false;         ///< whether its mean, standard deviation and quantiles are results
+    const char* title = nullptr;    ///< heading in tables for people; nullptr if it is not shown there
+    const char* meaning = nullptr;  ///< explanation of that table row, as a sentence
 };
 
-/// All quantities, in the order of the columns of blows.csv.
+/// All quantities of a blow, in the order of the columns of blows.csv.
 inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"time", DrillingMeasure::time, &DrillingBlow::time},
     {"gap", DrillingMeasure::length, &DrillingBlow::gap, true, translatable("gap at the blow"),
@@ -61,7 +62,7 @@ inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"shank_offset", DrillingMeasure::length, &DrillingBlow::shankOffset},
 }};
 
-/// Quantities whose spread is a result, in the order of `blowColumns`.
+/// Quantities whose statistics are results, in the order of `blowColumns`.
 inline constexpr auto blowQuantities = [] {
     constexpr auto count = std::ranges::count_if(blowColumns, &BlowQuantity::hasSpread);
     std::array<BlowQuantity, static_cast<std::size_t>(count)> quantities;
@@ -69,7 +70,7 @@ inline constexpr auto blowQuantities = [] {
     return quantities;
 }();
 
-/// Returns its place in blowQuantities. Requires that it is one of them.
+/// Returns the index of a quantity in blowQuantities. Requires that it is one of them.
 constexpr std::size_t quantityPlace(double DrillingBlow::*value) {
     std::size_t place = 0;
     while (blowQuantities[place].value != value) ++place;
@@ -77,28 +78,31 @@ constexpr std::size_t quantityPlace(double DrillingBlow::*value) {
 }
 
 enum class DrillingRegime {
-    rest,       ///< the bit is on the rock before every blow
-    period,     ///< gap, velocity and penetration repeat
-    irregular,  ///< single blows are no result
+    rest,       ///< period 1, with the bit on the rock at the start of at least 95 % of the blows
+    period,     ///< gap, velocity and penetration repeat after 1 … 16 blows
+    irregular,  ///< no repetition; only statistics are results, not single blows
 };
 std::string_view name(DrillingRegime regime);
 
-/// Gap below which a blow counts as starting in contact [d0].
+/// Gap below which a blow counts as starting in contact, in units of d0.
 inline constexpr double contactLimit = 0.05;
 
-/// Statistics of the counted blows.
+/// Statistics of the counted blows of a sequence.
 struct DrillingStatistics {
-    std::array<BlowSpread, blowQuantities.size()> spreads;  ///< of blowQuantities, in units of Problem
-    double contactShare = 0;                                ///< blows with a gap below contactLimit
-    int period = 0;                                         ///< 1 … 16; 0: not periodic
+    /// Statistics of the quantities in blowQuantities, in the dimensionless units of Problem.
+    std::array<BlowSpread, blowQuantities.size()> spreads;
+    double contactShare = 0;  ///< share of blows that start with a gap below contactLimit, 0 … 1
+    int period = 0;           ///< number of blows after which the motion repeats, 1 … 16; 0 if it does not
     DrillingRegime regime = DrillingRegime::irregular;
-    std::array<int, 20> gapParts{};  ///< gap/d0 modulo 1
-    double ksDistance = 0;           ///< of those to an even distribution
-    double ksLevel = 0;              ///< that is exceeded in 5 % of even samples
-    bool isSettled = true;           ///< the halves of the blows agree to three errors
+    std::array<int, 20> gapParts{};  ///< histogram of the fractional part of gap/d0, in 20 equal bins
+    /// Kolmogorov–Smirnov distance of these fractional parts from a uniform distribution, 0 … 1.
+    double ksDistance = 0;
+    double ksLevel = 0;     ///< distance that 5 % of samples from a uniform distribution exceed
+    bool isSettled = true;  ///< whether the first and second half of the blows agree within three errors
 };
 
-/// Requires settle < blows.size(). `velocityScale` is v0 in units of Problem.
+/// Returns the statistics of the blows after the first `settle`. Requires settle < blows.size().
+/// `velocityScale` is v0 in the dimensionless units of Problem.
 DrillingStatistics statisticsOf(std::span<const DrillingBlow> blows, std::size_t settle,
                                 double velocityScale);
 

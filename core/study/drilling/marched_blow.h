@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One of many blows with all that can be looked at in a single one (drilling §5).
+// One blow of a sequence, with all results of a single blow (drilling §5).
 #pragma once
 
 #include <stop_token>
@@ -10,12 +10,13 @@
 
 namespace drillwave {
 
-/// Returns the blow of that number, from 1, of the march of studyDrilling(), to its last bit; times from its
-/// start to that of the next one. It starts with the present waves, with the memory of its rock and with the
-/// present gap: below 0 where the bit presses. Its scenario is a chain of sections, also for a uniform rod.
-/// Waves fade at the rear end of a section: its content has not faded yet. Not solved if there are
-/// drillingRefusals(), if the number is not from 1 to settings.blows, or if its blows take more than
-/// `mostWork` [cells × nodes] or more memory than a march may.
+/// Returns blow `number` (from 1) of the sequence that studyDrilling() computes, identical to the last bit.
+/// Times run from the start of this blow to that of the next one.
+/// The blow starts with the waves, the rock memory and the gap present at that time; the gap is negative if
+/// the bit presses. The scenario of the returned blow is always a string of sections, even for a uniform rod.
+/// Wave loss acts at the rear end of a section, so waves inside it are still without the loss.
+/// Not solved if drillingRefusals() is not empty, or if `number` is not in 1 … settings.blows. It is also not
+/// solved if the blows exceed `mostWork` [cells × nodes] or the permitted memory.
 Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
                  const std::stop_token& stop = {}, double mostWork = mostDrillingWork);
 

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sequence of blows that is there within a second.
+// Sequence of blows short enough to be computed within about a second.
 #pragma once
 
 #include "core/study/drilling/drilling_study.h"
 
 namespace drillwave {
 
-/// Work of a core in a second, on a typical computer [cells times nodes].
+/// Work that one processor core of a typical computer does in a second [cells × nodes].
 inline constexpr double workOfSecond = 2e7;
 
-/// Returns the usual length of a sequence in the window: the blows of the scenario; by default 300, of which
-/// 100 are transient.
+/// Returns the settings of a sequence in the window: the number of blows of the scenario; by default 300, of
+/// which 100 are transient.
 DrillingSettings windowSettingsOf(const Scenario& scenario);
 
-/// Returns a request for penetration and gap of a sequence, with errors, and nothing else.
+/// Returns a request for penetration and gap of a sequence with their errors, without the Lyapunov exponent.
 DrillingRequest quickWants();
 
-/// Way of following a sequence that was not requested.
+/// Settings of a sequence that is computed without a request of the user, with the time it takes.
 struct QuickMarch {
     DrillingSettings settings;
-    double seconds = 0;        ///< that it takes, on a typical computer
-    bool isWithinTime = true;  ///< otherwise it has the fewest blows and is followed on request
+    double seconds = 0;  ///< estimated computing time on a typical computer [s]
+    /// Whether it fits into the time allowed. Otherwise it has the minimum number of blows and is computed
+    /// only on request.
+    bool isWithinTime = true;
 };
 
-/// windowSettingsOf() with no more blows than fit into `seconds` [s], and no fewer than 100. Requires that
-/// there are no drillingRefusals().
+/// Returns the settings of windowSettingsOf(), with the number of blows reduced to what fits into `seconds`
+/// [s], but not below 100. Requires that drillingRefusals() is empty.
 QuickMarch quickMarchOf(const Scenario& scenario, double seconds = 1);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Means of a sequence of blows by which the feed is judged: penetration and rate with their errors, contact,
-// gap.
+// Means of a sequence of blows by which the feed force is judged: penetration, penetration rate, contact
+// share and gap.
 #pragma once
 
 #include <optional>
@@ -11,45 +11,47 @@
 
 namespace drillwave {
 
-/// Mean of the counted blows. The error, of 95 %, contains the scatter of the blows and the change by other
-/// cells; a single blow has none.
+/// Mean over the counted blows, with its 95 % error. The error includes the scatter of the blows and the
+/// effect of the cell size; it is empty for a single blow.
 struct SequenceMean {
     double value = 0;
     std::optional<double> error;
 };
 
-/// Reason why the mean penetration is not known well enough for a comparison.
+/// Reason why the mean penetration is too uncertain for comparisons.
 enum class UnresolvedReason { noWaveLoss, irregular, fewBlows, lengthsRounded };
-/// "no_wave_loss", "irregular", "few_blows", "lengths_rounded".
+/// Returns the name as in JSON: "no_wave_loss", "irregular", "few_blows" or "lengths_rounded".
 std::string_view name(UnresolvedReason reason);
 
-/// Model of the feed between machine and rod.
+/// Model of the feed between machine and rod: a constant force, or a damper in front of the machine's mass.
 enum class FeedModel { constantForce, damper };
-/// "constant_force", "damper".
+/// Returns the name as in JSON: "constant_force" or "damper".
 std::string_view name(FeedModel model);
-/// A damper acts on the mass of a machine.
+/// Returns the feed model of a scenario: a damper if the scenario has a machine mass, otherwise a constant
+/// force.
 FeedModel feedModelOf(const Scenario& scenario);
 
-/// Means of a result with statistics; SI.
+/// Means of a sequence of blows with statistics, in SI units.
 struct Sequence {
-    SequenceMean penetration;      ///< of a blow [m]
-    SequenceMean penetrationRate;  ///< [m/s]
-    /// Mean penetration over that of a single blow from rest without a gap, if that is known.
+    SequenceMean penetration;      ///< mean penetration per blow [m]
+    SequenceMean penetrationRate;  ///< mean penetration rate [m/s]
+    /// Mean penetration divided by that of a single blow from rest without a gap; empty if that is not known.
     std::optional<SequenceMean> singleBlowShare;
-    double contactShare = 0;  ///< blows that start within contactLimit of the rock
-    BlowSpread gap;           ///< [m]
+    double contactShare = 0;  ///< share of blows that start within contactLimit of the rock, 0 … 1
+    BlowSpread gap;           ///< statistics of the gap at the start of a blow [m]
     std::optional<UnresolvedReason> unresolved;
 
     bool isResolved() const { return !unresolved; }
 };
 
-/// Returns nothing without statistics.
+/// Returns the means of a result in SI units; empty if it has no statistics.
 std::optional<Sequence> sequenceOf(const DrillingResult& result);
 
-/// A wave loss to begin with, where none is known: 1 to 30 % of a round trip is usual.
+/// Wave loss suggested if none is known, as a share per round trip; typical values are 0.01 … 0.3.
 inline constexpr double usualWaveLoss = 0.1;
 
-/// Errors of the mean penetration up to this share of it are resolved.
+/// Maximum error of the mean penetration, as a share of it, for the mean to be precise enough for
+/// comparisons.
 inline constexpr double resolvedShare = 0.05;
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In which order things happen at the bit: what must change where a result has a kink.
+// Order of the events at the bit during a blow. Results can only have a kink where this order changes.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace drillwave {
 
-/// Returns a fingerprint of the sequence of events of a blow and of their order with the arrivals of the
-/// fronts that the hammer force and earlier events send through the rod (multiples of 2τ later). While it
-/// stays the same under a change of a parameter, results depend smoothly on it. Requires an impact solved
-/// with Detail::events or more. Uses the first 32 events beside corners, the corners passed until then, and
-/// 64 pieces of the hammer force.
+/// Returns a fingerprint (hash) of the order of events of a blow, including the arrivals of wave fronts at
+/// the bit. Fronts start with the hammer force and earlier events and arrive multiples of 2τ later. While the
+/// fingerprint is unchanged, results depend smoothly on a parameter. Uses the first 32 events, the corners of
+/// the rock law passed until then, and 64 pieces of the hammer force. Requires an impact solved with
+/// Detail::events or more.
 std::uint64_t eventOrder(const Impact& impact, const PulseForce& pulse);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The result of a blow as a function of the gap between bit and rock, to a known accuracy.
+// Results of a blow as functions of the gap between bit and rock, to a known accuracy.
 #pragma once
 
 #include <cstdint>
@@ -16,71 +16,81 @@
 
 namespace drillwave {
 
-/// Outputs along the gap. The impulse is 1 + e.
+/// Results followed along the gap: coefficient of restitution e, peak force on the rock, efficiency. The
+/// impulse on the rock is not listed because it is 1 + e.
 enum class GapOutput : std::size_t { cor, peakForce, efficiency };
 inline constexpr std::size_t gapOutputCount = valueCount<GapOutput>;
 
-/// Maximum number of returns of the hammer wave before the hammer ends.
+/// Maximum length of the hammer force, counted in returns of its wave (round trips of the rod), for a study
+/// of all gaps.
 inline constexpr double maximumGapPeriodStart = 10'000;
 
-/// Maximum number of wave pieces of all blows of one curve, where the study of all gaps was not requested by
-/// name: in a report, and for the margin of the thrust in the files of a run. At four to ten million a second
-/// that is two to four seconds, and three curves make a report. A count, not a time, so that the files do not
-/// depend on the machine. `gap` and `thrust` themselves have no such limit.
+/// Maximum work of a gap curve that was not requested by name, in wave pieces of all its blows. This applies
+/// to reports and to the feed margin in result files. At 4–10 million pieces per second it takes 2–4 s; a
+/// report has three curves. It is a count, not a time, so that files do not depend on the machine. The
+/// commands `gap` and `thrust` have no limit.
 inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
-/// GapCurve::reason of a curve that was given up because of such a limit.
+/// Text of GapCurve::reason if a curve was given up because it exceeds the permitted number of wave pieces.
 inline constexpr const char* tooManyPieces =
     translatable("its blows over all gaps need more wave pieces than a quick study permits");
 
-/// The gap δ = d/d0 from which on results have period 1 in it: 0 where the hammer has ended before the first
-/// reflection is back, else the next whole number beyond which every contact is late enough (theory §4);
-/// infinite beyond maximumGapPeriodStart. A tail of 1e-13 of the impulse is taken as none.
+/// Returns the dimensionless gap δ = d/d0 beyond which results repeat with period 1. It is 0 if the hammer
+/// force ends before the first reflection returns. Otherwise it is the next whole number beyond which all
+/// contact is late enough (theory §4). Infinity if it would exceed maximumGapPeriodStart. A tail of less than
+/// 1e-13 of the impulse is neglected.
 double gapPeriodStart(const Problem& problem);
 
-/// A stretch of gap over which results are smooth; its functions in the order of GapOutput, its label the
-/// number of contacts.
+/// Stretch of gap over which the results are smooth functions, in the order of GapOutput. Its `label` is the
+/// number of contacts between bit and rock.
 using GapPiece = FitPiece;
 
-/// Results over [start, end), the last period [periodStart, end) repeating for ever.
+/// Results over dimensionless gaps δ = d/d0 in [start, end). The last period [periodStart, end) repeats for
+/// all larger gaps.
 struct GapCurve {
     double start = 0;
     double periodStart = 0;
     double end = 0;
-    bool dependsOnGap = true;      ///< false for the reference case
-    std::size_t outputCount = 0;   ///< 1 with only the COR, else all
-    std::vector<GapPiece> pieces;  ///< ascending, contiguous except for slivers of 1e-12
-    std::vector<double> borders;   ///< gaps at which the order of events changes, and the whole numbers
-    std::uint64_t solves = 0;      ///< blows solved
-    double solverError = 0;        ///< largest bound of the solver on e
-    double unsolved = 0;           ///< length of gap without an answer
-    Message reason;                ///< why there is none somewhere
-    bool stopped = false;          ///< on the stop token: nothing here is complete
+    /// Whether the results depend on the gap at all; false for the reference case.
+    bool dependsOnGap = true;
+    /// Number of outputs in each piece: 1 if only e was requested, otherwise gapOutputCount.
+    std::size_t outputCount = 0;
+    /// Smooth pieces, ascending and contiguous except for slivers of width 1e-12 around kinks.
+    std::vector<GapPiece> pieces;
+    /// Gaps δ at which the order of events at the bit changes, and all whole numbers.
+    std::vector<double> borders;
+    std::uint64_t solves = 0;  ///< number of blows solved
+    double solverError = 0;    ///< largest error bound of the solver for e, over all blows
+    double unsolved = 0;       ///< total length of gap δ without a result
+    Message reason;            ///< reason why some gaps have no result; empty if all have one
+    bool stopped = false;      ///< set if the stop token ended the computation; the curve is then incomplete
     bool usable() const { return !stopped && !pieces.empty(); }
-    /// Returns whether there is a result along the whole gap, except for a negligible part.
+    /// Returns whether all gaps have a result, except for a length of at most 1e-6.
     bool isComplete() const { return usable() && unsolved <= 1e-6; }
 
-    /// An output at any gap ≥ start. Requires that there is an answer there.
+    /// Returns an output at any gap δ ≥ start, using periodicity beyond `end`. Requires that the curve has a
+    /// result there.
     double value(GapOutput output, double gap) const;
 };
 
-/// Called from time to time with the share of the work that is done, 0 … 1.
+/// Callback for progress, called from time to time with the completed share of the work, 0 … 1.
 using GapProgress = std::function<void(double)>;
 
-/// Interpolates the outputs of `detail` (cor: e only; events: all outputs) over [start, periodStart + 1),
-/// replacing the gap of `problem`. Pieces end where the order of events changes, found by bracketing to
-/// 1e-12, and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in
-/// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart. After `mostPieces` wave pieces
-/// in all blows, the rest has no result.
+/// Returns outputs as functions of the gap δ over [start, periodStart + 1), replacing the gap of `problem`.
+/// Requires 0 ≤ start ≤ periodStart.
+/// `detail` selects the outputs: cor gives only e, events gives all. Pieces end where the order of events at
+/// the bit changes, bracketed to 1e-12. They are halved until polynomials agree with the solver to 1e-10,
+/// absolute for e and efficiency, relative for the peak force. After `mostPieces` wave pieces in all blows,
+/// the remaining gaps have no result.
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Interpolates over one period.
+/// Returns outputs as functions of the gap over one period only, with start = periodStart.
 GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Returns gaps at which to draw the curve: the ends of its pieces, without slivers, at most 1/500 apart.
+/// Returns the gaps δ at which to draw the curve: the ends of its pieces except slivers, at most 1/500 apart.
 std::vector<double> sampleGaps(const GapCurve& curve);
 
 }  // namespace drillwave

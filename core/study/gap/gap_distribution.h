@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How likely each gap between bit and rock is, folded into the stretch of gap that is known.
+// Probability of each gap between bit and rock, folded into the range of gaps that a curve covers.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace drillwave {
 
-/// A gap scattered normally about a mean, in d0; cut off at 0, because a gap cannot be negative.
+/// Normal distribution of the dimensionless gap d/d0, truncated at 0 because a gap cannot be negative.
 struct NormalGap {
-    double mean = 0;       ///< ≥ 0, before the cut
-    double deviation = 0;  ///< standard deviation before the cut, leastDeviation … mostDeviation
+    double mean = 0;       ///< mean of the normal distribution before truncation, ≥ 0 [d0]
+    double deviation = 0;  ///< standard deviation before truncation, leastDeviation … mostDeviation [d0]
     static constexpr double leastDeviation = 1e-6;
     static constexpr double mostDeviation = 100;
 };
 
-/// A distribution of the gap on [start, end) of a curve, every gap beyond being taken back by whole periods.
+/// Distribution of the gap over the range [start, end) of a curve. Larger gaps are shifted back by whole
+/// periods, because results repeat.
 class GapDistribution {
   public:
-    /// Returns equal probability for all gaps of one period.
+    /// Returns the distribution with equal probability for all gaps of one period.
     static GapDistribution uniform(const GapCurve& curve);
-    /// The curve must begin no later than lowestGap(normal).
+    /// Returns a truncated normal distribution. Requires that the curve begins at or below lowestGap(normal).
     static GapDistribution normal(const GapCurve& curve, const NormalGap& normal);
 
-    /// Probability per d0 at a gap of the curve.
+    /// Returns the probability density at a gap of the curve, per unit of δ = d/d0.
     double density(double gap) const;
-    /// Returns the probability that the folded gap is at most `gap`.
+    /// Returns the probability, 0 … 1, that the gap folded into the curve is at most `gap`.
     double cumulative(double gap) const;
-    /// Ascending gaps between which the density is smooth on the scale of their distance, or that scale is
-    /// the whole curve.
+    /// Returns ascending gaps that divide the curve for integration. Between neighbours, the density varies
+    /// smoothly over their distance.
     const std::vector<double>& cuts() const { return m_cuts; }
 
   private:
@@ -39,11 +40,11 @@ class GapDistribution {
     double m_periodStart = 0;
     bool m_uniform = true;
     NormalGap m_normal;
-    double m_total = 1;  // probability that is left behind the cut
+    double m_total = 1;  // probability left after truncation
     std::vector<double> m_cuts;
 };
 
-/// Below this gap a normal distribution has nothing.
+/// Returns the gap d/d0 below which a normal distribution has negligible probability.
 double lowestGap(const NormalGap& normal);
 
 }  // namespace drillwave

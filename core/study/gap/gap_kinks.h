@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaps at which a result turns by an angle.
+// Gaps at which the slope of a result jumps.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// A gap at which e turns by an angle: slopes per d0 on both sides.
+/// Gap at which the slope of the coefficient of restitution e jumps. Slopes are per unit of δ = d/d0.
 struct GapKink {
     double gap = 0;
     double cor = 0;
@@ -18,11 +18,12 @@ struct GapKink {
     int contactsAfter = 0;
 };
 
-/// Returns the kinks of one period, ascending; one at its beginning is given at its end.
+/// Returns the kinks of e in one period of the gap, ascending. A kink at the start of the period is listed at
+/// its end.
 std::vector<GapKink> kinksOf(const GapCurve& curve);
 
-/// Returns whether the slope of an output, whose values are of the size `scale`, jumps at a gap of the
-/// period, clearly more than by the errors of the curve.
+/// Returns whether the slope of an output jumps at a gap of the period by clearly more than the errors of the
+/// curve. `scale` is the typical size of the output's values.
 bool isKink(const GapCurve& curve, GapOutput output, double gap, double scale);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Effect of an uncontrolled gap on the result of a blow.
+// Effect of an uncontrolled gap on the results of a blow.
 #pragma once
 
 #include <array>
@@ -13,20 +13,22 @@
 
 namespace drillwave {
 
-/// The least or largest value over all gaps, and a gap where it is taken.
+/// Minimum or maximum of an output over all gaps, and one gap where it occurs.
 struct GapExtreme {
     Estimate value;
-    Estimate gap;  ///< d0, in the period; its error is how far the value stays within its own error
+    /// Gap of the extreme [d0], within one period. Its error is the distance over which the value stays
+    /// within its own error.
+    Estimate gap;
     enum class Kind { smooth, kink, everywhere } kind = Kind::smooth;
 };
 
-/// Shares for which the quantiles are given.
+/// Probabilities for which the quantiles are given: 5 %, 50 % and 95 %.
 inline constexpr std::array<double, 3> gapQuantiles{0.05, 0.5, 0.95};
 
-/// An output under a distribution of the gap.
+/// Statistics of an output under a distribution of the gap.
 struct GapSpread {
     Estimate mean;
-    std::array<Estimate, gapQuantiles.size()> quantiles;  ///< of gapQuantiles
+    std::array<Estimate, gapQuantiles.size()> quantiles;  ///< quantiles in the order of gapQuantiles
 };
 
 struct GapOutputStatistics {
@@ -36,33 +38,35 @@ struct GapOutputStatistics {
     std::optional<GapSpread> normal;
 };
 
-/// A gap at which e = 1.
+/// Gap at which the coefficient of restitution e crosses 1.
 struct GapCrossing {
     Estimate gap;
-    bool rising = false;  ///< with growing gap
+    bool rising = false;  ///< whether e increases with the gap here
 };
 
 struct GapStatistics {
-    std::vector<GapOutputStatistics> outputs;  ///< in the order of GapOutput, as many as the curve has
-    Estimate shareAboveOne;                    ///< share of gaps with e > 1, all gaps alike
+    /// Statistics of each output, in the order of GapOutput, as many as the curve has.
+    std::vector<GapOutputStatistics> outputs;
+    Estimate shareAboveOne;  ///< probability of e > 1 with all gaps equally likely
     std::optional<Estimate> normalShareAboveOne;
-    std::vector<GapCrossing> crossings;  ///< in one period
-    std::vector<GapKink> kinks;          ///< in one period
+    std::vector<GapCrossing> crossings;  ///< gaps of one period at which e crosses 1
+    std::vector<GapKink> kinks;          ///< gaps of one period at which the slope of e jumps
 
     const GapOutputStatistics& of(GapOutput output) const {
         return outputs[static_cast<std::size_t>(output)];
     }
 };
 
-/// Returns statistics over one period of the gap, with equal probability, and for a gap scattered as in
-/// `normal`. The impulse is 1 + e: so are its statistics. Requires a usable curve with results nearly
-/// everywhere (gaps without a result are left out), beginning no later than lowestGap(*normal).
+/// Returns statistics over one period of the gap, with all gaps equally likely, and with the distribution
+/// `normal` if given. Statistics of the impulse follow from those of e, because the impulse is 1 + e. Gaps
+/// without a result are left out. Requires a usable curve with results nearly everywhere that begins at or
+/// below lowestGap(*normal).
 GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap>& normal = {});
 
-/// Share of one period of the gap, all gaps alike, with a larger e than that.
+/// Returns the share of the gaps of one period, 0 … 1, for which e is larger than `cor`.
 Estimate shareAbove(const GapCurve& curve, double cor);
 
-/// Returns the largest e over all gaps of the curve, also those before the period.
+/// Returns the largest e over all gaps of the curve, including those before the first period.
 Estimate largestCor(const GapCurve& curve);
 
 }  // namespace drillwave

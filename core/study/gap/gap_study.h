@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of a scenario over all gaps, and their statistics.
+// Study of the results of a scenario over all gaps, and their statistics.
 #pragma once
 
 #include <array>
@@ -18,38 +18,38 @@ struct GapStudy {
     Scenario scenario;
     GapCurve curve;
     std::optional<NormalGap> normal;
-    GapStatistics statistics;  ///< where the curve is complete
-    double runTime = 0;        ///< [s]
+    GapStatistics statistics;  ///< statistics over the gap; only valid if the curve is complete
+    double runTime = 0;        ///< computing time [s]
 
-    /// Returns the statistics of an output under the distribution of the study: the scattered gap, or all
-    /// gaps. Requires a complete curve.
+    /// Returns the statistics of an output under the normal distribution of the study, or with all gaps
+    /// equally likely if it has none. Requires a complete curve.
     const GapSpread& spread(GapOutput output) const {
         const GapOutputStatistics& both = statistics.of(output);
         return normal ? *both.normal : both.uniform;
     }
 };
 
-/// Returns why results do not repeat over the gap of such a scenario; empty where they do.
+/// Returns why the results of a scenario are not periodic in the gap; empty if they are.
 Message whyNoPeriod(const Scenario& scenario);
 
-/// Why there is no study of all gaps of a scenario; empty when there is.
+/// Returns why a scenario cannot be studied over all gaps; empty if it can.
 Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal = {});
 
-/// Follows all outputs over the gap and takes the statistics. The gap of the scenario does not matter. The
-/// curve takes at most `mostPieces`. Where there is a gapProblem(), that is the reason of an empty curve.
+/// Returns all outputs over the gap with their statistics. The gap of the scenario itself is ignored. The
+/// blows of the curve take at most `mostPieces` wave pieces in total. If gapProblem() returns a message, the
+/// curve is empty and has that message as its reason.
 GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                   const std::stop_token& stop = {}, const GapProgress& progress = {},
                   long mostPieces = anyNumberOfPieces);
 
-/// Outputs at one gap, in the order of GapOutput.
+/// Outputs of a blow at one gap, in the order of GapOutput.
 struct GapSample {
-    double gap = 0;  ///< [d0]
+    double gap = 0;  ///< dimensionless gap d/d0
     std::array<double, gapOutputCount> values{};
 };
 
-/// Solves blows at 5, 9, 17 and 33 even gaps of the period and shows all of them after each step, ascending.
-/// Returns after the first five if these are solved so quickly that the whole curve only takes a moment, and
-/// after a stop.
+/// Passes quick previews of the curve to `show`: outputs at 5, 9, 17 and 33 evenly spaced gaps of the period,
+/// ascending. Returns after the first five if the whole curve will only take a moment, or when stopped.
 void previewGaps(const Scenario& scenario, const std::stop_token& stop,
                  const std::function<void(const std::vector<GapSample>&)>& show);
 

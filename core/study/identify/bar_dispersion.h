@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dispersion of the first longitudinal mode of a round bar.
+// Dispersion of the first longitudinal wave mode of a round bar.
 #pragma once
 
 #include <vector>
 
 namespace drillwave {
 
-/// c/c0 of the first Pochhammer–Chree mode at a radius over the wavelength, ν = 0.29 (theory of
-/// identification §2.7); constant beyond 1.5.
+/// Returns the relative phase speed c/c0, 0 … 1, of the first Pochhammer–Chree mode of a round bar. The
+/// argument is radius over wavelength; Poisson's ratio is 0.29 (theory of identification §2.7). Constant for
+/// arguments above 1.5.
 double firstModeSpeed(double radiusOverWavelength);
 
-/// Delays every frequency of a wave by `way`·(1/c(f) − 1/c0): what dispersion adds on that way, or takes off
-/// where it is negative. A bored bar counts with √(R_o² + R_i²) as its radius. Keeps the number of samples.
+/// Dispersion of waves in a round bar with wave speed c0. Each frequency is delayed by `way`·(1/c(f) − 1/c0)
+/// over a distance `way` [m]. A negative distance removes dispersion. The effective radius of a hollow bar is
+/// √(R_o² + R_i²).
 class BarDispersion {
   public:
     BarDispersion(double outerRadius, double innerRadius, double barSpeed);
-    /// Samples `step` apart [s].
+    /// Returns a wave after travelling the distance `way` [m], with the same number of samples. `step` is the
+    /// time between samples [s].
     std::vector<double> delayed(const std::vector<double>& wave, double step, double way) const;
-    /// 1/c − 1/c0 at a frequency [s/m].
+    /// Returns 1/c − 1/c0 [s/m], the extra delay per distance, at a frequency [Hz].
     double slowness(double frequency) const;
 
   private:

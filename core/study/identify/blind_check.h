@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wave in the bar behind a specimen, predicted from the identified law without its gauge.
+// Blind check of an identified law: prediction of the wave in the bar behind a specimen, compared with a
+// gauge that the fit did not use.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,9 @@
 
 namespace drillwave {
 
-/// Compares the force that the model sends into the bar behind with the gauge there, `distance` from the
-/// specimen [m], within the window of the fit. Nothing where the record has no such gauge, or ends too early.
+/// Returns how well the model predicts the force wave in the bar behind the specimen. It is compared with the
+/// gauge there, `distance` from the specimen [m], within the time window of the fit. Empty if the record has
+/// no such gauge or ends too early.
 std::optional<BlindCheck> blindCheck(const GaugeRecord& given, double distance, RecordModel& model,
                                      const LawFit& fit);
 

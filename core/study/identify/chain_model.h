@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wave that returns to a gauge: the sections between the gauge's section and the rock, and the rock.
+// Model of the wave that returns to a gauge: the sections between gauge and rock, their joints, and the rock.
 #pragma once
 
 #include <cstddef>
@@ -9,57 +9,70 @@
 
 namespace drillwave {
 
-/// A uniform section towards the rock, or a piece of a cone.
+/// Uniform section between the gauge's section and the rock, or one uniform piece of a conical section.
 struct EndSection {
-    double impedance = 1;    ///< Z [N s/m], > 0
-    double transitTime = 0;  ///< L/c [s], > 0
-    double passing = 1;      ///< share of an amplitude that is left after one way, (0, 1]
-    std::size_t source = 0;  ///< section of the string towards the bit that it is a piece of, from 0
+    double impedance = 1;    ///< characteristic impedance Z [N s/m], > 0
+    double transitTime = 0;  ///< one-way transit time L/c [s], > 0
+    /// Share of a wave amplitude that remains after one passage, in (0, 1]; 1 without attenuation.
+    double passing = 1;
+    /// Index of the section of the string towards the bit that this is a piece of, from 0.
+    std::size_t source = 0;
 };
 
-/// Joint at the far end of a section: a lumped mass, a loss (strings §3).
+/// Joint between two sections, with a lumped mass and an energy loss η (strings §3).
 struct EndJoint {
-    double mass = 0;     ///< [kg]
-    double passing = 1;  ///< √(1 − η)
+    double mass = 0;     ///< lumped mass [kg]
+    double passing = 1;  ///< share of a wave amplitude that the joint transmits, √(1 − η)
 };
 
-/// Everything between the end of the gauge's section and the rock, in SI units. The near end takes f and lets
-/// b out: nothing returns from behind the gauge in the time that is looked at.
+/// Model of everything between the end of the gauge's section and the rock, in SI units. The incident wave f
+/// enters at the near end and the returning wave b leaves there. Waves returning from the hammer side of the
+/// gauge arrive too late to matter.
 struct RockEnd {
-    double impedance = 1;              ///< of the gauge's section [N s/m]
-    std::vector<EndSection> sections;  ///< towards the rock; none: the gauge's section ends at the rock
-    std::vector<EndJoint> joints;      ///< one in front of each section
-    double bitMass = 0;                ///< [kg]
-    bool barBehind = false;            ///< a specimen before a bar like that of the gauge
+    double impedance = 1;  ///< characteristic impedance Z of the gauge's section [N s/m]
+    /// Sections in order towards the rock; empty if the gauge's section ends at the rock.
+    std::vector<EndSection> sections;
+    std::vector<EndJoint> joints;  ///< joints, one at the near end of each section
+    double bitMass = 0;            ///< lumped mass of the bit [kg]
+    /// Whether the rock is a specimen in front of a second bar like that of the gauge.
+    bool barBehind = false;
 
-    double transitTime() const;  ///< of all sections, one way [s]
+    /// Returns the one-way transit time through all sections [s].
+    double transitTime() const;
 };
 
-/// Returns the wave b at the end of the gauge's section where f arrives there, both at times n·step. Keeps
-/// its workspace from run to run.
+/// Solver for the wave b that returns at the end of the gauge's section when the wave f arrives there. Both
+/// are sampled at times n·step. Buffers are reused between runs.
 class ChainModel {
   public:
-    /// `step` > 0 [s]; sections shorter than a step are taken as long as one.
+    /// Requires a time step `step` > 0 [s]. Sections shorter than a step are treated as one step long.
     ChainModel(const RockEnd& end, double step) : m_end(&end), m_step(step) {}
 
-    /// The force on the rock and the penetration are kept where `keepsRock`.
+    /// Computes the returning wave for the incident wave `f` [N] over `count` steps. With `keepsRock`, also
+    /// stores the force on the rock and the penetration.
     void run(const RockEnd& end, const TrialRock& rock, const std::vector<double>& f, std::size_t count,
              bool keepsRock = false);
     void run(const TrialRock& rock, const std::vector<double>& f, std::size_t count, bool keepsRock = false) {
         run(*m_end, rock, f, count, keepsRock);
     }
 
-    const std::vector<double>& returned() const { return m_returned; }        ///< b [N]
-    const std::vector<double>& rockForce() const { return m_force; }          ///< F [N]
-    const std::vector<double>& penetration() const { return m_penetration; }  ///< U [m]
-    double largestForce() const { return m_largestForce; }                    ///< of the last run [N]
-    double lastForce() const { return m_lastForce; }  ///< at the end of the last run [N]
+    /// Returns the returning wave b [N] of the last run.
+    const std::vector<double>& returned() const { return m_returned; }
+    /// Returns the force F on the rock [N] of the last run.
+    const std::vector<double>& rockForce() const { return m_force; }
+    /// Returns the penetration U [m] of the last run.
+    const std::vector<double>& penetration() const { return m_penetration; }
+    /// Returns the largest force on the rock during the last run [N].
+    double largestForce() const { return m_largestForce; }
+    /// Returns the force on the rock at the end of the last run [N].
+    double lastForce() const { return m_lastForce; }
 
   private:
     struct Line {
-        std::vector<double> forward, backward;  ///< what enters at the near and at the far end
+        std::vector<double> forward, backward;  ///< waves that enter at the near and at the far end [N]
         double weights[4];
-        std::size_t whole;  ///< steps between now and the second of the four samples read
+        /// Number of steps between now and the second of the four samples that are interpolated.
+        std::size_t whole;
         double passing;
     };
     static double arriving(const Line& line, const std::vector<double>& wave, std::size_t n);

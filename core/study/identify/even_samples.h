@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples of a record on even times, its blows apart, and what the recorder did to them.
+// Resampling of a record to equal time steps, division into blows, and detection of clipped or missing
+// samples.
 #pragma once
 
 #include <cstddef>
@@ -11,41 +12,50 @@
 
 namespace drillwave {
 
-/// Samples of all gauges at even times.
+/// Samples of all gauges of a record at equal time steps.
 struct EvenSamples {
-    double start = 0;                              ///< time of the first sample [s]
-    double step = 0;                               ///< [s]
-    std::vector<std::vector<double>> force;        ///< of each gauge [N]
-    std::vector<std::vector<double>> opposite;     ///< of each gauge; empty where it is no pair
-    std::vector<double> recorderStep;              ///< of each gauge, smallest difference between values [N]
-    std::vector<std::vector<bool>> isClipped;      ///< of each gauge; empty: none
-    std::vector<bool> isMissing;                   ///< interpolated across a pause; empty: none
-    std::optional<std::pair<double, double>> gap;  ///< first pause of more than 20 steps, from and to [s]
+    double start = 0;                        ///< time of the first sample [s]
+    double step = 0;                         ///< time between samples [s]
+    std::vector<std::vector<double>> force;  ///< force of each gauge, indexed [gauge][sample] [N]
+    /// Half the difference of a gauge pair, indexed [gauge][sample] [N]; empty for a single gauge.
+    std::vector<std::vector<double>> opposite;
+    /// Smallest difference between two recorded values of each gauge [N].
+    std::vector<double> recorderStep;
+    /// Whether a sample is clipped, indexed [gauge][sample]; empty for a gauge without clipping.
+    std::vector<std::vector<bool>> isClipped;
+    /// Whether a sample is interpolated across a pause of the recording; empty if none is.
+    std::vector<bool> isMissing;
+    /// First pause of more than 20 steps, from and to [s]; empty if there is none.
+    std::optional<std::pair<double, double>> gap;
     std::size_t count() const { return force.front().size(); }
 };
 
-/// Returns the samples at steps of the median of the times; interpolated where steps differ by more than
-/// 2 %. Samples closer than 0.45 µs are averaged. Requires at least two samples.
+/// Returns the samples of a record at equal steps, whose length is the median of the recorded steps. Values
+/// are interpolated if steps differ by more than 2 %. Samples closer than 0.45 µs are averaged. Requires at
+/// least two samples.
 EvenSamples evenSamples(const GaugeRecord& record);
 
-/// Level and noise of samples before a front, and the front.
+/// Front of a blow in a record, with the zero level and the noise of the samples before it.
 struct FrontFound {
     std::size_t front = 0;
     double zero = 0, deviation = 0;
-    double peak = 0;  ///< largest value less the zero, in size
+    double peak = 0;  ///< largest deviation from the zero level, as an absolute value [N]
     bool isFound = false;
 };
-/// The first sample in [from, to) beyond six deviations and 5 % of the peak.
+/// Returns the front: the first sample in [from, to) far from the zero level. It differs by more than six
+/// standard deviations and 5 % of the peak. `step` is the time between samples [s].
 FrontFound findFront(const std::vector<double>& force, std::size_t from, std::size_t to, double step);
 
-/// Begin and end of each blow in samples: a front of 30 % of the peak after a quiet millisecond begins
-/// another. At least one.
+/// Returns the sample ranges [begin, end) of the blows of a record, at least one. A new blow begins at a
+/// front above 30 % of the peak that follows a quiet millisecond.
 std::vector<std::pair<std::size_t, std::size_t>> blowRanges(const std::vector<double>& force, double step);
 
-/// The value between samples by a cubic through four of them; 0 outside.
+/// Returns the value at a fractional sample index `place`, by a cubic through four samples; 0 outside the
+/// samples.
 double sampleAt(const std::vector<double>& samples, double place);
 
-/// Smooths samples by a Gaussian of this deviation [s]; at the ends by what there is of it.
+/// Smooths samples in place by a Gaussian with a standard deviation [s]. At the ends, the Gaussian is
+/// truncated.
 void smoothSamples(std::vector<double>& values, double step, double deviation);
 
 }  // namespace drillwave

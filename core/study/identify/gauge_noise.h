@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Noise of a gauge before the front, as an autoregressive model that draws more of it.
+// Noise of a gauge, modelled from the samples before the front; generates further noise of the same kind.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,24 @@
 
 namespace drillwave {
 
-/// n_i = Σ a_j n_(i−j) + e_i, e normal; below the lowest frequency that the quiet stretch shows, noise of
-/// density 1/f joins it.
+/// Autoregressive noise model n_i = Σ a_j n_(i−j) + e_i, with normally distributed e. Below the lowest
+/// frequency that the quiet samples resolve, noise with a spectral density ∝ 1/f is added.
 class GaugeNoise {
   public:
     GaugeNoise() = default;
-    /// Fits the samples before the front, `step` apart [s]; their mean is taken off. The deviation is at
-    /// least `least` > 0.
+    /// Fits the model to the samples before the front, `step` apart [s], after subtracting their mean. The
+    /// standard deviation is at least `least` > 0, in the unit of the samples.
     GaugeNoise(std::span<const double> quiet, double step, double least);
 
-    double deviation() const { return m_deviation; }  ///< of a sample
-    /// Long-run deviation of a sample: σ_e/(1 − Σa).
+    /// Returns the standard deviation of a sample.
+    double deviation() const { return m_deviation; }
+    /// Returns the long-run standard deviation, σ_e/(1 − Σa), which governs means over many samples.
     double longRun() const { return m_longRun; }
-    /// Deviation that this model gives to means over `span` samples.
+    /// Returns the standard deviation of the mean of `span` successive samples, according to this model.
     double deviationOfMean(std::size_t span) const;
 
-    /// Draws `count` samples of which the mean over the first `quiet` is taken off.
+    /// Returns `count` random samples of the noise. The mean of the first `quiet` samples is subtracted from
+    /// all.
     std::vector<double> draw(std::size_t count, std::size_t quiet, std::mt19937_64& random) const;
 
   private:
@@ -36,10 +38,11 @@ class GaugeNoise {
     double m_deviation = 0;
     double m_longRun = 0;
     double m_step = 1;
-    double m_lowest = 0;  ///< frequency below which 1/f joins [Hz]
+    double m_lowest = 0;  ///< frequency below which noise ∝ 1/f is added [Hz]
 };
 
-/// A standard normal number; the same on every machine for the same generator.
+/// Returns a random number of the standard normal distribution. The same generator state gives the same
+/// number on every machine.
 double standardNormal(std::mt19937_64& random);
 
 }  // namespace drillwave

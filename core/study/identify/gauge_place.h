@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a gauge is on rod or string, and what lies between it and the rock.
+// Position of a strain gauge on the rod or string, and the sections between it and the rock.
 #pragma once
 
 #include <optional>
@@ -12,33 +12,36 @@
 
 namespace drillwave {
 
-/// A section of the string towards the bit, whose sizes a fit may vary.
+/// Section of the string towards the bit, whose sizes a fit may vary within their tolerances.
 struct SizedSection {
-    std::string name;      ///< "bit head", "section 7" where it has none
-    std::string key;       ///< "string.bit_head" or "string.7", without its field
-    double length = 0;     ///< [m]
-    double impedance = 0;  ///< mean [N s/m]
+    std::string name;  ///< name for messages, such as "bit head"; "section 7" if the section has no name
+    /// Key of the section in scenario files without its field, such as "string.bit_head" or "string.7".
+    std::string key;
+    double length = 0;     ///< length of the section [m]
+    double impedance = 0;  ///< mean characteristic impedance [N s/m]
     bool isGivenByArea = false;
-    double diameter = 0, bore = 0;  ///< [m] at its near end; diameter of a full bar where given by area
+    /// Outer and inner diameter at the near end [m]. If only the area is given, the diameter is that of a
+    /// solid bar.
+    double diameter = 0, bore = 0;
 };
 
-/// Place of a gauge on the uniform part of one section.
+/// Position of a gauge on the uniform part of a section.
 struct GaugePlace {
-    SizedSection section;                  ///< that the gauge is on
-    std::size_t index = 0;                 ///< of that section, from 0 at the struck end
-    double waveSpeed = 0;                  ///< c there [m/s]
-    double axialStiffness = 0;             ///< E A [N]
-    double youngsModulus = 0;              ///< [Pa]
-    double attenuation = 0;                ///< α [1/m]
-    double ahead = 0;                      ///< a, to the far end of the section [m]
-    double behind = 0;                     ///< to its near end [m]
-    double fromStruckEnd = 0;              ///< x [m]
-    std::vector<SizedSection> towardsBit;  ///< sections between gauge and rock
-    RockEnd end;                           ///< the same as the model takes them
+    SizedSection section;       ///< section that the gauge is on
+    std::size_t index = 0;      ///< index of that section, from 0 at the struck end
+    double waveSpeed = 0;       ///< wave speed c of that section [m/s]
+    double axialStiffness = 0;  ///< axial stiffness E A [N]
+    double youngsModulus = 0;   ///< Young's modulus [Pa]
+    double attenuation = 0;     ///< amplitude decay α of waves per length [1/m]
+    double ahead = 0;           ///< distance a from the gauge to the end of its section towards the bit [m]
+    double behind = 0;          ///< distance from the gauge to the end of its section towards the hammer [m]
+    double fromStruckEnd = 0;   ///< distance x from the struck end of rod or string [m]
+    std::vector<SizedSection> towardsBit;  ///< sections between the gauge's section and the rock
+    RockEnd end;                           ///< the same sections in the form used by the wave model
 };
 
-/// The place that far from the bit face of a valid scenario with units; nothing where that is not on the
-/// string, or on a cone.
+/// Returns the position of a gauge at a distance [m] from the bit face. Empty if that point is not on the
+/// string or is on a cone. Requires a valid scenario with units.
 std::optional<GaugePlace> gaugePlace(const Scenario& scenario, double distance);
 
 }  // namespace drillwave

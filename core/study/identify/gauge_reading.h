@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records of strain gauges through the one reader of tables.
+// Reads records of strain gauges from tables.
 #pragma once
 
 #include <functional>
@@ -16,30 +16,33 @@
 
 namespace drillwave {
 
-/// Where a gauge is, and which column of the table it is.
+/// Position of a gauge and the table column (or two columns of a pair) that holds its signal.
 struct GaugeChoice {
-    std::string column;    ///< by name, or number from 1
-    std::string opposite;  ///< on the opposite side; empty for one gauge
-    double distance = 0;   ///< from the bit face [m]
+    std::string column;    ///< column of the signal, by name, or by number from 1
+    std::string opposite;  ///< column of a gauge on the opposite side of the rod; empty for a single gauge
+    double distance = 0;   ///< distance from the bit face [m]
     std::string name() const { return opposite.empty() ? column : column + "+" + opposite; }
     bool operator==(const GaugeChoice&) const = default;
 };
 
-/// Why two gauges cannot be used together; empty for one gauge, or where they can. `places` are those of
-/// `gauges`.
+/// Returns why two gauges cannot be used together; empty if they can, or for a single gauge. `places` are the
+/// positions of `gauges`, in the same order.
 Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places);
 
-/// A record, or why there is none.
+/// Record of strain gauges, or the problem why it could not be read.
 struct GaugeReading {
     GaugeRecord record;
-    Message problem;                     ///< the table cannot be read, or a column is not there
-    bool isWrongOption = false;          ///< the problem is one of an option
-    std::vector<std::string> questions;  ///< what the table leaves open, as of SignalReading
+    /// Reason why the table cannot be read, such as a missing column; empty if it was read.
+    Message problem;
+    bool isWrongOption = false;  ///< whether the problem is in a command option rather than in the table
+    /// Codes of facts that the table leaves open, such as "unit" or "rate" (see SignalReading).
+    std::vector<std::string> questions;
 };
 
-/// Reads the columns of the gauges as forces of their section; they come out in the order of their distance
-/// from the bit. `places` are those of `gauges`. `behind` is a column of a gauge on a like bar behind the
-/// specimen; empty where there is none.
+/// Returns the record read from a table. Strains or stresses are converted to forces of the gauge's section.
+/// Gauges are sorted by distance from the bit, nearest first; `places` are the positions of `gauges` as
+/// given.
+/// `behind` is the column of a gauge on a second bar behind the specimen; empty if there is none.
 GaugeReading readGauges(std::istream& in, const SignalOptions& options,
                         const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,
                         const std::stop_token& stop = {}, const std::string& behind = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rock properties that a record shows, and how sure they are.
+// Rock properties identified from a record, with their uncertainty.
 #pragma once
 
 #include <array>
@@ -14,122 +14,144 @@
 
 namespace drillwave {
 
-/// Whether the model agrees with the record.
+/// Verdict whether the model agrees with the record.
 enum class ModelVerdict { accepted, strained, rejected };
 std::string_view name(ModelVerdict verdict);
 
-/// Knowledge of one parameter.
+/// Verdict how well the record determines a parameter.
 enum class ParameterVerdict {
-    identified,  ///< to 20 %, a gap to 0.1 mm or 20 %
-    uncertain,   ///< a wider interval
-    bounded,     ///< on one side only
-    notSeen,     ///< the record does not show it
-    rejected,    ///< the model does not hold
+    identified,  ///< interval within ±20 %; for a gap within ±0.1 mm or ±20 %
+    uncertain,   ///< interval wider than ±20 %; for a gap also wider than ±0.1 mm
+    bounded,     ///< only a lower or only an upper bound is known
+    notSeen,     ///< the record contains no information about the parameter
+    rejected,    ///< the model does not agree with the record, so no parameter is given
 };
 std::string_view name(ParameterVerdict verdict);
 
-/// One cause of the half-width of a parameter.
+/// Contribution of one source of error to the half-width of a parameter.
 struct BudgetRow {
-    std::string
-        source;  ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", "law", …
-    std::string key;       ///< of --known, may be empty
-    double tolerance = 0;  ///< [unit]
-    std::string unit;      ///< "m", "1"
+    /// Source of the error: "diameter", "length", "gain", "place", "step", "tail", "timing", "material",
+    /// "law", …
+    std::string source;
+    std::string key;       ///< key of option --known that sets this tolerance; empty if there is none
+    double tolerance = 0;  ///< 95 % tolerance of the source, in `unit`
+    std::string unit;      ///< unit of the tolerance, "m" or "1"
     bool isAssumed = false;
-    double effect = 0;  ///< on this parameter, 95 %; relative, of a gap [m]
+    double effect = 0;  ///< effect on this parameter as a 95 % half-width: relative, for a gap in metres
 };
 
 struct IdentifiedParameter {
-    std::string
-        key;  ///< "bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap", "bit_rock.corner.1.force", …
-    double value = 0;  ///< SI
+    /// Parameter key: "bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap", "bit_rock.corner.1.force", …
+    std::string key;
+    double value = 0;  ///< identified value, in SI units
     std::optional<double> low, high;
     ParameterVerdict verdict = ParameterVerdict::notSeen;
-    std::string
-        reason;  ///< of notSeen: "no_contact", "front", "no_unloading", "no_corner", "noise"; else empty
-    double halfWidth = 0;  ///< 95 %; of the logarithm, of a gap [m]
-    double noise = 0;      ///< part of it
+    /// Reason for the verdict notSeen: "no_contact", "front", "no_unloading", "no_corner" or "noise". Empty
+    /// for other verdicts.
+    std::string reason;
+    /// 95 % half-width of the natural logarithm of the parameter; of a gap itself, in metres.
+    double halfWidth = 0;
+    double noise = 0;  ///< part of `halfWidth` that is caused by noise, in the same unit
     std::vector<BudgetRow> budget;
     bool isGap() const { return key == "bit_rock.gap"; }
 };
 
-/// A law that was tried, and how well it fits.
+/// Rock law that was fitted to the record, and how well it fits.
 struct TriedLaw {
-    std::string law;    ///< "bilinear", "corner", "crater", "power", "dashpot", "jump"
-    double misfit = 0;  ///< m, share of the peak
-    double ratio = 0;   ///< q
-    std::vector<std::pair<std::string, double>> parameters;  ///< by key, SI
+    std::string law;    ///< name of the law: "bilinear", "corner", "crater", "power", "dashpot" or "jump"
+    double misfit = 0;  ///< m, the rms misfit beyond noise, as a share of the peak force
+    double ratio = 0;   ///< q, the ratio of the rms residual to that expected from noise
+    /// Fitted parameters: pairs of key and value in SI units.
+    std::vector<std::pair<std::string, double>> parameters;
 };
 
-/// Zero line of one gauge, shares of the peak.
+/// Fitted zero line of one gauge; values are shares of the peak force.
 struct ZeroLine95 {
     double offset = 0;
-    double slope = 0;  ///< in a millisecond
+    double slope = 0;  ///< slope of the zero line, as a share of the peak force per millisecond
 };
 
-/// How model and record match.
+/// Figures that describe how well model and record agree.
 struct MatchFigures {
     double misfit = 0, noise = 0, expected = 0, ratio = 0;
-    double autocorrelation = 0;                 ///< of neighbouring residuals of b
-    std::size_t samples = 0;                    ///< of b
-    double from = 0, to = 0;                    ///< of the window after the front [s]
-    double roundTrip = 0, roundTripOfFile = 0;  ///< between gauge and rock [s]
+    /// Autocorrelation of neighbouring residuals of the returning wave b, −1 … 1; about 0 for pure noise.
+    double autocorrelation = 0;
+    std::size_t samples = 0;  ///< number of samples of the returning wave b that are compared
+    double from = 0, to = 0;  ///< start and end of the compared window, after the front [s]
+    /// Round-trip time between gauge and rock [s], as fitted and as computed from the scenario file.
+    double roundTrip = 0, roundTripOfFile = 0;
     double shiftOfSecond = 0, gainOfSecond = 1;
-    double quiet = 0, unexplained = 0, before = 0, bending = 0;  ///< shares of the peak
+    /// Amplitudes as shares of the peak force: waves between blow and reflection, unexplained waves, waves
+    /// before the front, bending.
+    double quiet = 0, unexplained = 0, before = 0, bending = 0;
     bool isClipped = false;
-    double step = 0;  ///< of the recorder, share of the peak
+    double step = 0;  ///< smallest step between recorded values, as a share of the peak force
     std::vector<ZeroLine95> zero;
-    double droop = 0;         ///< 1 ms over the time constant
-    double gainOfReturn = 1;  ///< gain of the returning wave over that of the incident one
+    double droop = 0;         ///< droop of the amplifier: 1 ms divided by its time constant
+    double gainOfReturn = 1;  ///< gain for the returning wave divided by that for the incident wave
     std::optional<double> dispersion, dispersionHalfWidth;
-    std::optional<double> jumpTime;  ///< after the front [s]
+    /// Time of the fitted jump of the zero level, after the front [s]; empty without a jump.
+    std::optional<double> jumpTime;
 };
 
-/// A section size that would explain the record better.
+/// Change of one section size that would explain the record better.
 struct SizeOff {
     std::string key;
-    double change = 0;  ///< of a length [m], of a diameter [m]
+    double change = 0;  ///< change of a length or diameter [m], or of an area [m²]
 };
 
-/// Waves over time, for plots and files; times of the record [s], forces [N].
+/// Waves and rock response over time, for plots and files. Times are those of the record [s], forces are in
+/// newtons.
 struct MatchCurves {
     std::vector<double> time, incident, measured, model, residual;
-    std::vector<double> penetration, force, modelForce;  ///< at the same times, at the rock
-    double front = 0;                                    ///< of the blow at the gauge near the bit
-    double incidentEnd = 0;                              ///< of the blow there
-    double quietFrom = 0;  ///< begin of the quiet stretch; of two gauges there is none
+    /// Penetration [m] and forces [N] at the rock, at the same times.
+    std::vector<double> penetration, force, modelForce;
+    double front = 0;        ///< time at which the front of the blow reaches the gauge near the bit [s]
+    double incidentEnd = 0;  ///< time at which the incident wave ends at that gauge [s]
+    /// Time after which the gauge is quiet until the reflection arrives [s]; not used with two gauges.
+    double quietFrom = 0;
 };
 
-/// Prediction of the wave in the bar behind the specimen against its gauge, which no fit has used.
+/// Comparison of the predicted wave in the bar behind the specimen with a gauge there that the fit did not
+/// use.
 struct BlindCheck {
-    double error = 0;  ///< rms of the difference, share of the largest measured value
-    double shift = 0;  ///< by which the measured wave is later than the predicted one [s]
+    double error = 0;  ///< rms of the difference, as a share of the largest measured value
+    /// Delay of the measured wave behind the predicted one [s]; positive if the measured wave is later.
+    double shift = 0;
 };
 
 struct RecordAnswer {
     std::string file;
-    std::size_t blow = 0;                  ///< from 0
-    std::optional<RecordRefusal> refusal;  ///< then nothing else holds
+    std::size_t blow = 0;  ///< index of the blow in the record, from 0
+    /// Reason why the record cannot be used; the other results are then invalid. Empty otherwise.
+    std::optional<RecordRefusal> refusal;
     ModelVerdict model = ModelVerdict::rejected;
-    std::string law;  ///< "bilinear", "corner" or that of the file
+    /// Law of the result: "bilinear", "corner", or "file" for the law of the scenario file.
+    std::string law;
     std::vector<IdentifiedParameter> parameters;
-    std::vector<std::vector<double>> covariance;  ///< of ln k, ln γ, gap, ln F1, ln s1, as parameters are
-    std::vector<std::vector<double>> common;      ///< movements of the same by causes that all records share
+    /// Covariance of ln k, ln γ, gap [m], ln F1 and ln s1, in the order of `parameters`.
+    std::vector<std::vector<double>> covariance;
+    /// Changes of ln k, ln γ, gap [m], ln F1 and ln s1 by error sources common to all records. They are 95 %
+    /// half-widths, one row for each source.
+    std::vector<std::vector<double>> common;
     MatchFigures match;
     std::vector<TriedLaw> laws;
     std::vector<std::string> remarks;
     std::optional<SizeOff> sizeOff;
     MatchCurves curves;
     int sign = 1;
-    double peak = 0;              ///< of the incident wave [N]
-    double distanceThatFits = 0;  ///< of the near gauge from the bit face [m]
-    double impedance = 0;         ///< Z of the gauge's section [N s/m]
+    double peak = 0;  ///< peak force of the incident wave [N]
+    /// Distance of the near gauge from the bit face that fits the record best [m].
+    double distanceThatFits = 0;
+    double impedance = 0;  ///< characteristic impedance Z of the gauge's section [N s/m]
     std::optional<BlindCheck> check;
-    bool isFirst = false;  ///< other laws are still to be tried: intervals may widen
+    /// Whether this is a preliminary result: other laws are still to be tried, which may widen the intervals.
+    bool isFirst = false;
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;
-    /// Whether stiffness or gamma is identified or bounded and the model is not rejected.
+    /// Returns whether the result is of use: the model is not rejected, and stiffness or gamma is identified
+    /// or bounded. Also true if the law of the scenario file is kept.
     bool saysSomething() const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input of an identification: a scenario, records of strain gauges, and what is known about them.
+// Input of an identification: a scenario, records of strain gauges, and tolerances of known values.
 #pragma once
 
 #include <cstdint>
@@ -12,41 +12,45 @@
 
 namespace drillwave {
 
-/// One gauge, or two on opposite sides, as recorded.
+/// Recorded signal of one gauge, or of two gauges on opposite sides of the rod.
 struct GaugeChannel {
-    std::string name;              ///< "near", "top+bottom"
-    double distance = 0;           ///< from the bit face [m], > 0
-    std::vector<double> force;     ///< [N], of a pair the mean; either sign may be compression
-    std::vector<double> opposite;  ///< half the difference of a pair [N]; else empty
+    std::string name;     ///< name of the channel, such as "near"; "top+bottom" for a pair
+    double distance = 0;  ///< distance from the bit face [m], > 0
+    /// Force [N], for a pair the mean of both; compression may have either sign.
+    std::vector<double> force;
+    /// Half the difference of the two gauges of a pair [N]; empty for a single gauge.
+    std::vector<double> opposite;
 };
 
-/// Samples of one recording.
+/// Samples of one recording, which may contain several blows.
 struct GaugeRecord {
-    std::string file;                  ///< for messages
-    std::vector<double> time;          ///< [s], increasing
-    std::vector<GaugeChannel> gauges;  ///< one or two
-    std::vector<double> behind;        ///< force in the bar behind the specimen [N], or empty
+    std::string file;                  ///< name of the file, for messages
+    std::vector<double> time;          ///< sample times [s], increasing
+    std::vector<GaugeChannel> gauges;  ///< signals of one or two gauges along the rod
+    std::vector<double> behind;  ///< force in the bar behind the specimen [N]; empty if it was not recorded
 };
 
-/// Law that is fitted.
+/// Rock law to fit to the records.
 enum class LawChoice {
-    automatic,  ///< bilinear, or one corner where the record asks for it
+    automatic,  ///< bilinear law, or one with a corner if the record requires it
     bilinear,
     corner,
-    file,  ///< that of the scenario: nothing is fitted but the timing
+    file,  ///< law of the scenario file; only its timing is fitted
 };
 
-/// Share of the dispersion of a round bar that is taken into account.
+/// Treatment of wave dispersion in round bars.
 enum class DispersionChoice {
-    fit,   ///< an unknown
-    bar,   ///< all of it
-    none,  ///< plane waves
+    fit,   ///< the share of the dispersion is fitted
+    bar,   ///< full dispersion of a round bar
+    none,  ///< no dispersion (plane waves)
 };
 
-/// 95 % tolerance of a value that the record does not give.
+/// 95 % tolerance of a value that the record does not determine, as given by option --known.
 struct KnownTolerance {
-    std::string key;       ///< "gain", "zero", "gauge", "rod.diameter", "string.bit_head.length"
-    double tolerance = 0;  ///< > 0; relative for gain and zero, [m] for gauge, else as the parameter
+    /// Key of the value: "gain", "zero", "gauge", "rod.diameter", "string.bit_head.length", …
+    std::string key;
+    /// Tolerance > 0: relative for gain and zero, [m] for gauge, otherwise in the SI unit of the parameter.
+    double tolerance = 0;
     bool operator==(const KnownTolerance&) const = default;
 };
 
@@ -55,12 +59,14 @@ struct IdentifyQuestion {
     std::vector<GaugeRecord> records;
     LawChoice law = LawChoice::automatic;
     DispersionChoice dispersion = DispersionChoice::fit;
-    bool barBehind = false;     ///< a specimen between two long, like bars
-    bool allBlows = false;      ///< each front of a record is a record of its own
-    std::optional<double> end;  ///< of the window after the reflection arrives [s]
+    bool barBehind = false;  ///< whether the rock is a specimen between two long, identical bars
+    bool allBlows = false;   ///< whether every blow in a record is evaluated; otherwise only the first
+    /// End of the evaluated window, after the reflection arrives [s]; empty for the default.
+    std::optional<double> end;
     std::vector<KnownTolerance> known;
     std::uint64_t seed = 1;
-    std::optional<double> checkDistance;  ///< of the gauge on the bar behind from the specimen [m]
+    /// Distance from the specimen of the gauge on the bar behind it [m]; empty without that gauge.
+    std::optional<double> checkDistance;
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Identifies the rock from one blow.
+// Identification of the rock from one blow.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,12 @@
 
 namespace drillwave {
 
+/// Callback that receives a preliminary result of a record.
 using ShowAnswer = std::function<void(RecordAnswer)>;
 
-/// The answer of one blow, counted from 0, of a record of the question. `places` are those of its gauges, the
-/// one near the bit first, as are the gauges of the record. Stopped, the answer is not to be used.
-/// `showFirst` gets the answer of the bilinear law, unless that is rejected, while other laws are tried.
+/// Returns the result of one blow (index from 0) of a record. `places` are the positions of its gauges,
+/// nearest to the bit first, in the order of the record. After a stop request, the result must not be used.
+/// `showFirst` receives the result of the bilinear law, unless that is rejected, before other laws are tried.
 RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& record,
                             const std::vector<GaugePlace>& places, std::size_t blow,
                             const std::stop_token& stop, const ShowAnswer& showFirst = {});

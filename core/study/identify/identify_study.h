@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Identification of the rock from one record or several.
+// Identification of the rock from one or several records.
 #pragma once
 
 #include <cstddef>
@@ -17,59 +17,74 @@
 
 namespace drillwave {
 
-/// A parameter of the next blow in the same place or hole (theory of identification §9).
+/// Range of a rock parameter expected in the next blow at the same place or hole (theory of identification
+/// §9).
 struct NextBlowParameter {
     std::string key;
-    double value = 0, low = 0, high = 0;  ///< median and 95 % of the next blow, SI
-    double scatter = 0;      ///< τ between blows, of the logarithm, of a gap [m]; 0 where none is seen
-    bool hasChange = false;  ///< the records differ by more than their errors
+    double value = 0, low = 0, high = 0;  ///< median and 95 % limits for the next blow, in SI units
+    /// Scatter τ between blows: standard deviation of the logarithm, for a gap in metres; 0 if none is
+    /// detected.
+    double scatter = 0;
+    bool hasChange = false;  ///< whether the records differ by more than their errors
 };
 
-/// One measurement that would help most.
+/// Recommendation of the one measurement that would reduce the uncertainty most.
 struct NextMeasurement {
-    std::string source;    ///< row of the budget, "noise", "unexplained_wave"
-    std::string key;       ///< of --known, may be empty
-    double tolerance = 0;  ///< that takes the row below the next one; 0 where there is no tolerance
+    /// Source of the error to reduce: a source of BudgetRow, "noise" or "unexplained_wave".
+    std::string source;
+    std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
+    /// Tolerance that makes this source smaller than the next one, in `unit`; 0 if the source has no
+    /// tolerance.
+    double tolerance = 0;
     std::string unit;
-    std::string parameter;  ///< whose half-width falls
-    double halfWidth = 0;   ///< to which it falls
+    std::string parameter;  ///< key of the parameter whose half-width decreases most
+    /// Half-width of that parameter after the measurement: of the logarithm, for a gap in metres.
+    double halfWidth = 0;
 };
 
 struct IdentifyFindings {
     std::vector<RecordAnswer> records;
-    std::vector<NextBlowParameter> nextBlow;  ///< of several records that are not rejected
-    std::vector<std::string> remarks;         ///< of all together: "few_records"
+    /// Parameters expected in the next blow, from several records that are not rejected; empty otherwise.
+    std::vector<NextBlowParameter> nextBlow;
+    /// Codes of warnings about all records together, such as "few_records".
+    std::vector<std::string> remarks;
     bool isStopped = false;
 
-    /// The first record that is not refused; the first one where all are.
+    /// Returns the first record that is neither refused nor rejected. If there is none, returns the first
+    /// that is not refused, otherwise the first.
     const RecordAnswer& main() const;
     bool saysSomething() const;
 };
 
-/// Returns problems of places and tolerances, before anything is computed; empty where there are none.
+/// Returns the problems of gauge positions and tolerances, found before anything is computed; empty if there
+/// are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
-/// Called with the records that are identified so far, the last one being new.
+/// Callback, called with the records identified so far; the last one is new.
 using TellIdentified = std::function<void(const IdentifyFindings&)>;
 
-/// Identifies every record. The answer does not depend on `jobs` ≥ 1. `tell` is called on the calling thread;
-/// `showFirst` gets a first answer of each record, from any thread, see identifyRecord().
+/// Returns the results of all records. They do not depend on the number of threads `jobs` (≥ 1). `tell` is
+/// called on the calling thread after each record. `showFirst` receives preliminary results from any thread
+/// (see identifyRecord()).
 IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs = 1, const std::stop_token& stop = {},
                              const TellIdentified& tell = {}, const ShowAnswer& showFirst = {});
 
-/// The measurement that would help most; nothing where the model is rejected.
+/// Returns the measurement that would reduce the uncertainty of stiffness and gamma most; empty if the model
+/// is rejected.
 std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer);
 
-/// Rows of values that belong together, of the next blow where there are several records.
+/// Random samples of rock parameters; each row is a possible set of values. With several records, the rows
+/// are for the next blow.
 struct PosteriorDraws {
-    std::vector<std::string> keys;          ///< of parameters that are identified or uncertain
-    std::vector<std::vector<double>> rows;  ///< SI
+    /// Keys of the parameters, all identified or uncertain; one column each.
+    std::vector<std::string> keys;
+    std::vector<std::vector<double>> rows;  ///< values in SI units, indexed [row][parameter]
 };
-/// Draws of the answer, cut so that every row is a valid law; empty where the model is rejected or neither
-/// stiffness nor gamma is known on both sides.
+/// Returns `count` random samples of the identified parameters, restricted so that every row is a valid rock
+/// law. Empty if the model is rejected, or if neither stiffness nor gamma is bounded on both sides.
 PosteriorDraws posteriorDraws(const IdentifyFindings& findings, std::size_t count, std::uint64_t seed);
 
-/// The scenario with the rock as identified.
+/// Returns the scenario with the identified rock law, its values rounded to five digits.
 Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& findings);
 
 }  // namespace drillwave

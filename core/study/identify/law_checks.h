@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other laws and other zero lines that explain a record as well: they widen the answer or replace it.
+// Trials of other rock laws and zero lines. A law that explains the record equally well widens the result or
+// replaces it.
 #pragma once
 
 #include <functional>
@@ -13,40 +14,46 @@
 
 namespace drillwave {
 
-/// One law with its fit and errors.
+/// Rock law that was tried, with its fit and the errors of the fit.
 struct LawCandidate {
-    std::string name;  ///< "bilinear", "corner", "crater", "power", "dashpot", "overload", "jump"
+    /// Name of the law: "bilinear", "corner", "crater", "power", "dashpot", "overload" or "jump".
+    std::string name;
     std::shared_ptr<RecordModel> model;
     LawFit fit;
     FitErrors errors;
     double misfit() const { return errors.misfit.misfit; }
 };
 
-/// Everything that a record was tried with, the bilinear law first.
+/// All laws tried on a record, the bilinear law first, and which of them is the result.
 struct LawTrials {
     std::vector<LawCandidate> candidates;
     std::size_t answer = 0;
-    std::optional<double> jumpTime;  ///< after the front [s]
-    bool isLawOpen = false;          ///< another law lies outside of the interval of the answer
-    bool isStrained = false;         ///< power or dashpot leaves less than half of what the answer leaves
+    /// Time of a jump of the zero level, after the front [s]; empty if none was tried.
+    std::optional<double> jumpTime;
+    bool isLawOpen = false;  ///< whether another acceptable law lies outside the interval of the result
+    /// Whether a power or dashpot law leaves less than half the misfit of the result.
+    bool isStrained = false;
     const LawCandidate& chosen() const { return candidates[answer]; }
 };
 
-/// Whether a model with this misfit is accepted.
+/// Returns whether a model with this misfit is accepted. It is if the residual is at most 1.3 times the
+/// noise, or the misfit at most 1 % of the peak force.
 bool isAccepted(const MisfitFound& misfit);
 
-/// Tries what the choice of the law asks for (theory of identification C6); shows the bilinear law when it is
-/// fitted.
+/// Returns the fits of all laws that the question's choice of law requires (theory of identification C6).
+/// Calls `showFirst` as soon as the bilinear law is fitted.
 LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
                   const std::vector<KnownSize>& sizes, const std::stop_token& stop,
                   const std::function<void(const LawTrials&)>& showFirst);
 
-/// Whether a power law without gap leaves as little as the answer (C10).
+/// Returns whether a power law without a gap fits as well as the result. The gap may then be a curved start
+/// of loading (theory of identification C10).
 bool gapMayBeBend(const LawTrials& trials, const PreparedRecord& record, const IdentifyQuestion& question,
                   const std::vector<KnownSize>& sizes, const std::stop_token& stop);
 
-/// Half-width of an unknown of the answer with all laws that count: at least the distance to each of them and
-/// their own half-width, this at most that of the answer.
+/// Returns the 95 % half-width of an unknown, including all acceptable laws. It is at least the distance to
+/// the value of each such law plus that law's half-width (limited to `own`). `own` is the half-width in the
+/// fit chosen as the result.
 double widthWithLaws(const LawTrials& trials, Unknown::Kind kind, double own);
 
 }  // namespace drillwave

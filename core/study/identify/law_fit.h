@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Least squares of one law on one record, and how its answer moves with the record.
+// Least-squares fit of one rock law to one record, and the sensitivity of its solution to changes of the
+// record.
 #pragma once
 
 #include <optional>
@@ -12,34 +13,42 @@
 
 namespace drillwave {
 
-/// A solution about as good as that of a fit.
+/// Alternative solution that fits a record almost as well as the best one.
 struct NearbySolution {
     Eigen::VectorXd values;
-    double rise = 0;         ///< of Σr² over the lowest one, in units of its mean
-    bool isMinimum = false;  ///< a minimum of its own; otherwise the best one of another gap
+    /// Rise of the sum of squared residuals Σr² above the lowest one, relative to the mean of r².
+    double rise = 0;
+    /// Whether this is a separate minimum; otherwise it is the best solution for another gap.
+    bool isMinimum = false;
 };
 
-/// Solution of a fit and its linearisation: changes δr of the residuals move the unknowns by −J⁺δr.
+/// Solution of a fit and its linearisation: changes δr of the residuals change the unknowns by −J⁺δr. J⁺ is
+/// the pseudo-inverse of the Jacobian J.
 class LawFit {
   public:
     LawFit() = default;
 
     TrialLaw law = TrialLaw::bilinear;
-    Eigen::VectorXd values;  ///< of the unknowns
+    Eigen::VectorXd values;  ///< fitted values, in the order and units of RecordModel::unknowns()
     Eigen::VectorXd residuals;
-    double cost = 0;  ///< Σr²
+    double cost = 0;  ///< sum of squared weighted residuals, Σr²
     std::vector<NearbySolution> nearby;
 
-    /// Takes the Jacobian at the solution.
+    /// Computes and stores the Jacobian at the solution; required before the functions below.
     void linearise(RecordModel& model);
-    /// −J⁺δr; an unknown of which `isFixed` stays where it is.
+    /// Returns the change −J⁺δr of the unknowns for a change δr of the residuals. Unknowns that are held do
+    /// not change.
     Eigen::VectorXd movedBy(const Eigen::VectorXd& change) const;
+    /// Returns the change of the unknowns for a change of the residuals, as movedBy(), with the gap held
+    /// fixed.
     Eigen::VectorXd movedWithoutGap(const Eigen::VectorXd& change) const;
-    /// δr + Jδθ: what stays of a change of the residuals.
+    /// Returns δr + Jδθ: the part of a change δr (`change`) of the residuals that remains after the unknowns
+    /// have changed by δθ (`moved`).
     Eigen::VectorXd left(const Eigen::VectorXd& change, const Eigen::VectorXd& moved) const;
-    /// Movement of all unknowns when the mean of one prior moves by its 95 % tolerance.
+    /// Returns the change of all unknowns if the mean of the prior of one unknown is raised by its 95 %
+    /// tolerance.
     Eigen::VectorXd movedByPrior(const RecordModel& model, std::size_t unknown) const;
-    /// Column of the Jacobian of an unknown, per unit.
+    /// Returns the derivative of all residuals with respect to one unknown, per unit of that unknown.
     Eigen::VectorXd column(std::size_t unknown) const;
     std::size_t unknownCount() const { return static_cast<std::size_t>(values.size()); }
 
@@ -47,49 +56,53 @@ class LawFit {
     void factorise(std::size_t without, Eigen::MatrixXd& inverse) const;
     Eigen::VectorXd moved(const Eigen::MatrixXd& inverse, const Eigen::VectorXd& change) const;
 
-    Eigen::MatrixXd m_jacobian;  ///< columns for one step of each unknown
+    Eigen::MatrixXd m_jacobian;  ///< Jacobian multiplied by the step of each unknown, one column each
     Eigen::VectorXd m_steps;
     Eigen::MatrixXd m_inverse, m_inverseWithoutGap;
 };
 
-/// Values that a search begins from.
+/// Returns the start values of the unknowns for a search.
 Eigen::VectorXd startValues(const RecordModel& model);
 
-/// Levenberg–Marquardt within the bounds, from `values` on; returns Σr².
+/// Minimises the sum of squared residuals Σr² by the Levenberg–Marquardt method within the bounds, starting
+/// from `values`. Updates `values` and returns Σr². Takes at most `mostRounds` iterations.
 double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, const std::stop_token& stop);
 
-/// The largest force on the rock in a solution [N].
+/// Returns the largest force on the rock in the solution of a fit [N].
 double largestForce(RecordModel& model, const LawFit& fit);
 
-/// Bilinear, or the file's law with its timing, from many starts; sizes and dispersion are freed from the
-/// best on, and the weights of the quiet stretch follow what is seen in it.
+/// Returns the best fit from many start values. Fits the bilinear law, or only the timing of the scenario's
+/// law. Section sizes and dispersion become free once the best start is known. The weights of the samples
+/// between blow and reflection are adapted to the waves found there.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
-/// Takes the lowest minimum of Σr² about the solution. Keeps other minima, and the best solutions for other
-/// gaps: a gap, the zero lines and the stiffness together can explain a record twice, and Σr² rises less
-/// towards another gap than its curvature says.
+/// Replaces the solution by the lowest minimum of Σr² near it. Stores other minima and the best solutions for
+/// other gaps in LawFit::nearby. These are needed because gap, zero lines and stiffness together can explain
+/// a record in two ways. Towards another gap, Σr² rises less than its curvature at the minimum suggests.
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
-/// Another law from the solution of the bilinear one; where that fits badly, from several shares of
-/// dispersion.
+/// Returns the fit of another law, started from the solution of the bilinear one. With `searchesDispersion`,
+/// several shares of dispersion are tried as starts.
 LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop);
 
-/// A law that contains the bilinear one, from the solution of the bilinear one on and near it; of a model of
-/// the same record.
+/// Returns the fit of a law that includes the bilinear one, started at and near the bilinear solution. Both
+/// models must have the same record.
 LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, const std::stop_token& stop);
 
-/// Again from a solution of the same model.
+/// Repeats a fit, starting from a solution of the same model, and updates it.
 void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
-/// rms of what is in the quiet stretch below 6.6 kHz beyond noise, the zero line off [N].
+/// RMS [N] of waves between blow and reflection: below 6.6 kHz, beyond noise, without the zero line.
 struct QuietErrors {
-    double before = 0;  ///< before its last 120 µs
-    double last = 0;    ///< in the last 120 µs
+    double before = 0;  ///< RMS of waves until 120 µs before the incident wave is taken to end [N]
+    double last = 0;    ///< RMS of waves in the last 120 µs before the incident wave is taken to end [N]
     bool hasBefore = false;
 };
+/// Returns the rms of waves between blow and reflection [N] for given values of the unknowns.
 QuietErrors quietErrors(const RecordModel& model, const Eigen::VectorXd& values);
-/// The stretch less its zero line [N], smoothed by a Gaussian of 20 µs.
+/// Returns the signal between blow and reflection minus the fitted zero line [N], smoothed by a Gaussian with
+/// a standard deviation of 20 µs.
 std::vector<double> quietLeft(const RecordModel& model, const Eigen::VectorXd& values);
 
 }  // namespace drillwave

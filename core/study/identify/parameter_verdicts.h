@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Intervals and verdicts of the parameters of an answer (theory of identification §8).
+// Intervals and verdicts of the identified parameters (theory of identification §8).
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace drillwave {
 
-/// Fills parameters, covariance and common movements. `atLeast` are least half-widths of ln k, ln γ, gap,
-/// ln F1 and ln s1.
+/// Fills the parameters, their covariance and the changes by common causes in `answer`. `atLeast` are lower
+/// limits of the half-widths of ln k, ln γ, gap [m], ln F1 and ln s1.
 void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast, RecordAnswer& answer);
 
-/// The interval of the gap reaches down to 0: a bent beginning of the law looks the same.
+/// Extends the interval of the gap down to 0. Used if a curved start of the rock law explains the record as
+/// well as a gap.
 void openGap(RecordAnswer& answer);
 
 }  // namespace drillwave

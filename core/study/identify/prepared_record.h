@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A record on even times with zero level, front and arrival, ready to be fitted, or why it cannot be.
+// Record prepared for a fit, with equal time steps, zero level, front and arrival time; or the reason why it
+// cannot be used.
 #pragma once
 
 #include <cstddef>
@@ -14,54 +15,63 @@
 
 namespace drillwave {
 
-/// One gauge of a prepared record.
+/// Signal of one gauge of a prepared record.
 struct PreparedGauge {
-    std::vector<double> force;     ///< compression positive, zero level taken off [N]
-    std::vector<double> opposite;  ///< half the difference of a pair, its own zero off [N]
+    std::vector<double> force;  ///< force [N], compression positive, zero level subtracted
+    /// Half the difference of a gauge pair [N], its own zero level subtracted; empty for a single gauge.
+    std::vector<double> opposite;
     GaugeNoise noise;
-    double zero = 0;          ///< level taken off, as recorded [N]
-    double recorderStep = 0;  ///< q, smallest difference between two values [N]
+    double zero = 0;          ///< zero level that was subtracted [N], with the sign of the recording
+    double recorderStep = 0;  ///< q, smallest difference between two recorded values [N]
 };
 
-/// A record before a law is fitted. Times are from the front at the gauge near the bit; sample i is at
-/// (i − front) step.
+/// Record prepared for fitting a rock law. Time 0 is the arrival of the front at the gauge near the bit;
+/// sample i is at time (i − front)·step.
 struct PreparedRecord {
-    double step = 0;                    ///< h [s]
-    std::size_t front = 0;              ///< sample at which the front reaches the gauge near the bit
-    std::size_t quiet = 0;              ///< samples of zero, from the first one
-    double startTime = 0;               ///< time of the record at the front [s]
-    double peak = 0;                    ///< of the incident wave [N]
-    int sign = 1;                       ///< −1: the record had compression negative
-    std::vector<PreparedGauge> gauges;  ///< the one near the bit first
-    std::vector<GaugePlace> places;     ///< of the gauges
-    double roundTrip = 0;               ///< D0 = 2a/c by the file [s]
-    double arrival = 0;                 ///< of the reflection as seen [s]; 0 where it was not looked for
-    double shift = 0;                   ///< D0 is moved by that to the arrival seen [s]
-    double incidentEnd = 0;             ///< end of f [s]
-    double quietFrom = 0;               ///< begin of the quiet stretch [s]; of one gauge
-    double end = 0;                     ///< of the window [s]
-    double before = 0;                  ///< A_pre, waves before the front, share of the peak
-    double bending = 0;                 ///< rms of half the difference of a pair, share of the peak
-    std::vector<bool> isLost;           ///< samples of the near gauge, clipped or missing; empty: none
-    double transit = 0;                 ///< ϑ between two gauges [s]
-    double secondShift = 0;             ///< θ of the far gauge [s]
-    double secondGain = 1;              ///< of the far gauge relative to the near one
+    double step = 0;        ///< h, the time between samples [s]
+    std::size_t front = 0;  ///< index of the sample at which the front reaches the gauge near the bit
+    std::size_t quiet = 0;  ///< number of samples, from the first one, that define the zero level
+    double startTime = 0;   ///< time of the front on the time axis of the original recording [s]
+    double peak = 0;        ///< peak force of the incident wave [N]
+    int sign = 1;           ///< sign of compression in the original recording: +1 or −1
+    std::vector<PreparedGauge> gauges;  ///< signals of the gauges, the one near the bit first
+    std::vector<GaugePlace> places;     ///< positions of the gauges, in the same order
+    /// D0 = 2a/c, round-trip time from the near gauge to the end of its section, from the scenario file [s].
+    double roundTrip = 0;
+    /// Arrival time of the reflection as seen in the record [s]; 0 if it was not looked for.
+    double arrival = 0;
+    /// Correction added to the round-trip time D0 (`roundTrip`), so that it agrees with the observed arrival
+    /// [s].
+    double shift = 0;
+    double incidentEnd = 0;  ///< time at which the incident wave f ends [s]
+    /// Time after which the gauge is quiet until the reflection arrives [s]; only used with one gauge.
+    double quietFrom = 0;
+    double end = 0;      ///< end of the evaluated window [s]
+    double before = 0;   ///< A_pre, amplitude of waves before the front, as a share of the peak force
+    double bending = 0;  ///< rms of half the difference of a gauge pair, as a share of the peak force
+    /// Whether each sample of the near gauge is clipped or missing; empty if none is.
+    std::vector<bool> isLost;
+    double transit = 0;      ///< transit time ϑ between two gauges [s]
+    double secondShift = 0;  ///< fitted delay θ of the front from the far to the near gauge [s]
+    double secondGain = 1;   ///< gain of the far gauge relative to the near one
     std::size_t furtherBlows = 0;
-    std::vector<std::string> remarks;  ///< codes
+    std::vector<std::string> remarks;  ///< codes of warnings about the record, such as "clipped"
 
     bool isPair() const { return gauges.size() == 2; }
     std::size_t count() const { return gauges.front().force.size(); }
     double timeOf(std::size_t sample) const {
         return (static_cast<double>(sample) - static_cast<double>(front)) * step;
     }
-    /// Round trip between gauge and rock: D0 and the sections towards the bit [s].
+    /// Returns the round-trip time between gauge and rock [s]: D0 plus twice the transit time of the sections
+    /// towards the bit.
     double roundTripToRock() const { return roundTrip + 2 * places.front().end.transitTime(); }
 };
 
-/// Why a record says nothing about the rock (theory of identification §3).
+/// Reason why a record contains no information about the rock (theory of identification §3).
 struct RecordRefusal {
-    std::string code;  ///< "no_front", "short_zero", "gap", "blow_not_over", "too_short", "clipped", …
-    Message text;      ///< what is wrong and what to change at the rig
+    /// Code of the reason: "no_front", "short_zero", "gap", "blow_not_over", "too_short", "clipped", …
+    std::string code;
+    Message text;  ///< explanation of what is wrong and what to change at the rig
 };
 
 struct Preparation {
@@ -69,18 +79,18 @@ struct Preparation {
     std::optional<RecordRefusal> refusal;
 };
 
-/// Where the reflection is expected.
+/// Choice of the time at which the reflection is expected.
 enum class ArrivalChoice {
-    seen,    ///< where it is seen, where that is not where the file has it
-    ofFile,  ///< by the distance of the file
+    seen,    ///< time observed in the record, if it differs from that of the scenario file
+    ofFile,  ///< time computed from the gauge distance in the scenario file
 };
 
-/// Prepares a record. `blow` counts the fronts of the record, from 0.
+/// Returns one blow of a record (index from 0) prepared for a fit, or the reason why it cannot be used.
 Preparation prepareRecord(const GaugeRecord& record, const std::vector<GaugePlace>& places,
                           const IdentifyQuestion& question, std::size_t blow = 0,
                           ArrivalChoice arrival = ArrivalChoice::seen);
 
-/// 95 % tolerance of a place of a gauge [m].
+/// Returns the 95 % tolerance of a gauge position [m].
 double placeTolerance(const IdentifyQuestion& question);
 
 }  // namespace drillwave

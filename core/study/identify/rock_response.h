@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force on the rock under an incident wave that is linear over each time step, for a trial law in SI units.
+// Force on the rock for a trial law, under an incident wave that is linear within each time step. All values
+// are in SI units.
 #pragma once
 
 #include <cstddef>
@@ -7,49 +8,55 @@
 
 namespace drillwave {
 
-/// A loading line of a trial law: from this force on the force rises with this slope.
+/// Straight line of the loading curve of a trial law: above `force`, the force rises with `slope`.
 struct TrialLine {
-    double force = 0;  ///< [N], 0 for the first line
-    double slope = 1;  ///< [N/m], > 0
+    double force = 0;  ///< force at which the line starts [N], 0 for the first line
+    double slope = 1;  ///< stiffness on this line [N/m], > 0
 };
 
-/// Law of bit and rock as a fit varies it (T4) (T5) (T40). The last line has no end.
+/// Law of bit and rock as a fit varies it (theory, eqs. T4, T5 and T40). The last line has no upper end.
 struct TrialRock {
-    std::vector<TrialLine> lines = {{}};  ///< loading, forces increasing
-    double elastic = 1;                   ///< k/γ below the largest force so far [N/m]
-    double gap = 0;                       ///< d ≥ 0 [m]
-    double dashpot = 0;                   ///< c ≥ 0 beside the spring, in contact [N s/m]
+    std::vector<TrialLine> lines = {{}};  ///< lines of the loading curve, with increasing forces
+    double elastic = 1;  ///< stiffness of unloading and reloading below the largest force so far, k/γ [N/m]
+    double gap = 0;      ///< gap d between bit and rock, ≥ 0 [m]
+    double dashpot = 0;  ///< constant c ≥ 0 of a dashpot beside the spring, active in contact [N s/m]
 };
 
-/// Secant-preserving straight lines of F = kU (U/U1)^(p − 1), where the secant at `reference` [N] is k.
+/// Returns straight lines that approximate the power law F = kU (U/U1)^(p − 1) with the same secants. k is
+/// the secant stiffness [N/m] at the force `reference` [N].
 std::vector<TrialLine> powerLines(double stiffness, double exponent, double reference);
 
-/// Bit on the rock at the end of a section of impedance Z: U' = (2g − F)/Z (T16), on a specimen before a bar
-/// of the same impedance U' = (2g − 2F)/Z; with a bit mass M U'' + Z U' + F = 2g. Within a step g is linear,
-/// and each line of the law is followed exactly; corners of the law are found within the step. With a bit
-/// mass the step is that of the trapezoidal rule.
+/// Time-stepping solver for a bit on the rock at the end of a section of impedance Z, under an incident wave
+/// g. Its equation is U' = (2g − F)/Z (theory, eq. T16). On a specimen in front of a bar of the same
+/// impedance it is U' = (2g − 2F)/Z. With a bit mass M it is M U'' + Z U' + F = 2g.
+/// Within a step g is linear. Without a bit mass each line of the law is solved exactly, and its corners are
+/// located within the step. With a bit mass the trapezoidal rule is used.
 class RockResponse {
   public:
     struct End {
-        double impedance = 1;  ///< Z of the last section [N s/m]
-        double mass = 0;       ///< M [kg]
+        double impedance = 1;  ///< impedance Z of the last section [N s/m]
+        double mass = 0;       ///< mass M of the bit [kg]
         bool barBehind = false;
     };
     RockResponse(const TrialRock& rock, const End& end, double step);
 
-    /// Goes over one step in which g changes from `g0` to `g1` [N].
+    /// Advances the solution by one step, in which the incident wave g changes from `g0` to `g1` [N].
     void advance(double g0, double g1);
 
-    double force() const { return m_force; }  ///< F ≥ 0 [N] at the end of the step
-    /// The wave b that leaves the rock where g arrives [N].
+    /// Returns the force on the rock F ≥ 0 at the end of the step [N].
+    double force() const { return m_force; }
+    /// Returns the wave b reflected by the rock [N] if the incident wave there is `g` [N].
     double reflected(double g) const { return m_mass > 0 ? g - m_impedance * m_velocity : m_force - g; }
-    double penetration() const;  ///< of the bit from the untouched rock, negative across the gap [m]
+    /// Returns the position of the bit relative to the untouched rock [m]: positive in the rock, negative
+    /// within the gap.
+    double penetration() const;
     bool hasUnloaded(double share) const { return m_spring < (1 - share) * m_largest; }
 
   private:
     enum class Line { apart, primary, elastic };
     struct Wave {
-        double g, rate;  ///< 2g/β and its change per s
+        /// Driving force 2g [N] (g for a specimen in front of a bar), and its rate of change [N/s].
+        double g, rate;
     };
     double rateOf(double slope) const { return slope / (m_impedance + m_dashpot); }
     double springAfter(const Wave& wave, double rate, double time) const;
@@ -64,19 +71,20 @@ class RockResponse {
     double largestPenetration() const;
 
     const TrialRock& m_rock;
-    double m_impedance;  ///< Z, half of it before a bar
-    double m_double;     ///< 2 over the number of bars
+    double m_impedance;  ///< impedance Z [N s/m]; half of it for a specimen in front of a bar
+    double m_double;     ///< factor of g in the equation of motion: 2, or 1 for a specimen in front of a bar
     double m_mass;
     double m_dashpot;
     double m_step;
     Line m_line = Line::apart;
-    std::size_t m_loading = 0;       ///< line of the loading curve
-    double m_loadedPenetration = 0;  ///< where that line begins [m]
-    double m_spring = 0;             ///< force without the dashpot
-    double m_largest = 0;            ///< Fm
-    double m_place = 0;              ///< of the bit while apart [m]
-    double m_contact = 0;            ///< place of the rock's surface [m]
-    double m_velocity = 0;           ///< of the mass
+    std::size_t m_loading = 0;  ///< index of the current line of the loading curve
+    /// Penetration at which the current line of the loading curve begins [m].
+    double m_loadedPenetration = 0;
+    double m_spring = 0;    ///< force of the spring, without the dashpot [N]
+    double m_largest = 0;   ///< Fm, largest force of the spring so far [N]
+    double m_place = 0;     ///< position of the bit while it is not in contact [m]
+    double m_contact = 0;   ///< position of the rock's surface [m]
+    double m_velocity = 0;  ///< velocity of the bit mass [m/s]
     double m_force = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lines between the points of a grid a contour crosses.
+// Finds which edges of a grid a contour crosses.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// The points of a grid that are there in every row and column: its nodes, some of them above a level. The
-/// grid must outlive it.
+/// Nodes of a grid: the points that are present in every row and column, classified as above or below a
+/// level. Stores a reference to the grid, which must outlive this object.
 class GridNodes {
   public:
     GridNodes(const MapGrid& grid, double level)
@@ -37,33 +37,36 @@ class GridNodes {
     std::size_t m_stride, m_columns, m_rows;
 };
 
-/// The line from a node to the next one along x or along y.
+/// Edge from node (i, j) to the next node along x or along y.
 struct GridEdge {
     std::size_t i = 0, j = 0;
     bool isAlongX = true;
     auto operator<=>(const GridEdge&) const = default;  // NOLINT(modernize-use-nullptr): its 0
 };
 
-/// Square that begins at a node, with those of its edges that the contour crosses: two, or all four.
+/// Square whose lower left corner is node (i, j), with the edges that the contour crosses: none, two or all
+/// four.
 struct GridSquare {
     std::size_t i = 0, j = 0;
-    std::array<GridEdge, 4> crossed;  // all four in the order bottom, right, top, left
+    std::array<GridEdge, 4> crossed;  // crossed edges; if all four, in the order bottom, right, top, left
     std::size_t count = 0;
     bool isSaddle() const { return count == 4; }
 };
 
-/// Edges, squares and saddles that a contour passes.
+/// Edges, squares and saddles through which a contour passes.
 struct ContourCourse {
-    std::vector<GridEdge> edges;  ///< ascending, each once
+    std::vector<GridEdge> edges;  ///< crossed edges, ascending, each once
     std::vector<GridSquare> squares;
-    std::vector<std::size_t> saddles;  ///< of the squares
+    /// Indices into `squares` of the saddles: squares with all four edges crossed.
+    std::vector<std::size_t> saddles;
 
     std::size_t size() const { return edges.size() + saddles.size(); }
-    /// Returns the number of an edge.
+    /// Returns the index of an edge in `edges`.
     std::size_t numberOf(const GridEdge& edge) const;
 };
 
-/// Returns the course of the contour of the level of the nodes. Leaves out squares with a node without value.
+/// Returns the course of the contour at the level of the nodes. Squares with a node without a value are left
+/// out.
 ContourCourse courseOf(const GridNodes& nodes);
 
 }  // namespace drillwave

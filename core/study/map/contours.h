@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an output takes a level in a map: points placed by the solver, not by the grid.
+// Contours of a map. Their points are located by solving blows, not by interpolation in the grid.
 #pragma once
 
 #include <cstdint>
@@ -14,70 +14,81 @@
 
 namespace drillwave {
 
-/// A point of a contour, on a line between two neighbouring points of the grid.
+/// Point of a contour, on the line between two neighbouring points of the grid.
 struct ContourPoint {
-    double x = 0;         ///< SI
-    double y = 0;         ///< SI
-    double value = 0;     ///< the output there, in the units of the map
-    double residual = 0;  ///< |value − level|
-    /// Where the output jumps across the level: width that encloses the jump, as a fraction of the distance
-    /// between the two points of the grid. 0 where it takes the level: `residual` is then mostly below
-    /// contourAccuracy, and always below a hundred times as much, relative to the level or the step between
-    /// the two points, whichever is larger.
+    double x = 0;         ///< value of the x parameter, in SI units
+    double y = 0;         ///< value of the y parameter, in SI units
+    double value = 0;     ///< output at the point, in the units of the map
+    double residual = 0;  ///< |value − level|, in the units of the map
+    /// Width within which the output jumps across the level, as a fraction of the distance between the two
+    /// grid points. It is 0 if the output takes the level continuously. Then `residual` is mostly below
+    /// contourAccuracy and always below 100 contourAccuracy, relative to the level or the step between the
+    /// grid points, whichever is larger.
     double jumpWidth = 0;
-    /// Whether the output was a mean of blows that do not repeat, on the way to the point: it scatters, and
-    /// so does the place.
+    /// Whether an output used to locate the point was a mean of blows that do not repeat. The output then
+    /// scatters, and so does the position.
     bool isIrregular = false;
     bool isJump() const { return jumpWidth > 0; }
     bool operator==(const ContourPoint&) const = default;
 };
 
-/// Accuracy of a point, relative to the level or the step: for e a hundredth of 1e-9.
+/// Accuracy of a contour point, relative to the level or to the step between grid points. It is a hundredth
+/// of 1e-9, the accuracy of the coefficient of restitution e.
 inline constexpr double contourAccuracy = 1e-11;
 
-/// Connected line; the last point of a closed one is the first again.
+/// Connected line of contour points. A closed line ends with a copy of its first point.
 using ContourLine = std::vector<ContourPoint>;
 
-/// All lines of one level.
+/// Contour: all lines of one level of a map.
 struct Contour {
     double level = 0;
     std::vector<ContourLine> lines;
-    std::uint64_t unplaced = 0;  ///< crossings that could not be placed: a blow on the way was not solved
-    Message reason;              ///< the first reason why
-    std::uint64_t solves = 0;    ///< blows solved to place it
-    bool stopped = false;        ///< on the stop token: there are no lines
+    /// Number of crossings that could not be located because a blow was not solved.
+    std::uint64_t unplaced = 0;
+    Message reason;            ///< reason why the first of them could not be located; empty if all were
+    std::uint64_t solves = 0;  ///< number of blows solved to locate the points
+    bool stopped = false;      ///< set if the stop token ended the search; `lines` is then empty
 
-    std::uint64_t pointCount() const;  ///< a closed line's first point counted once
+    /// Returns the number of points of all lines; the first point of a closed line counts once.
+    std::uint64_t pointCount() const;
     std::uint64_t jumpCount() const;
-    std::uint64_t irregularCount() const;  ///< a closed line's first point counted once
-    double worstResidual() const;          ///< of the points that are no jumps; 0 without any
+    /// Returns the number of irregular points (see ContourPoint::isIrregular); the first point of a closed
+    /// line counts once.
+    std::uint64_t irregularCount() const;
+    /// Returns the largest residual of all points that are not jumps; 0 if there are none.
+    double worstResidual() const;
     bool operator==(const Contour&) const = default;
 };
 
-/// The points of a contour with the smallest and the largest y.
+/// Points of a contour with the smallest and the largest y.
 struct ContourExtent {
     ContourPoint lowest, highest;
 };
-/// Returns the first of such points; nothing without lines.
+/// Returns the lowest and highest point of a contour, the first if there are several; empty without lines.
 std::optional<ContourExtent> extentOf(const Contour& contour);
 
-/// Where along y a map exceeds a level.
+/// Side of a contour, along y, on which the map exceeds the level.
 enum class LevelSide {
-    above,  ///< only above its contour: no point of the lowest row does
-    below,  ///< only below: no point of the highest row does
+    /// The level is exceeded only above the contour (larger y); no point of the lowest row exceeds it.
+    above,
+    /// The level is exceeded only below the contour (smaller y); no point of the highest row exceeds it.
+    below,
     mixed,
 };
-/// Returns the side for a complete map; LevelSide::mixed also where no point or every row exceeds the level.
+/// Returns the side for a complete map. LevelSide::mixed is also returned if no point exceeds the level, or
+/// points in every row do.
 LevelSide sideOf(const MapGrid& grid, double level);
 
-/// Called on the calling thread with the number of placed crossings and of all crossings.
+/// Callback for progress, called on the calling thread with the number of located crossings and of all
+/// crossings.
 using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;
 
-/// Returns the contour of one level (finite, in the units of the map) through the present points of `grid`:
-/// those of every grid.stride()-th column and row. Between two neighbouring points of which one is below the
-/// level and the other is not, one point is placed by root finding. Where a square of four is crossed twice,
-/// its middle decides how the points are connected. Squares with a point without a value are left out. The
-/// work is at most some dozen blows per crossing; the result does not depend on `jobs` (≥ 1).
+/// Returns the contour at one level (finite, in the units of the map). Uses the points of every
+/// grid.stride()-th column and row. If one of two neighbouring points is below the level and the other is
+/// not, one contour point is located between them by root finding.
+/// In a square with four crossings, the value at its centre decides how the points are connected. Squares
+/// with a point without a value are left out. Each crossing takes at most some dozen blows. The result does
+/// not depend on the number of threads `jobs` (≥ 1).
 Contour contourOf(const MapStudy& study, const MapGrid& grid, double level, int jobs,
                   std::stop_token stop = {}, const ContourProgress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An output over two parameters: a grid of solved blows, coarse first.
+// Map of an output over two parameters: a grid of blows, solved from coarse to fine.
 #pragma once
 
 #include <cstdint>
@@ -18,29 +18,31 @@
 
 namespace drillwave {
 
-/// Settings of a map.
+/// Settings of a map of one output over two parameters.
 struct MapStudy {
     Scenario base;
-    SweepAxis x;          ///< SweepAxis::Kind::linear or logarithmic
-    SweepAxis y;          ///< the same, of another quantity
-    OutputColumn output;  ///< in SI only for a scenario with units
+    SweepAxis x;  ///< parameter along x, with a linear or logarithmic range
+    SweepAxis y;  ///< parameter along y, with a linear or logarithmic range of another quantity than x
+    OutputColumn output;  ///< output to compute; in SI units only if the scenario has units
     MethodChoice method = {};
-    long workLimit = defaultWorkLimit;  ///< maximum wave pieces of a point; with more, it is not solved
+    /// Maximum work of one point, in wave pieces (the solver's unit of work). Points that need more are not
+    /// solved.
+    long workLimit = defaultWorkLimit;
 };
 
-/// Maximum number of points of a map: all are kept, nine bytes each.
+/// Maximum number of points of a map. All are kept in memory with nine bytes each.
 inline constexpr std::uint64_t maximumMapPoints = 16'000'000;
 
-/// Returns the problems of a map, each in a line: those of the sweep of the same axes (problemsOf(Sweep)), an
-/// axis without a range, too many points. Empty if it can be solved.
+/// Returns the problems of a map, one message each; empty if it can be solved. They are those of a sweep over
+/// the same axes (see problemsOf(Sweep)), an axis without a range, and too many points.
 std::vector<Message> problemsOf(const MapStudy& study);
 
-/// Called on the calling thread with the map so far, whenever some more points are solved.
+/// Callback for progress, called on the calling thread with the map so far whenever more points are solved.
 using MapProgress = std::function<void(const MapGrid& soFar)>;
 
-/// Solves every point once: first a coarse grid of at most some hundred points, then those between,
-/// halving the distance until all are solved. Checks the stop token at every point: points solved by then
-/// stay. Values do not depend on `jobs` (≥ 1), and are those of single blows. Requires problemsOf() to be
+/// Returns the map with every point solved once. First solves a coarse grid of some hundred points, then
+/// repeatedly halves the spacing. After a stop request, the points solved so far are kept. Values do not
+/// depend on the number of threads `jobs` (≥ 1) and equal those of single blows. Requires problemsOf() to be
 /// empty.
 MapGrid solveMap(const MapStudy& study, int jobs, std::stop_token stop = {},
                  const MapProgress& progress = {});

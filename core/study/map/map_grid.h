@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a map: their values, which of them are there, and why some have none.
+// Grid of a map: the values of its points, which points are present, and why some have no value.
 #pragma once
 
 #include <cstddef>
@@ -14,68 +14,76 @@
 
 namespace drillwave {
 
-/// Maximum number of different reasons; all later ones are reported as a single one.
+/// Maximum number of different reasons for unsolved points; all further ones are reported as a single one.
 inline constexpr std::size_t maximumMapReasons = 100;
 
-/// Maximum number of points solved before any other: with slow blows of 40 µs they take some 40 ms.
+/// Maximum number of points in the coarse grid that is solved first. With slow blows of 40 µs they take some
+/// 40 ms.
 inline constexpr std::size_t coarsestMapPoints = 1024;
 
-/// Values over two axes. Point (column, row) is at the column-th value of x and the row-th of y.
+/// Values of an output over two axes. Point (column, row) has value number `column` of x and value number
+/// `row` of y, both from 0.
 class MapGrid {
   public:
     MapGrid() = default;
-    /// Starts without points; requires at least one of xs and of ys (SI), and at most maximumMapPoints in
-    /// all.
+    /// Creates a map in which no point is present yet. Requires at least one value in xs and in ys (SI), and
+    /// at most maximumMapPoints points.
     MapGrid(std::vector<double> xs, std::vector<double> ys);
-    /// A map without points, for a question that has no answer, and why.
+    /// Creates a map without points for a question that has no answer, with the reason.
     explicit MapGrid(Message refusal) : m_refusal(std::move(refusal)) {}
-    const Message& refusal() const { return m_refusal; }  ///< empty where the question has an answer
+    /// Returns why the map has no points; empty if it has.
+    const Message& refusal() const { return m_refusal; }
 
-    std::span<const double> xs() const { return m_xs; }  ///< of the columns [SI]
-    std::span<const double> ys() const { return m_ys; }  ///< of the rows [SI]
+    /// Returns the x value of each column, in SI units.
+    std::span<const double> xs() const { return m_xs; }
+    /// Returns the y value of each row, in SI units.
+    std::span<const double> ys() const { return m_ys; }
     std::size_t columns() const { return m_xs.size(); }
     std::size_t rows() const { return m_ys.size(); }
     std::size_t size() const { return m_values.size(); }
 
-    /// Returns the number of present points, solved or not.
+    /// Returns the number of points that are present, whether solved or failed.
     std::size_t done() const { return m_done; }
     bool isComplete() const { return m_done == size(); }
-    /// Returns s if every s-th point of every s-th row is present: 1 for all, 0 before the coarsest.
+    /// Returns s if every s-th point of every s-th row is present: 1 if all are, 0 if even the coarsest grid
+    /// is incomplete.
     std::size_t stride() const;
-    /// The distance between the points that are solved first: a power of two.
+    /// Returns the spacing, in points, of the grid that is solved first: a power of two.
     std::size_t coarsestStride() const { return std::size_t{1} << m_coarsest; }
 
     bool isThere(std::size_t column, std::size_t row) const { return cell(column, row) != notThere; }
-    /// The output, NaN where the point is not there or has none.
+    /// Returns the output at a point; NaN if the point is not present or has no value.
     double value(std::size_t column, std::size_t row) const { return m_values[index(column, row)]; }
-    /// Why a point that is there could not be solved; empty where it was.
+    /// Returns why a point that is present could not be solved; empty if it was solved.
     const Message& reason(std::size_t column, std::size_t row) const;
     struct Place {
         std::size_t column = 0;
         std::size_t row = 0;
         bool operator==(const Place&) const = default;
     };
-    /// Returns the place whose value stands for this point until it is there: column and row are rounded down
-    /// to the finest grid that has a point there, at most to the coarsest.
+    /// Returns the point whose value represents this point as long as it is not present. Column and row are
+    /// rounded down to the finest grid that has a point there, at most to the coarsest.
     Place standIn(std::size_t column, std::size_t row) const;
 
-    /// The points without a solution by reason, in the order in which each occurred first.
+    /// Returns the number of unsolved points by reason, in the order in which the reasons first occurred.
     const std::vector<RowFailure>& failures() const { return m_failures; }
     std::uint64_t failed() const;
 
-    /// A point that was solved, or not and why. Each is set once.
+    /// Stores the value of a solved point. Each point may be set only once, by set() or fail().
     void set(std::size_t column, std::size_t row, double value);
+    /// Stores the reason why a point was not solved. Each point may be set only once, by set() or fail().
     void fail(std::size_t column, std::size_t row, const Message& reason);
 
-    /// The smallest and the largest value so far, where they were first; nullopt where there is none.
+    /// Smallest and largest value so far, and the points where they first occurred.
     struct Extent {
         double least = 0;
         double largest = 0;
         Place leastPlace, largestPlace;
     };
+    /// Returns the extreme values so far; empty if no point has a value.
     const std::optional<Extent>& extent() const { return m_extent; }
 
-    /// Returns whether both have the same points with the same values, bit for bit, and the same reasons.
+    /// Returns whether both maps have the same points with bit-identical values and the same reasons.
     bool operator==(const MapGrid& other) const;
 
   private:
@@ -92,13 +100,13 @@ class MapGrid {
     Message m_refusal;
     std::vector<double> m_xs, m_ys;
     std::vector<double> m_values;  // row after row
-    std::vector<Cell> m_cells;     // firstReason + place in m_failures where not solved
+    std::vector<Cell> m_cells;     // firstReason + index into m_failures if not solved
     std::vector<RowFailure> m_failures;
     std::optional<Extent> m_extent;
     std::size_t m_done = 0;
-    int m_coarsest = 0;  // logarithm of the coarsest stride
+    int m_coarsest = 0;  // binary logarithm of the coarsest spacing
     std::vector<std::size_t>
-        m_left;  // points that are not there, by the logarithm of the stride they belong to
+        m_left;  // points that are not present, by the binary logarithm of the spacing to which they belong
 };
 
 }  // namespace drillwave

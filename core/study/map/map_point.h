@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any one point of a map, solved.
+// Solves any single point of a map.
 #pragma once
 
 #include <stop_token>
@@ -12,17 +12,19 @@
 
 namespace drillwave {
 
-/// Solves points of a map and keeps the common part of neighbours. One object per thread.
+/// Solver for points of a map, which keeps what neighbouring points have in common. Each thread needs its own
+/// object.
 class MapPoint {
   public:
-    /// The study must outlive it.
+    /// Stores a reference to the study, which must outlive this object.
     explicit MapPoint(const MapStudy& study);
 
-    /// Writes the output at these values (SI, within the axes) into `value`, NaN if there is none. Returns
-    /// why the blow could not be solved (`value` is then unchanged), or nothing.
+    /// Writes the output at x and y (SI, within the axes) to `value`; NaN if there is none. Returns why the
+    /// blow could not be solved (`value` is then unchanged); empty if it was solved.
     Message solve(double x, double y, double& value, const std::stop_token& stop);
 
-    /// Why the point last solved has no output, and whether its blows do not repeat (CaseSolver).
+    /// Returns why the last point solved has no output; empty if it has one or the reason is not known.
+    /// `isIrregular()` returns whether its blows do not repeat periodically.
     const Message& lack() const { return m_solver.lack(); }
     bool isIrregular() const { return m_solver.isIrregular(); }
 
@@ -30,7 +32,7 @@ class MapPoint {
     std::vector<SweepAxis> m_axes;
     AxisScenario m_scenario;
     CaseSolver m_solver;
-    double m_x = 0, m_y = 0;  // of the pulse
+    double m_x = 0, m_y = 0;  // values at which the hammer force was last set
     bool m_hasPulse = false;
 };
 

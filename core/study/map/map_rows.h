@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A map as rows, those that a sweep of its two axes has.
+// Converts a map to rows like those of a sweep over its two axes.
 #pragma once
 
 #include "core/study/map/map.h"
@@ -7,8 +7,9 @@
 
 namespace drillwave {
 
-/// Gives the sink a row for each point in the order of a sweep over x and then y, y fastest: the two values
-/// (SI) and the output. A point that is not there has no output, as one that was not solved.
+/// Passes one row for each point to the sink and returns the counts. A row has the two axis values (SI) and
+/// the output; y varies fastest, as in a sweep over x and then y. A point that is not present has no output,
+/// like an unsolved one.
 RowCounts giveRows(const MapStudy& study, const MapGrid& grid, RowSink& sink);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every number that the paper prints and that can be computed, beside what it really is.
+// Comparison of the numbers printed in the paper with the values that the program computes.
 #pragma once
 
 #include <stop_token>
@@ -9,24 +9,26 @@
 
 namespace drillwave {
 
-/// A number printed in the paper.
+/// Number printed in the paper, with the value that the program computes for it.
 struct Discrepancy {
-    std::string place;        ///< where in the paper
-    std::string quantity;     ///< name of the quantity
-    std::string printed;      ///< as printed, its digits telling how exact it is meant to be
-    double computed = 0;      ///< NaN if it could not be computed
-    std::string explanation;  ///< reason for a difference, or another remark; may be empty
+    std::string place;     ///< location in the paper, such as a section or figure
+    std::string quantity;  ///< name of the quantity
+    std::string printed;   ///< number as printed; the number of its digits shows the intended accuracy
+    /// Computed value in the unit of the printed one; NaN if it could not be computed.
+    double computed = 0;
+    std::string explanation;  ///< reason for a difference, or another comment; may be empty
 
     double printedValue() const;
     double difference() const { return computed - printedValue(); }
-    /// Within half a unit of the last printed digit.
+    /// Returns whether the computed value agrees with the printed one within half a unit of its last digit.
     bool agrees() const;
 };
 
-/// Returns them in the order of the paper. Fewer if a stop is requested.
+/// Returns all comparisons in the order of the paper; fewer if a stop is requested.
 std::vector<Discrepancy> discrepancies(std::stop_token stop = {});
 
-/// place, quantity, printed, computed, difference, agrees, explanation.
+/// Returns the comparisons as CSV text with the columns place, quantity, printed, computed, difference,
+/// agrees and explanation.
 std::string discrepanciesCsv(const std::vector<Discrepancy>& all);
 
 }  // namespace drillwave

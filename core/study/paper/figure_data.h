@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure as data: panels of curves, for tables and for plots.
+// Figure of the paper as data: panels with curves, used for tables and plots.
 #pragma once
 
 #include <optional>
@@ -8,42 +8,43 @@
 
 namespace drillwave {
 
-/// Curve as points to be joined by straight lines; an abscissa occurs twice where the curve jumps.
+/// Curve as points that are joined by straight lines. An abscissa occurs twice where the curve jumps.
 struct FigureCurve {
-    std::string key;    ///< name of a CSV column, "elastic_reference"
-    std::string label;  ///< for legends
+    std::string key;    ///< name of the CSV column, such as "elastic_reference"
+    std::string label;  ///< text for legends
     std::vector<double> x;
     std::vector<double> y;
     enum class Line {
         solid,
         dotted,
         dashed,
-        none,  ///< in the table only
+        none,  ///< not drawn; written to the table only
     } line = Line::solid;
-    int colour = 0;  ///< the same for lines that belong together
+    int colour = 0;  ///< colour index; curves that belong together have the same index
 };
 
-/// A diagram.
+/// Diagram with axes and curves.
 struct FigurePanel {
-    std::string name;    ///< of its file: "fig4a"
-    std::string title;   ///< "(a) elastic spring, γ = 1"
-    std::string xKey;    ///< name of a CSV column
-    std::string xLabel;  ///< for the axis
-    std::string yKey;    ///< name of the column where the curves have one each of their own
+    std::string name;    ///< name of its file without extension, such as "fig4a"
+    std::string title;   ///< title, such as "(a) elastic spring, γ = 1"
+    std::string xKey;    ///< name of the CSV column of the abscissas
+    std::string xLabel;  ///< label of the x axis
+    std::string yKey;    ///< name of the CSV column of the ordinates, if the curves have different abscissas
     std::string yLabel;
     bool logarithmicX = false;
-    std::optional<double> xFrom = {};  ///< where the axis begins, if before the data
+    /// Start of the x axis if it is before the first data point; empty otherwise.
+    std::optional<double> xFrom = {};
     std::vector<FigureCurve> curves;
 };
 
 struct Figure {
     int number = 0;
-    std::string caption;  ///< one sentence with the parameters
+    std::string caption;  ///< caption of one sentence, which states the parameters
     std::vector<FigurePanel> panels;
 };
 
-/// Returns the table of a panel: one column per curve if all have the same abscissas, otherwise the columns
-/// curve, x and y.
+/// Returns the CSV table of a panel. If all curves have the same abscissas, there is one column per curve;
+/// otherwise the columns are curve, x and y.
 std::string panelCsv(const FigurePanel& panel);
 
 }  // namespace drillwave

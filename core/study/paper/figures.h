@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures of the paper that show results, computed by this program.
+// Figures of the paper that show results, recomputed by the program.
 #pragma once
 
 #include <stop_token>
@@ -9,28 +9,31 @@
 
 namespace drillwave {
 
-/// First and last number of these figures in the paper.
+/// Numbers of the first and the last figure of the paper that the program recomputes.
 inline constexpr int firstPaperFigure = 3, lastPaperFigure = 8;
 
-// Each as the paper draws it, dimensionless, from the exact solution.
+// Each figure is drawn as in the paper, with dimensionless values from the exact solution.
 
-/// Waves at the mid-section.
+/// Returns Figure 3 of the paper: waves at the middle of the rod over time.
 Figure figure3();
-/// Impact force, impulse and momentum.
+/// Returns Figure 4 of the paper: impact force, impulse and momentum over time.
 Figure figure4();
-/// The two peaks of the impact force beside the closed form, in local time.
+/// Returns Figure 5 of the paper: the two peaks of the impact force beside the closed form, in local time.
 Figure figure5();
-/// COR over the stiffness, with the reference case in both normalisations.
+/// Returns Figure 6 of the paper: coefficient of restitution over the stiffness. The reference case is shown
+/// in both normalisations.
 Figure figure6();
-/// COR over the stiffness with the closed form, and what that neglects.
+/// Returns Figure 7 of the paper: coefficient of restitution over the stiffness, exact and from the closed
+/// form with its neglected terms.
 Figure figure7();
-/// COR over one period of the gap, with the reference case in both normalisations.
+/// Returns Figure 8 of the paper: coefficient of restitution over one period of the gap. The reference case
+/// is shown in both normalisations.
 Figure figure8();
 
-/// Returns the figure of a number, 3 … 8.
+/// Returns the figure of the paper with a number from firstPaperFigure (3) to lastPaperFigure (8).
 Figure paperFigure(int number);
 
-/// Returns all figures; fewer if a stop is requested.
+/// Returns Figures 3 … 8 of the paper in order; fewer if a stop is requested.
 std::vector<Figure> paperFigures(std::stop_token stop = {});
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well a recorded blow satisfies the equations themselves, found without the code that solved it: the law
-// of the rock is written again here, on purpose, and asks nothing of core/contact.
+// Residuals of the equations for a recorded blow. They are computed independently of the solver: the rock law
+// is deliberately written again here, without core/contact.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,26 @@
 
 namespace drillwave {
 
-/// Largest violations over many points of the histories, forces in F0. Each is divided by 1 + β/γ, the
-/// steepest slope of a force, because no solver can avoid that times the rounding of a time.
+/// Largest residuals of the equations at many points of the histories, as forces in units of F0. Each is
+/// divided by 1 + β/γ, the steepest slope of the force, because rounding of a time causes an unavoidable
+/// error of that size.
 struct EquationResiduals {
-    double wave = 0;  ///< of g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ) [paper (6)]
-    /// of F' = a (2g − F) [paper (5)] [paper (8)], a = β where the penetration is the largest so far, else
-    /// β/γ.
+    double wave = 0;  ///< residual of g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ) [paper (6)]
+    /// Residual of F' = a (2g − F) [paper (5)] [paper (8)]. The factor a is β where the penetration is the
+    /// largest so far, otherwise β/γ.
     double rate = 0;
-    /// of the law with memory, F = max(0, βUm − (β/γ)(Um − U)), U' = 2g − F, Um = the largest U so far: one
-    /// equation for all branches (T5), without events.
+    /// Residual of the rock law with memory, F = max(0, βUm − (β/γ)(Um − U)) with U' = 2g − F. Um is the
+    /// largest U so far. This single equation covers all branches (theory, eq. T5), without use of events.
     double law = 0;
-    std::size_t loadingLines = 1;  ///< of the law: more where it has corners
-    double leastForce = 0;         ///< smallest F, not divided: no pull except rounding
-    long points = 0;               ///< of the histories looked at
+    /// Number of loading lines of the rock law; more than one if it has corners.
+    std::size_t loadingLines = 1;
+    /// Smallest force F, not divided; below 0 only by rounding, because the rock cannot pull.
+    double leastForce = 0;
+    long points = 0;  ///< number of points of the histories that were checked
 };
 
-/// Returns the residuals of an impact of smooth pieces solved with Detail::histories. An event that was
-/// missed or invented shows as a residual of the size of its effect.
+/// Returns the residuals of an impact solved in smooth pieces with Detail::histories. A missed or spurious
+/// event shows as a residual of the size of its effect.
 EquationResiduals equationResiduals(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far two solutions of the same blow differ in their force histories.
+// Difference between the force histories of two solutions of the same blow.
 #pragma once
 
 #include "core/wave/impact.h"
 
 namespace drillwave {
 
-/// Largest |F − F| over times, F0.
+/// Largest absolute difference between two force histories, in units of F0.
 struct ForceDifference {
-    /// Over the ends and middles of all pieces of both histories, as a plot of them would show. A history
-    /// that is constant in each step differs by at least the change of the force in half a step.
+    /// Largest difference at the ends and middles of the pieces of both histories, as visible in a plot. A
+    /// history that is constant in each step differs by at least the change of the force in half a step.
     double largest = 0;
-    /// Over the middles of the pieces of the first history, where a mean over a step is closest.
+    /// Largest difference at the middles of the pieces of the first history, where a mean over a step is most
+    /// accurate.
     double inMiddles = 0;
 };
 
-/// Requires impacts solved with Detail::histories; `reference` must be continuous, as the exact force is.
+/// Returns the difference of two force histories. Requires impacts solved with Detail::histories; `reference`
+/// must be continuous, as the exact force is.
 ForceDifference forceDifference(const Impact& impact, const Impact& reference);
 
 }  // namespace drillwave

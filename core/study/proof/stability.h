@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numerical stability: checks that a wrong solution cannot pass, over the stiff and extreme cases.
+// Tests of numerical stability with stiff and extreme cases, by checks that a wrong solution cannot pass.
 #pragma once
 
 #include <cstdint>
@@ -15,61 +15,90 @@
 
 namespace drillwave {
 
-/// Limits that a case must not exceed, each with the cause of the worst value in use. A limit is within ten
-/// times that worst value: a solver ten times worse fails.
+/// Limits of the checks of a test case, each with the largest value observed. A limit is at most about ten
+/// times that value, so a solver ten times worse fails.
 struct StabilityMarks {
-    double momentum = 3e-13;  ///< sums of 1e6 pieces round: 3e-14
-    double energy = 4e-10;    ///< of soft rock, with joined pieces of wave: 7e-11
-    double pull = 2e-14;      ///< a force that has decayed to rounding: 2e-15
-    double reach = 1e-14;     ///< the rounding of a distance of order one; none has been seen
-    double change = 4e-8;     ///< where the slope of e is steepest, times 1e-10: 4e-9
-    double limit = 0.07;      ///< the constants of the estimates are generous: 0.007
-    double lattice = 2;       ///< its error estimate is a factor above the error: 0.3
-    double bound = 3;         ///< the stated error should be a bound: 0.7
+    /// Limit of the momentum residual, as a share of I0. The largest value observed is 3e-14, from rounding
+    /// of sums of 1e6 pieces.
+    double momentum = 3e-13;
+    /// Limit of the relative energy residual. The largest value observed is 7e-11, for soft rock with merged
+    /// wave pieces.
+    double energy = 4e-10;
+    /// Limit of a tensile force on the rock, as a share of the peak force. The largest value observed is
+    /// 2e-15, for a force that has decayed to rounding.
+    double pull = 2e-14;
+    /// Limit of the distance by which the bit returns after the end, in units of d0/2. It allows for rounding
+    /// of a distance of order 1; no return was observed.
+    double reach = 1e-14;
+    /// Limit of the change of e when a parameter changes by a relative 1e-10. The largest value observed is
+    /// 4e-9, where e is steepest.
+    double change = 4e-8;
+    /// Limit of the distance of e from its theoretical limits, relative to what theory allows. The largest
+    /// value observed is 0.007, because the estimates are generous.
+    double limit = 0.07;
+    /// Limit of the difference of e from the lattice, relative to the error estimate of the lattice. The
+    /// largest value observed is 0.3, because that estimate is cautious.
+    double lattice = 2;
+    /// Limit of the difference of e from that in long double, relative to the stated errors of both. The
+    /// largest value observed is 0.7; below 1, the stated error is a bound.
+    double bound = 3;
 };
 inline constexpr StabilityMarks stabilityMarks{};
 
-/// Case solved and checked. An empty optional: the check does not apply, or the histories were too long to
-/// keep.
+/// Result of the checks of one case. An empty optional means that the check does not apply, or that the
+/// histories were too long to keep.
 struct StabilityRow {
     StabilityCase stabilityCase;
     Outcome outcome = Outcome::notSolved;
-    Message reason;  ///< why it was not solved
+    Message reason;  ///< reason why the case was not solved; empty if it was
     double cor = 0;
     double corError = 0;
     long pieces = 0;
-    double seconds = 0;                ///< of the solve with Detail::ledger
-    double momentumResidual = 0;       ///< of I0: impulse of F against the waves that are left
-    double energyResidual = 0;         ///< of the work W or of F0² t0/Z where that is larger: W, rock, waves
-    std::optional<double> leastForce;  ///< smallest F, of the peak: the rock cannot pull
-    std::optional<double> reach;  ///< farthest the free front end gets towards the rock after the end, d0/2
-    double change = 0;            ///< of e over neighbours 1e-10 away in each parameter
-    std::optional<double> limitDistance;    ///< |e − limit| over what theory allows, ≤ 1 is right
-    std::optional<double> latticeDistance;  ///< |e − e of the lattice| over the lattice's own error estimate
-    std::optional<double> boundDistance;    ///< |e − e in long double| over the stated errors of both
-    std::vector<Message> failures;          ///< the checks that failed, in words
+    double seconds = 0;  ///< computing time of the solve with Detail::ledger [s]
+    /// Difference between the impulse of F and the momentum of the residual waves, as a share of I0.
+    double momentumResidual = 0;
+    /// Difference between the work W and the energies of rock and waves, as a share of W or of F0² t0/Z,
+    /// whichever is larger.
+    double energyResidual = 0;
+    /// Smallest force F, as a share of the peak force; must not be negative, because the rock cannot pull.
+    std::optional<double> leastForce;
+    /// Largest distance by which the free front end advances towards the rock after the end, in units of
+    /// d0/2.
+    std::optional<double> reach;
+    double change = 0;  ///< change of e if each parameter is changed by a relative 1e-10
+    /// Distance of e from its theoretical limit, divided by the difference that theory allows; at most 1 if
+    /// correct.
+    std::optional<double> limitDistance;
+    /// Difference of e from the lattice, divided by the error estimate of the lattice.
+    std::optional<double> latticeDistance;
+    /// Difference of e from that in long double, divided by the stated errors of both.
+    std::optional<double> boundDistance;
+    std::vector<Message> failures;  ///< descriptions of the checks that failed
 
     bool passed() const { return outcome == Outcome::rebounded && failures.empty(); }
 };
 
-/// Distance of a case from failing: the largest of its measures over their limits.
+/// Closeness of a case to failing: the largest ratio of a measure to its limit.
 struct StabilityWorst {
-    std::string_view measure;  ///< "momentum", "energy" …; "not solved"
-    double ratio = 0;          ///< at most 1 where the case passes; infinite where it was not solved
+    /// Name of the measure with the largest ratio: "momentum", "energy", …; "not solved" if the case was not.
+    std::string_view measure;
+    double ratio = 0;  ///< at most 1 if the case passes; infinite if it was not solved
 };
+/// Returns the measure of a case that is closest to its limit, or furthest beyond it.
 StabilityWorst worstOf(const StabilityRow& row);
 
 struct StabilityReport {
-    std::vector<StabilityRow> rows;  ///< in the order of the cases
-    bool stopped = false;            ///< rows are missing
+    std::vector<StabilityRow> rows;  ///< results in the order of the cases
+    bool stopped = false;            ///< set if a stop request ended the tests; rows are then missing
     std::size_t notSolved() const;
-    std::size_t failed() const;  ///< solved, but a check failed
+    /// Returns the number of cases that were solved but failed a check.
+    std::size_t failed() const;
 };
 
-/// Called on the calling thread with the report so far, whenever a row is done.
+/// Callback for progress, called on the calling thread with the report so far whenever a case is done.
 using StabilityProgress = std::function<void(const StabilityReport& soFar)>;
 
-/// Solves and checks every case on `jobs` threads.
+/// Returns the results of solving and checking every case on `jobs` threads.
 StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs, std::stop_token stop,
                                const StabilityProgress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stiff and extreme cases on which the exact solver is held to account.
+// Stiff and extreme cases with which the exact solver is tested.
 #pragma once
 
 #include <string>
@@ -9,29 +9,30 @@
 
 namespace drillwave {
 
-/// A case, with the reason for it.
+/// Test case of the exact solver; its name states the reason for it.
 struct StabilityCase {
     std::string name;
     PulseShape shape = PulseShape::rectangular;
-    double impedanceRatio = 2;  ///< of a piston
+    double impedanceRatio = 2;  ///< hammer impedance over rod impedance, for a piston hammer only
     Groups groups;
     bool operator==(const StabilityCase&) const = default;
 };
 
-/// Returns the case as a scenario of its groups, with its name.
+/// Returns the dimensionless scenario of a case, with the case's name.
 Scenario scenarioOf(const StabilityCase& stabilityCase);
 
-/// Returns the problem to solve in a case.
+/// Returns the problem to solve for a case.
 Problem problemOf(const StabilityCase& stabilityCase);
 
-/// The published cases; the known traps (forceless contact, tangential events, equal and nearly equal rates,
-/// many reflections, stiff layers, gaps that close with a front, forces that turn with one, a hammer that
-/// pushes during several reflections, slow drift); short rods under every shape; chattering bits; each
-/// parameter through its whole range (β 1e-9 … 1e12, γ 1e-9 … 1, τ 0.01 … 1e4, δ … 1e6) from a soft, a middle
-/// and a stiff case; and a product grid of extremes for every pulse shape.
+/// Returns all cases. They include the published cases and known traps: forceless contact, tangential events,
+/// equal and nearly equal rates, many reflections and stiff layers. Further traps are gaps that close with a
+/// front, forces that reverse with one, a hammer force lasting several reflections, and slow drift. There are
+/// short rods under every pulse shape and chattering bits. Each parameter is varied over its whole range,
+/// starting from a soft, a medium and a stiff case: β 1e-9 … 1e12, γ 1e-9 … 1, τ 0.01 … 1e4, δ … 1e6. A
+/// product grid of extremes is included for every pulse shape.
 ///
-/// Left out, because it needs more wave pieces than the solver permits (30 million): β < 1e-6 together with
-/// γ < 1, where a contact lasts 1.6/√(βτ) round trips and each leaves kinks that never vanish; and τ < 0.1
+/// Left out are cases that need more than the permitted 30 million wave pieces. One kind is β < 1e-6 with γ <
+/// 1, where a contact lasts 1.6/√(βτ) round trips, each with kinks that never vanish. The other is τ < 0.1
 /// with exponential and piston blows, during which every front passes the rock up to 2000 times.
 std::vector<StabilityCase> stabilityCases();
 

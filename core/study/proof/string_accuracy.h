@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against run time for a drill string: polynomial cells of several sizes beside the plain lattice.
+// Error against computing time for a drill string: polynomial cells of several sizes compared with the plain
+// lattice.
 #pragma once
 
 #include <functional>
@@ -14,39 +15,43 @@
 
 namespace drillwave {
 
+/// Method of computing a drill string.
 enum class StringMethod {
-    quick,  ///< polynomial cells, cut at jumps: used by studies
-    sure,   ///< cut at every corner of a wave: used by `run`
-    plain,  ///< a lattice of constant cells
+    quick,  ///< polynomial cells, divided at jumps; used by studies
+    sure,   ///< polynomial cells, divided at every corner of a wave; used by the command `run`
+    plain,  ///< lattice of constant cells
 };
 
-/// "cells", "cells_cut", "plain".
+/// Returns the name as in JSON: "cells", "cells_cut" or "plain".
 std::string_view name(StringMethod method);
 
-/// A method with one size of cell.
+/// Result of a method with one cell size.
 struct StringAccuracyRow {
     StringMethod method = StringMethod::quick;
-    double cell = 0;          ///< Δ of the round trip [s]
-    double error = 0;         ///< difference of the efficiency from that of the reference
-    double stated = 0;        ///< error stated by the method; NaN: none
-    double impulseError = 0;  ///< difference of the impulse on the rock from that of the reference [p0]
-    long cells = 0;           ///< times nodes
+    double cell = 0;    ///< Δ, cell size as a round-trip time [s]
+    double error = 0;   ///< absolute difference of the efficiency from the reference
+    double stated = 0;  ///< error of the efficiency that the method states; NaN if it states none
+    /// Difference of the impulse on the rock from the reference, in units of the hammer momentum p0.
+    double impulseError = 0;
+    long cells = 0;  ///< work of the solution: number of cells times number of nodes
     RunTime time;
 };
 
 struct StringAccuracy {
-    Message reason;         ///< why there is nothing
-    double efficiency = 0;  ///< of the reference: cut at every corner, cells half as large as usual
-    double reference = 0;   ///< stated error of that
+    Message reason;  ///< reason why there is no comparison; empty if there is one
+    /// Efficiency of the reference: cells divided at every corner, half as large as the default.
+    double efficiency = 0;
+    double reference = 0;  ///< error that the reference states for its efficiency
     std::vector<StringAccuracyRow> rows;
-    bool isStopped = false;  ///< rows are missing
+    bool isStopped = false;  ///< set if a stop request ended the comparison; rows are then missing
 };
 
-/// Called with the rows so far whenever one is done, and the share of the work that is done, 0 … 1.
+/// Callback, called whenever a row is done, with the rows so far and the completed share of the work, 0 … 1.
 using StringAccuracyRows = std::function<void(const StringAccuracy& soFar, double done)>;
 
-/// Solves a drill string, and measures; the plain lattice where all lengths share a cell. Takes seconds. A
-/// row that takes more than `mostCells` is left out; where the reference does, that is the reason.
+/// Returns the accuracy and computing time of the methods for a drill string; takes seconds. The plain
+/// lattice is included if the lengths of all sections are multiples of one cell. Rows that need more than
+/// `mostCells` are left out; if the reference does, there is only a reason.
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop = {},
                                      const StringAccuracyRows& onRow = {}, long mostCells = mostNetworkCells);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scenario in which axes are set, to one value after another.
+// Scenario in which the parameters of several axes are set, to one combination of values after another.
 #pragma once
 
 #include <functional>
@@ -14,39 +14,43 @@
 
 namespace drillwave {
 
-/// Returns the parameters that the axes set, numbered like the axes.
+/// Returns the parameters that the axes set, in the order of the axes.
 Assignments assignmentsOf(std::span<const SweepAxis> axes);
 
-/// Calls `visit(point)` with every combination of extreme values of the axes, as indices.
+/// Calls `visit(point)` for every combination of extreme values of the axes. `point` has one value index for
+/// each axis.
 void visitCorners(std::span<const SweepAxis> axes,
                   const std::function<void(std::span<const std::uint64_t>)>& visit);
 
-/// Why a point of a study is no scenario.
+/// Reason why a combination of axis values is not a valid scenario.
 struct PointObstacle {
-    std::string key;         ///< that it is about; may be empty
-    Message reason;          ///< "rod.bore must be less than the diameter of 38 mm", without the value
-    Message text;            ///< the same with the value, if there is one
-    bool isMeaning = false;  ///< an axis has no meaning there
+    std::string key;  ///< key of the parameter that the reason is about; may be empty
+    /// Reason without the value, such as "rod.bore must be less than the diameter of 38 mm".
+    Message reason;
+    Message text;  ///< reason including the value that caused it, if there is one
+    /// Whether the parameter of an axis is not applicable to the scenario at this point.
+    bool isMeaning = false;
 };
 
-/// Sets axes on top of a scenario. One object per thread.
-///
-/// The common rule of all studies for a valid point: every axis has a meaning there, no two set one section,
-/// the scenario is valid and has the values. Otherwise the point has no result.
+/// Scenario with the values of several axes set on top of a base scenario. Each thread needs its own object.
+/// All studies use the same rule for a valid point. Every axis must apply to the scenario, and no two axes
+/// may set the same section. The scenario must be valid and contain the values as set. Other points have no
+/// result.
 class AxisScenario {
   public:
-    /// Requires that both outlive it.
+    /// Stores references to both arguments, which must outlive this object.
     AxisScenario(const Scenario& base, std::span<const SweepAxis> axes);
 
-    /// Returns the base with a value (SI) for each axis, in the order in which a scenario takes them; must
-    /// not be solved if there is an obstacle().
+    /// Returns the base scenario with one value (SI) set for each axis. The values are set in the order that
+    /// the scenario requires. If obstacle() is set afterwards, the scenario is invalid and must not be
+    /// solved.
     const Scenario& set(std::span<const double> values);
-    /// The scenario set last.
+    /// Returns the scenario from the last call of set().
     const Scenario& scenario() const { return m_scenario; }
-    /// Why that is none; nothing when it is valid.
+    /// Returns why the scenario from the last call of set() is invalid; empty if it is valid.
     const std::optional<PointObstacle>& obstacle() const { return m_obstacle; }
 
-    /// Whether the hammer blow may be another once the axes from this number on have other values.
+    /// Returns whether the hammer force may change if the axes from index `firstChanged` on get other values.
     bool movesPulse(std::size_t firstChanged) const {
         return m_lastPulseAxis && firstChanged <= *m_lastPulseAxis;
     }
@@ -60,9 +64,10 @@ class AxisScenario {
     std::span<const SweepAxis> m_axes;
     Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
-    bool m_restoresPulse = false;  // some axis sets a number of the pulse
-    bool m_changesLaw = false;     ///< another law drops the numbers of its own
-    bool m_judges = true;          // each point
+    bool m_restoresPulse = false;  // whether an axis sets a parameter of the hammer force
+    /// Whether an axis changes the rock law, which drops the parameters of the previous law.
+    bool m_changesLaw = false;
+    bool m_judges = true;  // whether each point is checked
     Scenario m_scenario;
     std::optional<PointObstacle> m_obstacle;
 };

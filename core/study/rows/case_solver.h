@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One case after another solved into the outputs of a row.
+// Solves one scenario after another into a row of output values.
 #pragma once
 
 #include <optional>
@@ -14,54 +14,58 @@
 
 namespace drillwave {
 
-/// Solves cases and keeps their common part. One object per thread.
+/// Solver for a series of scenarios, which keeps what they have in common. Each thread needs its own object.
 class CaseSolver {
   public:
-    /// `columns` must outlive the solver; a case may take `workLimit` wave pieces. It is solved with `least`
-    /// or as much more as the columns take.
+    /// Stores a reference to `columns`, which must outlive the solver. Each case may take `workLimit` wave
+    /// pieces. It is solved with detail `least`, or with more if the columns need it.
     CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
                Detail least = Detail::cor);
 
-    /// Must be called before solve() whenever the hammer blow may have changed.
+    /// Sets the hammer force from a scenario. Must be called before solve() whenever the hammer force may
+    /// have changed.
     void setPulse(const Scenario& scenario) {
         if (isForced(scenario)) m_problem.drive = pulseForceOf(scenario);
     }
 
-    /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not
-    /// be solved (there are none then), or nothing.
+    /// Solves a scenario and writes one value for each column to `outputs`, NaN if a column has none. Returns
+    /// why the scenario could not be solved (all outputs are then NaN); empty if it was solved.
     Message solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
-    /// Why the case last solved has no number in a column that such scenarios have; empty where that is not
-    /// known.
+    /// Returns why a column of the last case has no value although such scenarios normally have one; empty if
+    /// the reason is not known.
     const Message& lack() const { return m_lack; }
 
-    /// Returns whether many blows of the case last solved do not repeat: their means scatter.
+    /// Returns whether the blows of the last case do not repeat periodically, so that their mean values
+    /// scatter.
     bool isIrregular() const { return m_drill && m_drill->period == 0.0; }
 
-    /// Returns the impact of the case last solved; nothing if only columns of many blows were requested.
+    /// Returns the impact of the last case; empty if only statistics of many blows were requested.
     const Impact& impact() const { return m_impact; }
-    /// Returns the scatter of e of neighbouring blows, which a curve need not resolve. For strings it is less
-    /// than the stated error, most of which is the same from blow to blow.
+    /// Returns the random part of the error of e between neighbouring cases, which a curve fit need not
+    /// resolve. For drill strings it is less than the stated error, which is mostly the same from case to
+    /// case.
     double scatter() const { return m_scatter; }
     const Problem& problem() const { return m_problem; }
 
   private:
     Message solveDrillString(const Scenario& scenario, std::span<double> outputs,
                              const std::stop_token& stop);
-    /// Fills in the outputs of the uniform rod last solved.
+    /// Fills in the outputs of a uniform rod from its impact.
     Message fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
                      const std::stop_token& stop);
-    /// Marches if a column is of many blows. Returns why that has no result.
+    /// Computes a sequence of blows if a column needs one. Returns why that has no result; empty otherwise.
     Message march(const Scenario& scenario, const std::stop_token& stop);
-    /// Returns why the numbers are no result, and puts none then.
+    /// Writes the outputs from `source`. Returns why the values are not valid (they are then NaN); empty if
+    /// they are.
     Message fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);
 
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
-    bool m_needsBlow;  ///< the single one
-    bool m_needsLess;  ///< some column can be filled without histories
+    bool m_needsBlow;  ///< whether a single blow must be solved
+    bool m_needsLess;  ///< whether some column can be filled without histories
     bool m_inSi;
-    bool m_needsMargin;  ///< of the thrust: a study of all gaps
+    bool m_needsMargin;  ///< whether the feed margin is needed, which requires a study of all gaps
     RequiredMarches m_drillWishes;
     WaveNumbers m_waveNumbers;
     MethodChoice m_method;

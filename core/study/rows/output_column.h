@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The columns of results that a sweep or a table appends.
+// Columns of results that a sweep or a table of cases appends.
 #pragma once
 
 #include <optional>
@@ -16,50 +16,54 @@ enum class OutputUnits { dimensionless, si };
 
 /// CSV column of one output (manual, files §4).
 struct OutputColumn {
-    const Output* output = nullptr;  ///< of outputs()
+    const Output* output = nullptr;  ///< output shown in the column: an element of outputs()
     OutputUnits units = OutputUnits::dimensionless;
 
-    /// Returns "peak_force", or in SI "peak_force [N]"; with its unit if it has no dimensionless number.
+    /// Returns the heading: "peak_force", or "peak_force [N]" in SI units. Outputs without a dimensionless
+    /// form always have their unit.
     std::string header() const;
-    /// Whether its numbers are in a unit.
+    /// Returns whether the values of the column have a unit.
     bool hasUnit() const { return units == OutputUnits::si || output->isOnlySi(); }
-    /// The quantity of the numbers: `ratio` where they are in no unit.
+    /// Returns the quantity of the values; Quantity::ratio if they have no unit.
     Quantity quantity() const { return hasUnit() ? output->siQuantity() : Quantity::ratio; }
-    /// Returns the unit of the output in its numbers; for an energy that of the scales.
+    /// Returns the factor that converts a dimensionless value to the unit of the column. For an energy, the
+    /// unit is that of the scales.
     double scale(const Scales& scales) const;
     Detail detail() const { return output->detail; }
-    /// nullopt where there is no number (Output::value).
+    /// Returns the value of the output in the unit of the column; empty if it has none (see Output::value).
     std::optional<double> value(const OutputSource& source, const Scales& scales) const;
     bool operator==(const OutputColumn&) const = default;
 };
 
-/// The columns chosen, or why not.
+/// Output columns chosen by the user, or the problem why the choice is invalid.
 struct OutputChoice {
     std::vector<OutputColumn> columns;
-    bool all = false;  ///< all were requested; see allOutputsOf()
+    bool all = false;  ///< whether "all" outputs were requested; see allOutputsOf()
     Message problem;
 };
 
-/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), including
-/// those that a scenario may not have; drillOutputs() must be named.
+/// Returns the columns read from a list such as "cor,peak_force". For a misspelt output, returns a problem
+/// that suggests the nearest one. The word "all" stands for all of outputs(), including outputs that a
+/// scenario may not have. Outputs of drillOutputs() must be named individually.
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
 
-/// Returns all outputs of such a scenario.
+/// Returns the columns of all outputs that a scenario has.
 std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits units);
 
-/// Returns the detail required from the solver.
+/// Returns the level of detail that the solver must provide for the columns.
 Detail detailFor(std::span<const OutputColumn> columns);
 
-/// Returns the numbers required from the waves.
+/// Returns the numbers that must be computed from the waves for the columns.
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
 
-/// Returns the numbers required from a march.
+/// Returns the results that must be computed from a sequence of blows for the columns.
 RequiredMarches drillWishesFor(std::span<const OutputColumn> columns);
 
-/// Returns why a column would be empty for every such scenario and what to do; empty if none would be.
+/// Returns why a column would be empty for every scenario of this kind, and what to do; empty if none would
+/// be.
 Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 
-/// The names that chooseOutputs() knows, in order.
+/// Returns the names of outputs that chooseOutputs() accepts, in their order.
 std::vector<std::string_view> outputNames();
 
 }  // namespace drillwave

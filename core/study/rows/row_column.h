@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contents of one column of numbers of a sweep or a table.
+// Meaning and format of one number column of a sweep or a table.
 #pragma once
 
 #include <span>
@@ -11,24 +11,26 @@
 
 namespace drillwave {
 
-/// The meaning of the numbers of a column.
+/// Meaning of the numbers in one column of a sweep or a table.
 struct RowColumn {
     enum class Kind {
-        number,    ///< without a unit, or in the one of the header
-        quantity,  ///< SI, shown in `unit`
-        word,      ///< the number of one of `words`
+        number,    ///< number without a unit, or in the unit of the heading
+        quantity,  ///< value in SI units, shown in `unit`
+        word,      ///< index of one of `words`
     };
 
-    std::string header;  ///< "beta", "peak_force [N]", "rod.length [mm]" (also where the numbers are SI)
+    /// Heading, such as "beta", "peak_force [N]" or "rod.length [mm]". The numbers may be in SI units even if
+    /// the heading has another unit.
+    std::string header;
     Kind kind = Kind::number;
     Quantity quantity = Quantity::ratio;
-    const Unit* unit = nullptr;                    ///< of Kind::quantity; may be nullptr for the others
-    std::span<const std::string_view> words = {};  ///< of Kind::word
+    const Unit* unit = nullptr;  ///< unit of a Kind::quantity; may be nullptr for other kinds
+    std::span<const std::string_view> words = {};  ///< words for Kind::word
 
-    /// Appends a number as in files, in the unit of the header but without its name; it reads back as the
-    /// same number. Nothing for NaN.
+    /// Appends a number to `cell` as in files: in the unit of the heading, without the unit's name. Reading
+    /// it back gives the same number. Appends nothing for NaN.
     void appendText(std::string& cell, double number) const;
-    /// Returns that text.
+    /// Returns a number as text for a file; see appendText().
     std::string cell(double number) const {
         std::string text;
         appendText(text, number);
@@ -36,11 +38,13 @@ struct RowColumn {
     }
 };
 
-/// All columns of a run of rows.
+/// Headings and columns of all rows of a run.
 struct RowHeader {
-    std::vector<std::string> copied;  ///< headings of the text cells before the numbers
-    std::vector<RowColumn> columns;   ///< of the numbers
-    bool isFirstPart = true;          ///< of all rows; later parts are written after it, without a header
+    std::vector<std::string> copied;  ///< headings of the text cells that precede the numbers
+    std::vector<RowColumn> columns;   ///< meaning of each number in a row
+    /// Whether these rows are the first part of the table and have a header. Later parts are appended without
+    /// one.
+    bool isFirstPart = true;
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a run of rows has come.
+// Number of rows that a run has completed, and why some were not solved.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,20 @@
 
 namespace drillwave {
 
-/// Maximum number of different reasons over all rows; later ones only count in `failed`.
+/// Maximum number of different reasons for unsolved rows that are listed. Rows with further reasons count
+/// only in `failed`.
 inline constexpr std::size_t maximumRowReasons = 3;
 
-/// Progress or end of a run of rows.
+/// Number of rows completed, during a run of rows or at its end.
 struct RowCounts {
-    std::uint64_t rows = 0;            ///< delivered
-    std::uint64_t failed = 0;          ///< of these, not solved: they have no outputs
-    std::vector<RowFailure> failures;  ///< the first maximumRowReasons reasons, in the order of the rows
+    std::uint64_t rows = 0;    ///< rows delivered to the sink
+    std::uint64_t failed = 0;  ///< rows delivered that were not solved and have no outputs
+    /// First maximumRowReasons reasons for unsolved rows, in the order of the rows.
+    std::vector<RowFailure> failures;
     WorkEnd end = WorkEnd::finished;
-    Message refusal = {};  ///< why nothing was run, not even begun; empty otherwise
+    Message refusal = {};  ///< reason why the run was refused before any row; empty if it was started
 
-    /// Counts the next rows.
+    /// Adds the rows of the next block to the counts.
     void add(const RowBlock& block) {
         rows += block.size();
         for (const RowFailure& failure : block.failures()) {
@@ -34,7 +36,7 @@ struct RowCounts {
     }
 };
 
-/// Called from time to time with the progress.
+/// Callback for progress, called from time to time with the rows completed so far.
 using RowProgress = std::function<void(const RowCounts&)>;
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows made on several threads and given to a sink in their order.
+// Computes rows on several threads and passes them to a sink in order.
 #pragma once
 
 #include <stop_token>
@@ -11,14 +11,15 @@
 
 namespace drillwave {
 
-/// Common part of all chunks of rows; makers of rows add the origin of theirs.
+/// Base of the chunks of rows that threads compute. Derived types add the input of their rows.
 struct RowChunk {
     RowBlock rows;
     std::string prepared;
 };
 
-/// Runs processInOrder() over chunks that are RowChunks: `fill` takes the next piece of work, a maker (one
-/// for each thread) makes its rows as `maker(Chunk&, std::stop_token)`, the sink takes them.
+/// Computes chunks of rows on `jobs` threads and passes them to the sink in order; returns the counts.
+/// `Chunk` must derive from RowChunk. `fill` takes the next piece of work. `makeMaker` creates, for each
+/// thread, a function maker(Chunk&, std::stop_token) that computes the rows.
 template <typename Chunk, typename Fill, typename MakeMaker>
 RowCounts runRows(int jobs, std::stop_token stop, Fill fill, MakeMaker makeMaker, const RowHeader& header,
                   RowSink& sink, const RowProgress& progress) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the rows of a sweep or a table go: a file, an array, a plot.
+// Destination of the rows of a sweep or a table: a file, an array or a plot.
 #pragma once
 
 #include <string>
@@ -10,24 +10,24 @@
 
 namespace drillwave {
 
-/// Takes rows as numbers, in their order, for any number of threads that solve them.
+/// Receiver of rows in their order, independent of the number of threads that compute them.
 class RowSink {
   public:
     virtual ~RowSink() = default;
 
-    /// Receives the description of the rows once, before them. False stops the run.
+    /// Receives the description of the rows, once and before the first row. Returns false to stop the run.
     virtual bool begin(const RowHeader& header) = 0;
 
-    /// Does work that is possible before the turn of these rows: it runs on the threads that solve them, for
-    /// several blocks at once, and its result in `prepared` (empty at first) is passed to take() with the
-    /// rows.
+    /// Does work on a block of rows before it is their turn, such as formatting. Called for several blocks at
+    /// once on the threads that compute them. The result in `prepared` (initially empty) is passed to take()
+    /// with the rows.
     virtual void prepare(const RowBlock& rows, std::string& prepared) const {
         (void)rows;
         (void)prepared;
     }
 
-    /// Takes the next rows, on the calling thread. They are invalid afterwards. Returns false to stop the run
-    /// (for example if the disk is full).
+    /// Receives the next block of rows, on the calling thread; the block is invalid afterwards. Returns false
+    /// to stop the run, for example if the disk is full.
     virtual bool take(const RowBlock& rows, std::string_view prepared) = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One of N contiguous parts of a long table, for job arrays.
+// One of N contiguous parts of a long table, for job arrays on a cluster.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// The `index`-th (1 … count) of `count` contiguous parts; only the first has the header, so that the parts
-/// put together are the whole.
+/// Part number `index` (1 … count) of `count` contiguous parts of a table. Only the first part has the
+/// header, so that all parts joined give the whole table.
 struct Shard {
     std::uint64_t index = 1;
     std::uint64_t count = 1;
@@ -19,7 +19,7 @@ struct Shard {
     bool operator==(const Shard&) const = default;
 };
 
-/// Rows begin … end − 1.
+/// Range of row indices from `begin` to `end` − 1.
 struct RowRange {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
@@ -27,10 +27,10 @@ struct RowRange {
     bool operator==(const RowRange&) const = default;
 };
 
-/// Largest number of parts, so that the arithmetic below cannot overflow.
+/// Maximum number of parts, so that the arithmetic in rowsOf() cannot overflow.
 inline constexpr std::uint64_t maximumShards = 1'000'000;
 
-/// "2/7"; nullopt where it is no part.
+/// Returns the part read from a text such as "2/7"; empty if the text is not a valid part.
 inline std::optional<Shard> parseShard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
@@ -41,7 +41,7 @@ inline std::optional<Shard> parseShard(std::string_view text) {
     return Shard{*index, *count};
 }
 
-/// The rows of that part; parts differ by at most one row.
+/// Returns the rows of one part of a table with `rows` rows. The sizes of parts differ by at most one row.
 constexpr RowRange rowsOf(const Shard& shard, std::uint64_t rows) {
     const auto start = [&](std::uint64_t part) {
         return rows / shard.count * part + rows % shard.count * part / shard.count;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes of studies by the time of a blow: followed by events it takes microseconds, on cells milliseconds.
+// Default sizes of studies, which depend on the time of a blow: microseconds if it is solved by events,
+// milliseconds on cells.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +11,28 @@
 
 namespace drillwave {
 
-/// Points of a curve that is sampled.
+/// Number of points of a curve that is solved at points only.
 inline constexpr std::uint64_t sampledPoints = 101;
 
-/// Sizes of the studies of a scenario where none are asked for: those of blows followed by events.
+/// Default sizes of the studies of a scenario. The values here are for blows that are solved by events.
 struct StudyPlan {
-    long workLimit = defaultWorkLimit;  ///< of a blow [wave pieces]
-    int designSamples = 4096;           ///< of uncertain inputs
-    int firstSamples = 256;             ///< of the first answer about a design
-    std::optional<double> unasked;  ///< seconds that a study of designs takes unasked; empty: all it needs
-    int mapPoints = 200;            ///< each way
-    /// At which a curve of the window is sampled; empty: it is followed.
+    long workLimit = defaultWorkLimit;  ///< work limit of one blow [wave pieces]
+    int designSamples = 4096;           ///< number of samples of uncertain inputs for each design
+    int firstSamples = 256;             ///< number of samples for the first, quick result of a design
+    /// Time limit [s] of a design study that starts without a request; empty for no limit.
+    std::optional<double> unasked;
+    int mapPoints = 200;  ///< number of points of a map along each axis
+    /// Number of points of a curve in the window; empty if the curve is fitted instead.
     std::optional<std::uint64_t> curvePoints;
-    long curvePart = 6;  ///< of the work limit of a blow at the places of a followed curve: limit over this
-    /// Blows of a piece of a followed curve, in blows at the work limit; empty: the work of all pieces is
-    /// limited.
+    long curvePart = 6;  ///< divisor of the work limit for blows at single points of a fitted curve
+    /// Work limit of one piece of a fitted curve, in blows at the work limit; empty if only the work of all
+    /// pieces is limited.
     std::optional<long> blowsOfPiece;
-    /// Seconds that a comparison of methods takes; empty: it depends on the string.
+    /// Time of a comparison of methods [s]; empty if it depends on the drill string.
     std::optional<int> accuracySeconds = 10;
 };
+/// Returns the default sizes of studies for a scenario, depending on whether its blows are solved by events
+/// or on cells.
 StudyPlan studyPlan(const Scenario& scenario);
 
 }  // namespace drillwave

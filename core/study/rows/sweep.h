@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A product grid of parameters solved point by point.
+// Sweep over a product grid of parameters, solved point by point.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,29 @@
 
 namespace drillwave {
 
-/// Settings of a sweep: every combination of the values of the axes, later axes fastest.
+/// Settings of a sweep, which solves every combination of the axis values. Later axes vary fastest.
 struct Sweep {
     Scenario base;
-    std::vector<SweepAxis> axes;  ///< at least one
+    std::vector<SweepAxis> axes;  ///< axes of the grid, 1 … maximumSweepAxes
     std::vector<OutputColumn> columns;
     Shard shard;
-    std::uint64_t done = 0;  ///< rows of the part that are there already and are left out
+    std::uint64_t done = 0;  ///< number of rows of this part that exist already and are skipped
     MethodChoice method = {};
-    long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
+    /// Maximum work of one row, in wave pieces (the solver's unit of work). Rows that need more are not
+    /// solved.
+    long workLimit = defaultWorkLimit;
 };
 
-/// Most axes of one sweep.
+/// Maximum number of axes of one sweep.
 inline constexpr std::size_t maximumSweepAxes = 8;
 
-/// Number of points of the whole grid; 0 if there are more than maximumSweepPoints.
+/// Returns the number of points of the whole grid; 0 if it exceeds maximumSweepPoints.
 std::uint64_t pointCount(const Sweep& sweep);
 
-/// Passes the rows to the sink in order: the values of the axes (SI), then the outputs. `progress` is called
-/// on the calling thread. Memory does not grow with the number of points; the rows do not depend on `jobs` (≥
-/// 1). Requires problemsOf() to be empty.
+/// Solves the points of a sweep and passes the rows to the sink in order; returns the counts. A row has the
+/// values of the axes (SI), then the outputs. `progress` is called on the calling thread. Memory does not
+/// grow with the number of points. The rows do not depend on the number of threads `jobs` (≥ 1). Requires
+/// problemsOf() to be empty.
 RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& sink,
                    const RowProgress& progress);
 

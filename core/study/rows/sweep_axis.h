@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One axis of a sweep: a parameter and the values it takes.
+// Axis of a sweep: a parameter and the values that it takes.
 #pragma once
 
 #include <cstdint>
@@ -15,66 +15,70 @@
 
 namespace drillwave {
 
-/// The values of one parameter, or the words of one that is a word, or presets of one part, along an axis.
-/// Ranges are not stored value by value.
+/// Axis of a sweep: values of a numeric parameter, of a word parameter, or presets of one component. Ranges
+/// are stored by their ends and count, not value by value.
 struct SweepAxis {
     enum class Kind { linear, logarithmic, list, words, presets };
 
-    KeptParameter parameter = {};          ///< none for Kind::words and Kind::presets
-    const WordParameter* words = nullptr;  ///< of Kind::words
-    SharedPresetChoice presets = {};       ///< of Kind::presets
-    const Unit* unit = nullptr;            ///< of the column: as typed, SI where several were typed
+    KeptParameter parameter = {};  ///< parameter that is varied; null for Kind::words and Kind::presets
+    const WordParameter* words = nullptr;  ///< word parameter that is varied; only for Kind::words
+    SharedPresetChoice presets = {};       ///< presets that are varied; only for Kind::presets
+    const Unit* unit = nullptr;  ///< unit of the column as typed; the SI unit if several units were typed
     Kind kind = Kind::list;
-    double start = 0;          ///< SI
-    double stop = 0;           ///< SI
-    std::uint64_t count = 0;   ///< number of values, at least 1
-    std::vector<double> list;  ///< Kind::list, SI; Kind::words and Kind::presets, the numbers of the words
+    double start = 0;         ///< first value of a range, in SI units
+    double stop = 0;          ///< last value of a range, in SI units
+    std::uint64_t count = 0;  ///< number of values, at least 1
+    /// Values of Kind::list, in SI units; for Kind::words and Kind::presets, the indices of the words.
+    std::vector<double> list;
 
-    /// Its column of numbers, headed "beta" or "rod.length [mm]".
+    /// Returns the description of its column of numbers, headed "beta" or "rod.length [mm]" for example.
     RowColumn column() const;
     std::string_view key() const;
 
-    /// The i-th value in SI, the ends exactly as given, even steps in `unit`; a word as its number.
+    /// Returns value number i (from 0) in SI units, or the index of a word. The ends of a range are exactly
+    /// as typed; its steps are even in `unit`.
     double value(std::uint64_t i) const;
-    /// Sets one of its values. Returns why the scenario cannot have it, "rod.bore has no meaning here: …";
-    /// empty when it has.
+    /// Sets a value (SI) in a scenario. Returns why the scenario cannot have it, such as "rod.bore has no
+    /// meaning here: …"; empty if it was set.
     Message assign(Scenario& scenario, double value) const;
-    /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
+    /// Returns why a scenario does not contain the value after all axes were set; empty if it does.
     Message readBackProblem(const Scenario& scenario, double value) const;
-    /// Returns the indices of extreme values: two; for words and presets, all.
+    /// Returns the indices of the extreme values: the first and last, or all for words and presets.
     std::vector<std::uint64_t> extremes() const;
     bool operator==(const SweepAxis&) const = default;
 };
 
-/// Most values that one axis may have, and most points of a grid.
+/// Maximum number of values of one axis, and of points of a grid.
 inline constexpr std::uint64_t maximumSweepPoints = 1'000'000'000'000;
 
-/// Axis read from text, or why not.
+/// Axis read from text, or the problem why it could not be read.
 struct ParsedAxis {
-    /// Kind of problem: in the words, or a value that the parameter cannot take.
+    /// Kind of problem: malformed text, or a value that the parameter cannot take.
     enum class Kind { badText, badValue } kind = Kind::badText;
     SweepAxis axis;
     Message problem;
 };
 
-/// Reads "KEY=START:STOP" or "KEY=START:STOP:log", a range to be followed from START up to STOP: an axis of
-/// two values. Refuses ranges so narrow that their values cannot be distinguished, besides the usual errors.
+/// Returns the axis read from "KEY=START:STOP" or "KEY=START:STOP:log", a range that a curve follows upwards;
+/// the axis has two values. Besides invalid text and values, refuses ranges so narrow that their values
+/// cannot be distinguished.
 ParsedAxis parseRange(std::string_view text);
 
-/// Returns why no curve can follow the axis from `start` up to `stop`, however it was made: the reasons of
-/// parseRange() for an axis whose ends are values of its parameter. Empty if one can.
+/// Returns why a curve cannot follow an axis from `start` up to `stop`; empty if it can. The reasons are
+/// those of parseRange(), for an axis whose ends are valid values of its parameter.
 Message followProblem(const SweepAxis& axis);
 
-/// Returns the message that the range of an axis must end above its beginning.
+/// Returns the message that the range of an axis must end above its start.
 Message mustRise(const SweepAxis& axis);
 
-/// Returns how many even steps from `start` to `stop` give values of a parameter if `most` (≥ 2) are wanted:
-/// that many, but for whole numbers only as many as hit whole numbers.
+/// Returns the number of evenly spaced values from `start` to `stop` that all are valid for a parameter. It
+/// is `most` (≥ 2), but for whole-number parameters only as many as fall on whole numbers.
 std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most);
 
-/// Reads "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C"; units on the values where the
-/// parameter has one ("rod.length=3m:6m:4"). Every value is inside the hard range of the parameter.
-/// Where `assumedCount` is given, the COUNT of a range may be left out: it is countWithin() that.
+/// Returns the axis read from "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C", or a
+/// problem. Values have units if the parameter has one ("rod.length=3m:6m:4") and must lie in the allowed
+/// range of the parameter. With `assumedCount`, COUNT may be omitted; countWithin() then chooses it, at most
+/// `assumedCount`.
 ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount = {});
 
 }  // namespace drillwave

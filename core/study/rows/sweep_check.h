@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Problems of a sweep, found before anything is computed.
+// Checks of a sweep before anything is computed.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace drillwave {
 
-/// Returns the problems of a sweep, each a line: two axes of one quantity, too many axes or points, outputs
-/// that such scenarios do not have, no corner of the grid that is a scenario (AxisScenario). Empty if it can
-/// run; points that are no scenario then have no result.
+/// Returns the problems of a sweep, one message each; empty if it can run. Problems are two axes of one
+/// quantity, too many axes or points, and outputs that such scenarios do not have. Another is a grid without
+/// any corner that is a valid scenario (see AxisScenario). Single invalid points are allowed and have no
+/// result.
 std::vector<Message> problemsOf(const Sweep& sweep);
 
 }  // namespace drillwave

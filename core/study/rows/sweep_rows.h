@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sweep with its rows in memory, to be drawn.
+// Sweep with its rows in memory, for drawing.
 #pragma once
 
 #include <string>
@@ -9,32 +9,33 @@
 
 namespace drillwave {
 
-/// Axes, outputs, and the numbers of all rows as RowBlock has them.
+/// Axes, outputs and values of all rows of a sweep.
 struct SweepRows {
     std::string title;
     std::vector<SweepAxis> axes;
     std::vector<OutputColumn> columns;
-    std::vector<double> numbers;  ///< row by row, axes (SI) before outputs; NaN where a row was not solved
+    /// Values row by row: axes (SI) before outputs; NaN if a row was not solved.
+    std::vector<double> numbers;
 
     std::size_t width() const { return axes.size() + columns.size(); }
 };
 
-/// Most rows, outputs, and lines in one plot, that a picture of a sweep can show so that it can be read.
+/// Limits of a readable picture of a sweep: numbers of rows, of outputs, and of lines in one plot.
 inline constexpr std::uint64_t mostDrawnRows = 100'000;
 inline constexpr std::size_t mostDrawnOutputs = 8;
 inline constexpr std::uint64_t mostDrawnLines = 16;
 
-/// Returns the index of the axis along which curves of a sweep are drawn: the one with most values among axes
-/// of numbers with at least two. Without such an axis, the number of axes.
+/// Returns the index of the axis along which the curves of a sweep are drawn: the numeric axis with the most
+/// values, at least two. If there is none, returns the number of axes.
 std::size_t lineAxis(const std::vector<SweepAxis>& axes);
 
-/// Returns why a sweep has no picture and what to do; empty if it has one.
+/// Returns why a sweep cannot be drawn and what to do; empty if it can.
 Message pictureProblem(const Sweep& sweep);
 
-/// Keeps the numbers of rows on their way to another sink.
+/// Sink that stores the values of rows and passes the rows on to another sink.
 class RowKeeper : public RowSink {
   public:
-    /// Requires that both outlive it.
+    /// Stores references to both arguments, which must outlive this object.
     RowKeeper(RowSink& next, std::vector<double>& numbers) : m_next(next), m_numbers(numbers) {}
 
     bool begin(const RowHeader& header) override { return m_next.begin(header); }

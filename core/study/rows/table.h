@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table of cases solved row by row.
+// Table of cases, solved row by row.
 #pragma once
 
 #include <cstdint>
@@ -18,34 +18,37 @@
 
 namespace drillwave {
 
-/// Settings for every row: its cells set the parameters that the header names, on top of `base`; an empty
-/// cell leaves the value of `base`.
+/// Settings of a table of cases. The cells of a row set the parameters named in the header, on top of `base`;
+/// an empty cell keeps the value of `base`.
 struct Table {
     Scenario base;
     std::string source;  ///< name of the file, for messages
     std::vector<OutputColumn> columns;
     Shard shard;
-    std::uint64_t done = 0;  ///< rows of the part that are there already and are left out
+    std::uint64_t done = 0;  ///< number of rows of this part that exist already and are skipped
     MethodChoice method = {};
-    long workLimit = defaultWorkLimit;  ///< maximum wave pieces of a row; with more, it is not solved
+    /// Maximum work of one row, in wave pieces (the solver's unit of work). Rows that need more are not
+    /// solved.
+    long workLimit = defaultWorkLimit;
 };
 
-/// Check of a table before anything is computed.
+/// Result of checking a table before anything is computed.
 struct TableCheck {
     std::uint64_t rows = 0;
-    std::vector<Message> problems;  ///< "cases.csv:7:3: bit_rock.gamma = 1.3 (…)", the first twenty
-    std::vector<Message> warnings;  ///< "cases.csv:1: column 4 …"
+    /// First twenty problems with their positions, such as "cases.csv:7:3: bit_rock.gamma = 1.3 (…)".
+    std::vector<Message> problems;
+    std::vector<Message> warnings;  ///< warnings with their positions, such as "cases.csv:1: column 4 …"
     WorkEnd end = WorkEnd::finished;
 };
 
-/// Reads `cases`, which can be rewound and must be afterwards, and checks every cell of every row of the
-/// part; other rows are only counted.
+/// Returns the number of rows of a table and its problems. Checks every cell of the rows of the part; other
+/// rows are only counted. `cases` must be seekable and must be rewound by the caller afterwards.
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
 
-/// Passes the rows to the sink in order: the cells of `cases` as unchanged text, and the outputs as numbers;
-/// `rows` is the count of checkTable(). `progress` is called on the calling thread. Memory does not grow with
-/// the number of rows; the rows do not depend on `jobs` (≥ 1). A row that has become invalid since the check
-/// counts as failed.
+/// Solves the rows of a table and passes them to the sink in order; returns the counts. Each row has the
+/// cells of `cases` as unchanged text, then the outputs as numbers. `rows` is the count from checkTable().
+/// `progress` is called on the calling thread. Memory does not grow with the number of rows. The rows do not
+/// depend on the number of threads `jobs` (≥ 1). A row that became invalid after the check counts as failed.
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
                    std::stop_token stop, RowSink& sink, const RowProgress& progress);
 

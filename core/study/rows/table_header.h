@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Header of a table of cases: the contents of its columns.
+// Header of a table of cases: the meaning of its columns.
 #pragma once
 
 #include <span>
@@ -13,38 +13,41 @@
 
 namespace drillwave {
 
-/// Column of a table of cases.
+/// Column of a table of cases, as described by its header cell.
 struct CaseColumn {
     std::string text;  ///< header cell as written
     enum class Kind { parameter, word, other } kind = Kind::other;
-    KeptParameter parameter = {};          ///< Kind::parameter
-    const WordParameter* words = nullptr;  ///< Kind::word
-    const Unit* unit = nullptr;            ///< of cells without one, from "rod.length [mm]"; may be nullptr
+    KeptParameter parameter = {};          ///< parameter that the column sets, for Kind::parameter
+    const WordParameter* words = nullptr;  ///< word parameter that the column sets, for Kind::word
+    /// Unit of cells that have none, from a heading such as "rod.length [mm]"; may be nullptr.
+    const Unit* unit = nullptr;
 
-    std::string_view key() const;  ///< empty for other columns, which are passed through
+    /// Returns the key of the parameter; empty for other columns, which are copied unchanged.
+    std::string_view key() const;
 };
 
-/// Something about a column, counted from 1; 0 is the header as a whole.
+/// Message about one column, numbered from 1; 0 stands for the header as a whole.
 struct HeaderRemark {
     std::size_t column = 0;
     Message text;
 };
 
-/// The columns in the order of the file.
+/// Columns of a table in the order of the file, with problems and warnings about them.
 struct TableHeader {
     std::vector<CaseColumn> columns;
-    /// No column sets anything; a name that begins as those of parameters and is none; one that only case,
-    /// `_` or the like keeps from being a parameter, or that holds several; a parameter named twice, an
-    /// unknown unit; bytes that are no text.
+    /// Errors in the header: no column sets a parameter, a parameter occurs twice, a unit is unknown, or
+    /// bytes are not text. Also names that look like parameters but are not, differ from one only in case or
+    /// `_`, or contain several.
     std::vector<HeaderRemark> problems;
-    /// Columns that name neither a parameter nor an output, or an output that is appended as well.
+    /// Warnings about columns that name neither a parameter nor an output, or that repeat an output that is
+    /// appended.
     std::vector<HeaderRemark> warnings;
 
-    /// Returns the parameters that the columns set, numbered like the columns.
+    /// Returns the parameters that the columns set, in the order of the columns.
     Assignments assignments() const;
 };
 
-/// Reads a header; `outputs` are those that are appended.
+/// Returns the header read from the first row of a table. `outputs` are the columns that will be appended.
 TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs);
 
 }  // namespace drillwave

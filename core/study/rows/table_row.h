@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row of a table of cases, from cells to a scenario.
+// Converts one row of a table of cases into a scenario.
 #pragma once
 
 #include <string>
@@ -11,20 +11,23 @@
 
 namespace drillwave {
 
-/// Returns the message on a row whose number of cells differs from the number of columns.
+/// Returns the message that a row has `cells` cells although the table has `columns` columns.
 Message cellCountProblem(std::size_t cells, std::size_t columns);
 
-/// Sets the cells of one row after another on top of a scenario. One object per thread.
+/// Converter that sets the cells of one row after another on top of a base scenario. Each thread needs its
+/// own object.
 class TableRowAssigner {
   public:
-    /// `source` names the file, for messages; all three must outlive this.
+    /// Stores references to all arguments, which must outlive this object. `source` is the name of the file,
+    /// for messages.
     TableRowAssigner(const Scenario& base, const std::string& source, const TableHeader& header);
 
-    /// Returns the scenario of the row last assigned.
+    /// Returns the scenario of the last row assigned.
     const Scenario& scenario() const { return m_scenario; }
 
-    /// Assigns a row; returns its problems on that line (from 1), each with its place, "cases.csv:7:3:
-    /// bit_rock.gamma = 1.3 (…)"; empty if scenario() is its valid scenario.
+    /// Sets the cells of a row in the scenario. Returns the problems with their positions, such as
+    /// "cases.csv:7:3: bit_rock.gamma = 1.3 (…)". Empty if scenario() is then valid. `line` is the line
+    /// number of the row, from 1.
     std::vector<Message> assign(const CsvRecord& row, int line);
 
   private:

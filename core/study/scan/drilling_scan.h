@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows over the values of a parameter, each from rest and from bouncing (drilling §5).
+// Sequences of blows for several values of a parameter, each started from rest and from bouncing (drilling
+// §5).
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@
 
 namespace drillwave {
 
-/// The march at one value.
+/// Sequence of blows at one value of the parameter and with one initial state.
 struct DrillingScanPoint {
-    double value = 0;  ///< SI
+    double value = 0;  ///< value of the parameter, in SI units
     DrillingStart start = DrillingStart::rest;
     DrillingResult result;
 };
@@ -24,35 +25,39 @@ struct DrillingScan {
     Scenario base;
     SweepAxis axis;
     DrillingSettings settings;
-    /// In the order of the values; for each from rest, and also from bouncing if that differs by more than
-    /// the errors.
+    /// Sequences in the order of the values. Each value has one from rest; also one from bouncing if it
+    /// differs by more than the errors.
     std::vector<DrillingScanPoint> points;
-    long bouncingBlows = 0;  ///< marched from bouncing: none after both starts agree
-    /// e of the blow from rest without a gap, for the first value; for all values when scanning the thrust.
+    /// Number of blows computed from bouncing, over all values. At each value the computation stops as soon
+    /// as both starts agree.
+    long bouncingBlows = 0;
+    /// Coefficient of restitution e of a blow from rest without a gap, for the first value. In a scan of the
+    /// feed force it applies to all values.
     std::optional<double> cor = {};
     double runTime = 0;
-    Message refusal = {};  ///< the scanRefusals(), where there are any: no points then
+    /// Reason from scanRefusals() why the scan cannot run; there are then no points. Empty otherwise.
+    Message refusal = {};
 };
 
 struct DrillingScanWork {
     int jobs = 1;
-    double mostWork = mostDrillingWork;  ///< of each march [cells times nodes]
-    bool lyapunov = false;               ///< also compute λ of every motion
+    double mostWork = mostDrillingWork;  ///< maximum work of each sequence of blows [cells × nodes]
+    bool lyapunov = false;               ///< whether to compute the Lyapunov exponent λ of every motion
     std::stop_token stop = {};
     DrillingProgress progress = {};
-    /// Called after every value with the scan so far.
+    /// Callback, called after every value with the scan so far.
     std::function<void(const DrillingScan&)> onValue = {};
 };
 
-/// Returns why values of the axis cannot be drilled with; empty if all can.
+/// Returns why sequences of blows cannot be computed for some values of the axis; empty if all can.
 std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
                                   const DrillingSettings& settings);
 
-/// Returns the maximum work of a value [cells × nodes], including λ.
+/// Returns the maximum work of one value of the parameter [cells × nodes], including the Lyapunov exponent.
 double scanWork(const Scenario& scenario, const DrillingSettings& settings);
 
-/// Marches values side by side; results do not depend on the number of threads. After a stop they must not be
-/// used.
+/// Returns the sequences of blows for all values of the axis, computed in parallel. Results do not depend on
+/// the number of threads. After a stop request the result must not be used.
 DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
                           const DrillingScanWork& work);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which value of a scan gives the most, as far as the errors tell.
+// Finds the value of a scan with the best penetration rate, considering the errors.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,30 @@
 
 namespace drillwave {
 
-/// The sequences of a scan, from rest, by their penetration rate.
+/// Comparison of the sequences of a scan that start from rest, by their penetration rates.
 struct ScanComparison {
     struct Entry {
-        double at = 0;  ///< value of the parameter, SI
+        double at = 0;  ///< value of the parameter, in SI units
         Sequence sequence;
     };
-    std::vector<Entry> entries;  ///< that have statistics, in the order of the values; never empty
-    std::size_t bestPlace = 0;   ///< of the largest rate
-    /// Entry whose error makes the best one uncertain; nothing if it is certain.
+    std::vector<Entry> entries;  ///< sequences with statistics, in the order of the values; never empty
+    std::size_t bestPlace = 0;   ///< index of the entry with the largest penetration rate
+    /// Entry whose error makes the choice of the best one uncertain; empty if the choice is certain.
     std::optional<Entry> unresolved;
 
     const Entry& best() const { return entries[bestPlace]; }
     bool isResolved() const { return !unresolved; }
-    /// Whether the rate of a sequence is lower than the best by more than the errors of both.
+    /// Returns whether the penetration rate of a sequence is lower than the best by more than the errors of
+    /// both.
     bool isLower(const Sequence& sequence) const;
-    /// Whether any of the scan is.
+    /// Returns whether any entry has a penetration rate lower than the best by more than the errors.
     bool isAnyLower() const;
-    /// The rate of a sequence over the best; nothing where either is not resolved.
+    /// Returns the penetration rate of a sequence divided by the best one. Empty if either is too uncertain
+    /// (see Sequence::isResolved()).
     std::optional<double> bestShare(const Sequence& sequence) const;
 };
 
-/// Returns nothing if no point has statistics.
+/// Returns the comparison of a scan; empty if no point has statistics.
 std::optional<ScanComparison> compareScan(const DrillingScan& scan);
 
 }  // namespace drillwave

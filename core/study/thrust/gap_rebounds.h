@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large the rebound may be where neither the gap nor the rock is known for sure.
+// Limits of the rebound if neither the gap nor the rock is known exactly.
 #pragma once
 
 #include <array>
@@ -14,46 +14,52 @@
 
 namespace drillwave {
 
-/// An e that follows from a curve over the gap, or why not.
+/// Coefficient of restitution e derived from a curve over all gaps, or the reason why it is missing.
 struct GapRebound {
     Estimate cor;
-    Message reason;        ///< why there is none; empty when there is
-    bool stopped = false;  ///< on the stop token: nothing is known
+    Message reason;        ///< reason why there is no value; empty if there is one
+    bool stopped = false;  ///< set if the stop token ended the computation; nothing is then known
     bool known() const { return !stopped && reason.isEmpty(); }
 };
 
-/// The two e of theory §10 that no single blow has. They only depend on the hammer force, β, γ and τ.
+/// Two values of e over all gaps, for the required feed force (theory §10). They depend only on the hammer
+/// force, β, γ and τ.
 struct GapRebounds {
-    GapRebound quantile;  ///< not exceeded at 95 % of all gaps, in this rock
-    GapRebound worst;     ///< the largest of all gaps if the rock were elastic (γ = 1)
+    GapRebound quantile;  ///< value that e does not exceed at 95 % of all gaps, for this rock
+    GapRebound worst;     ///< largest e over all gaps if the rock were elastic (γ = 1)
 
-    /// Returns both, if known.
+    /// Returns both values; empty if either is not known.
     std::optional<ReboundsOverGaps> known() const {
         if (!quantile.known() || !worst.known()) return std::nullopt;
         return ReboundsOverGaps{quantile.cor, worst.cor};
     }
 };
 
-/// The curve of e over one period of the gap.
+/// Returns the coefficient of restitution e over one period of the gap. The curve takes at most `mostPieces`
+/// wave pieces.
 GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
                    long mostPieces = anyNumberOfPieces);
-/// Returns the curve on rock of the same stiffness, with γ = 1 and no corners, from no gap on.
+/// Returns the coefficient of restitution e over all gaps, from 0, on elastic rock (γ = 1) of the same
+/// stiffness without corners. The curve takes at most `mostPieces` wave pieces.
 GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
                       long mostPieces = anyNumberOfPieces);
 
+/// Returns the value of e that is not exceeded at 95 % of all gaps of the curve.
 GapRebound quantileOf(const GapCurve& rock);
+/// Returns the largest e over all gaps of the curve.
 GapRebound worstOf(const GapCurve& elastic);
 
-/// Finds the two for one problem after another, and remembers them while the hammer force stays the same. One
-/// object per thread; results do not depend on earlier calls.
+/// Solver for two coefficients of restitution e over all gaps. One is not exceeded at 95 % of the gaps, the
+/// other is the largest on elastic rock. Keeps its results as long as the hammer force stays the same. Each
+/// thread needs its own object; results do not depend on earlier calls.
 class GapReboundFinder {
   public:
-    /// Sets the most wave pieces of a curve: one that needs more has no result.
+    /// Sets the maximum number of wave pieces of a curve. A curve that needs more has no result.
     explicit GapReboundFinder(long mostPieces = anyNumberOfPieces) : m_mostPieces(mostPieces) {}
 
-    /// Returns the rebounds of the problem, whatever its gap.
+    /// Returns the values of e over all gaps for a problem; its own gap is ignored.
     GapRebounds of(const Problem& problem, const std::stop_token& stop);
-    /// Remembers the result that of() would find.
+    /// Stores known values of e, so that of() returns them without computing.
     void remember(const Problem& problem, const GapRebounds& rebounds);
 
   private:
@@ -61,9 +67,9 @@ class GapReboundFinder {
 
     long m_mostPieces;
     PulseForce m_hammer;
-    BitRockLaw m_shape;                                       ///< of the law, for β and γ of 1
-    std::map<std::array<double, 3>, GapRebound> m_quantiles;  // by β, γ, τ
-    std::map<std::array<double, 2>, GapRebound> m_worst;      // by β, τ
+    BitRockLaw m_shape;                                       ///< rock law with β and γ set to 1
+    std::map<std::array<double, 3>, GapRebound> m_quantiles;  // values by β, γ and τ
+    std::map<std::array<double, 2>, GapRebound> m_worst;      // values by β and τ
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The needs of the thrust along a parameter.
+// Required feed force along a parameter.
 #pragma once
 
 #include <functional>
@@ -16,38 +16,40 @@
 
 namespace drillwave {
 
-/// Value of the parameter, with its result.
+/// Required feed force at one value of a parameter.
 struct ThrustPoint {
-    double value = 0;  ///< of the parameter, SI
+    double value = 0;  ///< value of the parameter, in SI units
     FeedEstimate feed;
-    Message reason;  ///< why there are no numbers; empty when there are
+    Message reason;  ///< reason why there are no numbers; empty if there are
 
     const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
 };
 
-/// Points in the order of the values; after a stop, those that were finished.
+/// Required feed force at several values, in their order; after a stop request, only the finished ones.
 struct ThrustCurve {
     std::vector<ThrustPoint> points;
     bool stopped = false;
 };
 
-/// Called on the calling thread with all points so far.
+/// Callback for progress, called on the calling thread with all points so far.
 using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 
-/// Sets the parameter to one value (SI, inside its hard range) after the other. It does not depend on `jobs`
-/// (≥ 1). A value that has no meaning there, with which the scenario is not valid, has no thrust
-/// (thrustProblem()) or cannot be solved has a reason and no numbers. The blow of a point may take
-/// `limits`.
+/// Returns the required feed force for several values of a parameter (SI, within its allowed range). A point
+/// has a reason instead of numbers if the value does not apply or makes the scenario invalid. The same holds
+/// if thrustProblem() is not empty or the blow cannot be solved. The blow of a point may take `limits`. The
+/// result does not depend on the number of threads `jobs` (≥ 1).
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {},
                         const WorkLimits& limits = {});
 
-/// Does the same on the calling thread, with the memory of the finder of earlier curves.
+/// Returns the required feed force for several values of a parameter, computed on the calling thread. Uses
+/// and extends the results that `finder` has kept from earlier curves.
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         GapReboundFinder& finder, const std::stop_token& stop = {},
                         const ThrustCurveProgress& progress = {});
 
-/// Returns the point of the unchanged scenario, `value` being that of the parameter in it (NaN if none).
+/// Returns the required feed force of the unchanged scenario. `value` is the parameter's value in it (NaN if
+/// it has none).
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The output `thrust_margin` of one case after another.
+// Computes the output `thrust_margin`, the margin of the feed force, for one case after another.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,29 @@
 
 namespace drillwave {
 
-/// Completes Blow::feed of a solved blow with the cases of all gaps, by which files and JSON have its margin.
-/// Left out where that takes more than mostPiecesInPassing; `drillwave thrust` takes its time.
+/// Adds to Blow::feed of a solved blow the required feed forces over all gaps, which its margin in files and
+/// JSON needs. Omitted if that takes more than mostPiecesInPassing wave pieces; the command `drillwave
+/// thrust` has no such limit.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
-/// Solves the blow of a scenario for its estimate, with the cases of all gaps as in addThrustMargin().
-/// Nothing if it is not solved, or where thrustProblem() says why.
+/// Returns the estimate of the required feed force of a scenario, by solving its blow and using
+/// addThrustMargin(). Empty if the blow is not solved or thrustProblem() gives a reason.
 std::optional<FeedEstimate> solveFeedEstimate(const Scenario& scenario, const std::stop_token& stop = {});
 
-/// Shares the common part of cases: no further work for one that differs from an earlier one only in gap,
-/// frequency, impulse or feed. One object per thread.
+/// Solver for the feed margin of several cases. A case that differs from an earlier one only in gap,
+/// frequency, impulse or feed force needs no further work. Each thread needs its own object.
 class ThrustMargins {
   public:
-    /// Limits the wave pieces, as GapReboundFinder does.
+    /// Sets the maximum number of wave pieces of a curve over all gaps, as in GapReboundFinder.
     explicit ThrustMargins(long mostPieces = anyNumberOfPieces) : m_finder(mostPieces) {}
 
-    /// Returns the effective force over the largest of the four required ones, less 1; the first of these is
-    /// by `cor`, the e of the case's own blow. nullopt where thrustMarginProblem() says why, if the gaps have
-    /// no result, and after a stop. `problem` is that of the scenario.
+    /// Returns the feed margin: the effective feed force divided by the largest of the four required ones,
+    /// minus 1. `cor` is the e of the case's own blow, from which the first required force follows. `problem`
+    /// must be that of the scenario. Empty if thrustMarginProblem() gives a reason, if the curve over the
+    /// gaps has no result, and after a stop request.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
-    /// Estimates all four cases in the same way.
+    /// Returns the estimate of all four required feed forces. Arguments and empty results are as for of().
     std::optional<FeedEstimate> estimate(const Scenario& scenario, const Problem& problem,
                                          const Estimate& cor, const std::stop_token& stop);
 

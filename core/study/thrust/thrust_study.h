@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The feed that one scenario needs, and how the installed one compares.
+// Required feed force of one scenario, compared with the installed feed force.
 #pragma once
 
 #include <optional>
@@ -14,30 +14,36 @@ namespace drillwave {
 
 struct ThrustStudy {
     FeedEstimate feed;
-    std::optional<GapRebounds> rebounds;  ///< for the cases of all gaps, whose period a string has not
-    double transferred = 1;           ///< impulse transferred by the hammer [I0] (ImpactSummary::transferred)
-    std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
-    Message reason;                   ///< why there is no result; empty if there is one
-    Hindrance hindrance = Hindrance::other;  ///< if the scenario's own blow is the reason
-    bool stopped = false;                    ///< by the stop token: no result
+    /// Values of e over all gaps; empty for a drill string, whose results do not repeat with the gap.
+    std::optional<GapRebounds> rebounds;
+    /// Impulse that the hammer transfers, in units of I0 (see ImpactSummary::transferred).
+    double transferred = 1;
+    /// Share of all gaps, 0 … 1, at which the effective feed force is at least the required one, f I0 (1 +
+    /// e).
+    std::optional<double> shareFull;
+    Message reason;                          ///< reason why there is no result; empty if there is one
+    Hindrance hindrance = Hindrance::other;  ///< kind of obstacle, if the scenario's own blow is the reason
+    bool stopped = false;  ///< set if the stop token ended the study; there is then no result
 
     const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
     const ThrustNeed& largestNeed() const { return feed.largest(); }
-    /// Effective force over the largest of the four `thrust`, less 1: the output `thrust_margin`. Nothing of
-    /// a drill string, of which not all four are known.
+    /// Returns the output `thrust_margin`: the effective feed force divided by the largest of the four
+    /// required ones, minus 1. Empty for a drill string, for which not all four are known.
     std::optional<double> margin() const;
 };
 
-/// Why a scenario has no study of its thrust: it is not valid, or has a thrustProblem(). Empty where it has.
+/// Returns why the required feed force of a scenario cannot be studied: the scenario is invalid or
+/// thrustProblem() gives a reason. Empty if it can.
 Message thrustRefusal(const Scenario& scenario);
 
-/// Returns no result if there is a thrustRefusal(), if one of its two curves over the gap takes more wave
-/// pieces than `mostPieces`, or if the scenario's own blow takes more than `limits`.
+/// Returns the required feed forces of a scenario. There is no result if thrustRefusal() gives a reason or if
+/// the scenario's own blow exceeds `limits`. The same holds if one of the two curves over the gap takes more
+/// than `mostPieces` wave pieces.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
-/// Studies a drill string by one run of its solver: one blow, and no gaps. Nothing for a uniform rod, whose
-/// gaps are to be studied.
+/// Returns the required feed force of a drill string, from one solved blow without a study of gaps. Empty for
+/// a uniform rod, whose gaps must be studied.
 std::optional<ThrustStudy> studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy,
                                              MethodSolver& solver, const std::stop_token& stop);
 
