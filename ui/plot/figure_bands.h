@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Named bands of x behind the curves of one axis rect.
+// Named bands of x, shaded behind the curves of one axis rect.
 #pragma once
 
 #include <qcustomplot.h>
@@ -11,19 +11,21 @@
 
 namespace drillwave {
 
-/// A band in coordinates of the axes.
+/// Named range of x, in the unit of the axis.
 struct ShownBand {
     QString name;
     QCPRange range;
 };
 
-/// Shaded from bottom to top, each with its name at the top. The plot owns the items.
+/// Shaded bands over the whole height of an axis rect, each with its name at the top. The plot owns the
+/// items.
 class FigureBands {
   public:
     explicit FigureBands(QCPAxisRect* rect) : m_rect(rect) {}
 
     void present(std::vector<ShownBand> bands);
-    /// Cuts the bands at the view: files do not clip.
+    /// Places the bands within the present view, because file formats do not clip them. Call this after a
+    /// change of the view.
     void place();
     void setStyle(const PlotStyle& style);
 
