@@ -12,8 +12,7 @@
 namespace drillwave {
 
 /// Ring on a vertical line, at the values of the present scenario (the current input). It is on the overlay
-/// layer, so that it
-/// follows input without a full replot. The plot owns it; it is hidden at first.
+/// layer, so that it follows the input without a full replot. The plot owns it; it is hidden at first.
 class HereMark : public QObject {
     Q_OBJECT
 
