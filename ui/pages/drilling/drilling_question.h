@@ -28,8 +28,8 @@ struct DrillingQuestion {
 /// Returns the question for a scenario, with the number of blows of windowSettingsOf().
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
-/// Returns the coefficient of restitution e of a single blow as points over the gap divided by its period (0
-/// … 1). Empty if the results of the blow are not periodic in the gap; a stop ends the computation early.
+/// Returns the coefficient of restitution e of a single blow as points over the gap divided by its period,
+/// from 0 to 1. Empty for a drill string, which has no such period; a stop ends the computation early.
 QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop);
 
 /// Answer for one blow sequence, possibly incomplete.
