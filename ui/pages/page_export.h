@@ -18,8 +18,9 @@ struct PageExport {
         /// Returns the bytes of the file; empty if it cannot be drawn. `title` goes into the file's
         /// properties.
         std::function<QByteArray(const PictureChoice& choice, const QString& title)> file;
-        std::function<double()> aspectRatio;  ///< returns width/height of the picture on screen
-        std::function<void()> copy;           ///< copies the picture to the clipboard
+        /// Returns the width divided by the height of the picture on screen.
+        std::function<double()> aspectRatio;
+        std::function<void()> copy;  ///< copies the picture to the clipboard
     };
 
     QString title;    ///< text in the menu, such as "&Data of this plot…"

@@ -44,7 +44,7 @@ class ColourScale {
     /// Computes the colours from the OKLab lightness (0 black, 1 white) at the shares −1, 0 and 1.
     ColourScale(Kind kind, double below, double middle, double above);
 
-    std::vector<QRgb> m_colours;  // evenly from −1 to 1, zero in the middle
+    std::vector<QRgb> m_colours;  // colours at equal steps from −1 to 1, with zero in the middle
 };
 
 }  // namespace drillwave

@@ -28,10 +28,10 @@ class CurveReader : public QObject {
     /// the reader, as must the plot.
     CurveReader(QCustomPlot& plot, const CurveMeanings& meanings);
 
-    /// Places cursor A, B or time at x, or removes it if x is empty. Emits changed() for A and B, never a
-    /// signal of a user's action.
+    /// Places cursor A, B or time at x (unit of the axis), or removes it if x is empty. Emits changed() for A
+    /// and B, and no other signal.
     void place(PlotCursor cursor, std::optional<double> x);
-    /// Returns the x of a cursor, or nothing if it is not placed.
+    /// Returns the x of a cursor in the unit of the axis; nothing if it is not placed.
     std::optional<double> position(PlotCursor cursor) const { return m_cursors.position(cursor); }
     /// Removes the cursors A and B.
     void clear();
@@ -43,10 +43,10 @@ class CurveReader : public QObject {
     QCPGraph* graph() const;
     /// Sets the graph that is read by default until the user chooses another one; nullptr for no default.
     void setUsual(QCPGraph* graph) { m_usual = graph; }
-    /// Chooses the graph that is read at the cursors.
+    /// Chooses the graph that is read at the cursors; nullptr for the default of setUsual().
     void setGraph(QCPGraph* graph);
-    /// Chooses the curve near a point of the plot, or else the first curve on the axes there. If a cursor is
-    /// placed and the present curve is on the same axes, the choice stays.
+    /// Chooses the curve within 40 px of a point of the plot, or else the first curve on the axes there. If a
+    /// cursor is placed and the present curve is on the same axes, the choice stays.
     void aim(QPointF pixel);
     /// Returns the reading of graph() at cursors A and B; nothing unless both are placed.
     std::optional<CursorReading> reading() const;

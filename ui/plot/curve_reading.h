@@ -11,13 +11,14 @@ namespace drillwave {
 /// Readings of a curve at the cursors A and B, in the units shown. A number that the curve does not have is
 /// NaN.
 struct CursorReading {
-    double a = 0;         ///< x of cursor A
-    double b = 0;         ///< x of cursor B
-    double yA = 0;        ///< y at a; at a jump, the value right of it
-    double yB = 0;        ///< y at b; at a jump, the value right of it
-    double slope = 0;     ///< slope of the straight line from A to B, in the unit of CurveMeaning
-    double mean = 0;      ///< mean of the curve between A and B
-    double integral = 0;  ///< integral from A to B, negative if B is left of A, in the unit of CurveMeaning
+    double a = 0;      ///< x of cursor A, in the unit of the axis
+    double b = 0;      ///< x of cursor B, in the unit of the axis
+    double yA = 0;     ///< y at a in the unit of the axis; at a jump, the value right of it
+    double yB = 0;     ///< y at b in the unit of the axis; at a jump, the value right of it
+    double slope = 0;  ///< slope of the straight line from A to B, in CurveMeaning::slopeUnit
+    double mean = 0;   ///< mean of the curve between A and B, in the unit of the y axis
+    /// Integral from A to B in CurveMeaning::integralUnit; its sign changes if B is left of A.
+    double integral = 0;
 };
 
 /// Returns the readings of a curve between x = a and x = b. Uses the exact functions of `meaning` if it has

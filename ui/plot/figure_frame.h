@@ -50,7 +50,8 @@ class FigureFrame : public StudyFrame {
     /// Returns the graph of a series with the given indices (from 0). The panel and series must exist;
     /// nullptr if the series is not drawn as a line.
     QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
-    /// Returns what a click in `rect` sets: a parameter and a factor. nullptr if a click sets nothing.
+    /// Returns what a click in `rect` sets: a parameter to a factor times the value at the click. nullptr if
+    /// a click sets nothing.
     const AxisTarget* targetIn(const QCPAxisRect* rect) const;
     /// Unit of x in the first panel: shown value = value of the figure · factor.
     const ShownUnit& xUnit() const { return m_xUnit; }
@@ -60,7 +61,8 @@ class FigureFrame : public StudyFrame {
     const SeriesDrag& seriesDrag() const { return *m_seriesDrag; }
     /// Returns the parameter that dragging a curve sets, with its factor; nullptr if no curve can be dragged.
     const AxisTarget* dragged() const;
-    /// Passes the units of the curves to the plot, and the exact functions of the curves in the first panel.
+    /// Passes the units of the curves to the plot, and the exact functions y(x) that the curves of the first
+    /// panel sample.
     void giveMeanings(PlotWidget& plot) const;
     /// Returns the places for the keyboard in the first panel: along its lines, with the marks as targets. If
     /// the panel has marked points, the keys go from point to point.

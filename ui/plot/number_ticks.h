@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Ticker of QCustomPlot whose labels have no group separators ("1.000" would mean 1 in English) and a true
-/// minus sign. In powers of ten the "e" and the hyphen are kept in every language, because QCustomPlot
+/// Ticker of QCustomPlot whose labels have a true minus sign and no group separators, because "1.000" would
+/// mean 1 in English. In powers of ten the "e" and the hyphen are kept in every language, because QCustomPlot
 /// recognises powers by them.
 template <class Ticker>
 class NumberTicks : public Ticker {

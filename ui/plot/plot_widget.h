@@ -60,8 +60,8 @@ class PlotWidget : public QCustomPlot {
     /// Applies the style of the present palette by `restyle` now, and again whenever palette or font change.
     void followPalette(Restyle restyle);
 
-    /// Sets the meaning of a curve: its units, and its exact functions if there are any. Set it again with
-    /// every new result; it is forgotten when the curve is deleted.
+    /// Sets the meaning of a curve: its units, and the exact functions that its points sample, if there are
+    /// any. Set it again with every new result; it is forgotten when the curve is deleted.
     void setMeaning(const QCPAbstractPlottable* curve, const CurveMeaning& meaning);
     /// Returns the reader of the curves at the cursors.
     CurveReader& reader() { return m_reader; }

@@ -17,8 +17,8 @@
 
 namespace drillwave {
 
-/// Returns the name of a run in a legend, at most 24 characters long. With more than three `runs` it is only
-/// the letter of the run.
+/// Returns the legend text of a pinned run, at most 24 characters long. With more than three `runs` it is
+/// only the letter of the run.
 QString runLegend(const QString& title, qsizetype runs);
 
 /// Returns the pen of a run changed to a translucent band, 4 px wide, with the run's dashes.
@@ -31,9 +31,9 @@ struct RunDrawing {
     QString title;   ///< title of the run: its letter and what differs, such as "A  k 300 MN/m"
     Data data;
 };
-/// Curve of a run with ascending x.
+/// Curve of a pinned run (a result kept for comparison) with ascending x.
 using RunCurve = RunDrawing<GraphData>;
-/// Curve of a run that may turn back in x.
+/// Curve of a pinned run (a result kept for comparison) that may turn back in x.
 using RunPath = RunDrawing<QSharedPointer<QCPCurveDataContainer>>;
 
 /// Curves of pinned runs over two axes, drawn below the curves of the page. The legend gives their names, or
@@ -41,7 +41,7 @@ using RunPath = RunDrawing<QSharedPointer<QCPCurveDataContainer>>;
 template <class Plottable, class Drawing>
 class RunDrawings : public QObject {
   public:
-    /// Width factor of the runs' curves in plots where the page draws many curves of its own.
+    /// Line width factor for pinned runs in plots where the page draws many curves of its own.
     static constexpr double thin = 0.7;
 
     /// Creates an empty set of curves. If `legend` is nullptr, the curves can be neither read nor copied.

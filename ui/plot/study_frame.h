@@ -92,8 +92,8 @@ class StudyFrame : public QObject {
     /// Adds a text to an axis rect, in font and colour of the style. `padding` is in pixels. Returns the
     /// text, which the plot owns.
     QCPItemText* addText(QCPAxisRect* rect, const QMargins& padding, Qt::Alignment alignment);
-    /// Hides the message and fits the view if it was fitted before or if the axes are different. Call this
-    /// after showing new results.
+    /// Hides the message of showNothing(). Fits the view if it was fitted before or if the axes are
+    /// different. Call this after showing new results.
     void finish(bool hasOtherAxes);
 
     QCustomPlot* m_plot;

@@ -11,14 +11,14 @@ namespace drillwave {
 /// Statistics of the part of a curve in view, in the units shown. All are NaN if no part of the curve is in
 /// view.
 struct ViewStatistics {
-    double begin = 0;      ///< smallest x of the part in view
-    double end = 0;        ///< largest x of the part in view
-    double least = 0;      ///< smallest y in view
+    double begin = 0;      ///< smallest x of the part in view, in the unit of the axis
+    double end = 0;        ///< largest x of the part in view, in the unit of the axis
+    double least = 0;      ///< smallest y in view, in the unit of the axis
     double leastAt = 0;    ///< x where the smallest y occurs first
-    double largest = 0;    ///< largest y in view
+    double largest = 0;    ///< largest y in view, in the unit of the axis
     double largestAt = 0;  ///< x where the largest y occurs first
-    double mean = 0;       ///< mean of y over the part in view
-    double integral = 0;   ///< integral over the part in view, in the unit of CurveMeaning
+    double mean = 0;       ///< mean of y over the part in view, in the unit of the axis
+    double integral = 0;   ///< integral over the part in view, in CurveMeaning::integralUnit
 };
 
 /// Returns the statistics of a curve for the range `view` of x. Extremes are those of the drawn points and of

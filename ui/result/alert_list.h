@@ -26,7 +26,7 @@ class AlertList : public QWidget {
 
     /// Shows why there is no solution (if `problem` is not empty), then the alerts about the scenario.
     void present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style);
-    /// Returns the texts that are shown.
+    /// Returns the texts of the list, one for each alert, after the reason for a missing solution.
     QStringList texts() const { return m_texts; }
     /// Returns whether the first text says why there is no solution.
     bool hasProblem() const { return m_hasProblem; }

@@ -28,9 +28,11 @@ class WorstNeed : public QObject {
     void ask(const SolvedBlow& blow);
     /// Stops requesting estimates until the next ask().
     void askNothing();
-    /// Returns the estimate of all four cases; nothing if there is none, or none yet.
+    /// Returns the estimate of the required feed force for all four cases; nothing if there is none, or none
+    /// yet. The cases are this blow, rigid rock, 95 % of all gaps and the worst gap.
     std::optional<FeedEstimate> estimate() const;
-    /// Returns the largest of the four required feed forces [N]; nothing if there is none, or none yet.
+    /// Returns the largest feed force [N] required by this blow, rigid rock, 95 % of all gaps and the worst
+    /// gap. Nothing if it is not known, or not yet.
     std::optional<double> thrust() const;
     /// Returns a sentence that says why there is no estimate; may be empty.
     QString problem() const;
@@ -58,15 +60,16 @@ QString thrustNeededText(const SolvedBlow& blow);
 /// empty without data.
 QString returnInTimeText(const SolvedBlow& blow);
 
-/// Returns the largest of the four required feed forces, with an ellipsis while it belongs to an earlier
-/// blow.
+/// Returns WorstNeed::thrust(), the largest required feed force, with its unit. An ellipsis is added while it
+/// belongs to an earlier blow; empty if it is not known.
 QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow);
 
-/// Returns whether the installed feed force covers the largest of the four required ones, in words with the
-/// difference, such as "⚠ short by …". Empty if one of them is not known; an ellipsis while the estimate
-/// belongs to an earlier blow.
+/// Returns whether the effective feed force covers WorstNeed::thrust(), the largest required one, in words
+/// with the difference, such as "⚠ short by …". Empty if one of them is not known; an ellipsis while the
+/// estimate belongs to an earlier blow.
 QString worstMarginText(const WorstNeed& worst, const SolvedBlow& blow);
-/// Returns whether the effective feed force is known to be less than the largest of the four required ones.
+/// Returns whether the effective feed force is known to be less than WorstNeed::thrust(), the largest
+/// required one.
 bool isShortOfWorst(const WorstNeed& worst, const SolvedBlow& blow);
 
 /// Returns the installed feed force with its unit, and the effective feed force if weight along the hole is

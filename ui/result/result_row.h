@@ -41,7 +41,7 @@ class PlaceLink : public QLabel {
 struct ResultEntry {
     /// Returns the value as text; empty if there is none.
     using Text = std::function<QString(const SolvedBlow&)>;
-    /// Returns the number for comparison; nothing if a comparison has no meaning.
+    /// Returns the number that is compared with that of a reference; nothing if a comparison has no meaning.
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
     /// Returns the difference between the number of the blow shown and that of the reference as text.
     using Change = std::function<QString(double now, double then, const SolvedBlow&)>;
@@ -70,7 +70,7 @@ struct ResultEntry {
 /// Row of the result panel. Its widgets are in the grid of a section: pattern, name, difference, value.
 class ResultRow {
   public:
-    /// Creates the widgets in the next row of the section's grid.
+    /// Creates the widgets of the entry in the next row of `grid`, the grid of a section.
     ResultRow(ResultEntry entry, SectionBox* section, QGridLayout* grid);
 
     const ResultEntry& entry() const { return m_entry; }

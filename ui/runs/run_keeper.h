@@ -27,7 +27,8 @@ class RunKeeper : public QObject {
     Q_OBJECT
 
   public:
-    /// Function that writes files into the folder, on any thread, as RunsFolder::write() does.
+    /// Function that writes files into the folder, on any thread, such as RunsFolder::write(). Returns why it
+    /// failed, or an empty message.
     using Write = std::function<Message(RunsFolder&, const std::vector<NamedFile>&, ExistingFiles)>;
 
     /// Creates the object. Document and runs must outlive it.
@@ -70,8 +71,8 @@ class RunKeeper : public QObject {
         ExistingFiles existing;
         QString failure;  ///< first part of the message if writing fails
     };
-    /// Job that writes files. It is used by one thread at a time: by the worker until it has delivered the
-    /// result, or by another thread after waiting for the worker.
+    /// Job that writes files, used by one thread at a time. The worker uses it until it has delivered the
+    /// result, another thread only after waiting for the worker.
     struct Job {
         Write write;
         RunsFolder folder;

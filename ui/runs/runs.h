@@ -22,7 +22,7 @@ class UnitChoice;
 struct Run {
     /// Number of the run, 0 … mostRuns − 1, which decides its letter, colour and dash pattern.
     int number = 0;
-    QString name;               ///< name: what differs from another run, in words
+    QString name;               ///< what differs from another run, in words, such as "k 300 MN/m"
     ScenarioDocument contents;  ///< scenario with its text, which reverting restores
     /// Solved blow; nullptr until it is solved. If its `fault` is not empty, it could not be solved.
     SolvedBlowPtr blow;

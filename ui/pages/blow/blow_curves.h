@@ -35,13 +35,15 @@ struct BlowCurves {
     QString sectionWords;
     /// Distance of the place from the rear end of its section of the drill string [m].
     double fromRear = 0;
-    GraphData force;           ///< impact force on the rock
+    GraphData force;           ///< impact force on the rock, in the unit units.force
     GraphData faceForce = {};  ///< force between hammer and drill string; empty for a uniform rod
-    GraphData impulse;         ///< impulse of the impact force up to each time
-    GraphData momentum;        ///< momentum of the rod or drill string, positive towards the rock
+    GraphData impulse;         ///< impulse of the impact force up to each time, in units.impulse
+    /// Momentum of rod or drill string in units.impulse, positive towards the rock.
+    GraphData momentum;
     /// Curve of the closed form; empty if it is not wanted or not valid.
     std::optional<ClosedFormCurve> closedForm;
-    double timeEnd = 0;                             ///< end of the events of interest; curves may be longer
+    /// End of the events of interest, in units.time; curves may be longer.
+    double timeEnd = 0;
     std::vector<RunOverlay<BlowCurves>> runs = {};  ///< curves of pinned runs (results kept for comparison)
 };
 

@@ -32,7 +32,7 @@ class MeasuredBar : public QWidget {
     void setComparable(bool comparable);
     /// Shows the deviation of the chosen signal from the computed curve; hidden if `text` is empty.
     void setMisfit(const QString& text);
-    /// Returns the index of the chosen signal in the list; 0 if the list is empty.
+    /// Returns the index (from 0) of the chosen signal in the list; 0 if the list is empty.
     std::size_t chosen() const;
 
   signals:

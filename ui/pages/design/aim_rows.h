@@ -24,7 +24,7 @@ class AimRow : public QWidget {
   public:
     /// Creates a row that begins with `words`, such as "for the".
     AimRow(const QString& words, QWidget* parent);
-    /// Offers the results that the scenario has.
+    /// Offers the results of the scenario in the list box of the objective.
     void present(const Scenario& scenario);
     /// Returns the objective that the row shows.
     DesignAim aim() const;
@@ -51,7 +51,8 @@ class AimRows : public QWidget {
 
   public:
     explicit AimRows(QWidget* parent);
-    /// Offers the results that the scenario has. Keeps the chosen objectives if the scenario has all of them.
+    /// Offers the results of the scenario as objectives. Keeps the chosen objectives if the scenario has all
+    /// of them.
     void present(const Scenario& scenario);
     /// Discards the choice, because the next scenario belongs to another document: present() then shows the
     /// defaults.

@@ -20,7 +20,7 @@ namespace drillwave {
 struct AimedOutput {
     const Output* output = nullptr;
     ShownUnit unit;
-    double factor = 1;  ///< factor from the study's values to shown values
+    double factor = 1;  ///< shown value divided by the value in the study
 };
 
 /// Curves over the last design variable, for one combination of the values of the other design variables.
@@ -49,7 +49,7 @@ struct DesignPicture {
     QVector<QString> words;
     AimedOutput value;      ///< output of the first objective
     QString aimName;        ///< name of the first objective, such as "efficiency in the worst 5 %"
-    QString statisticName;  ///< its statistic, such as "in the worst 5 %"
+    QString statisticName;  ///< statistic of the first objective, such as "in the worst 5 %"
     QVector<DesignSeries> series;
     /// Index of the series with the best design for uncertain inputs, for which the band is drawn.
     int marked = 0;

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Plots of a design study. Above: the first objective over the last design variable, with a band between the
-/// quantiles of 5 % and 95 %, or a map over two design variables. Below: the second objective over the first,
-/// and the Sobol indices. Only the upper plot is fitted and zoomed.
+/// Plots of a design study. The upper plot shows the first objective over the last design variable, with a
+/// band between the quantiles of 5 % and 95 %. For two design variables it can be a map. The lower plots show
+/// the second objective over the first, and the Sobol indices. Only the upper plot is fitted and zoomed.
 class DesignPlot : public StudyFrame {
     Q_OBJECT
 

@@ -50,7 +50,7 @@ class DrillingPage : public StudyPage {
     void scan();
 
   signals:
-    /// Reports that the user wants to see one blow of the sequence in detail; `what` names it in words.
+    /// Reports that the user wants to see one blow of a sequence in detail; `what` names the blow in words.
     void blowOpened(const drillwave::MarchedQuestion& blow, const QString& what);
 
   protected:

@@ -37,7 +37,8 @@ struct MarchPicture {
     long blows = 0, settle = 0;
     std::vector<double> parts;  ///< share [%] of the counted blows in each part of a period of the gap
     QVector<QPointF> cor;       ///< coefficient of restitution over the gap divided by its period (0 … 1)
-    QVector<QPointF> returns;   ///< gap of each counted blow over the gap of the blow before
+    /// Gap of each counted blow over the gap of the blow before, in the unit shown.
+    QVector<QPointF> returns;
     QVector<QPointF> lastReturns;  ///< the last of `returns`, in their order
     /// Share of the energy that went to one place.
     struct Share {
@@ -59,12 +60,13 @@ BlowPoints blowPoints(const std::vector<DrillingBlow>& blows, const DrillingUnit
 
 /// Curves of one scan over a parameter. Several scans can be drawn over each other.
 struct ScanCurve {
-    /// Penetration rate of sequences that start at rest, with the limits of its 95 % error.
+    /// Penetration rate of sequences that start at rest, with the limits of its 95 % error, in the unit
+    /// shown.
     QVector<QCPGraphData> rate, low, high;
     QVector<QCPGraphData> contactShare;  ///< contact share: blows that start on the rock [%]
     /// Penetration rate of sequences that start bouncing, where these give another motion.
     QVector<QCPGraphData> otherRate;
-    QVector<QCPGraphData> gaps, otherGaps;  ///< gaps of all counted blows, for both starts
+    QVector<QCPGraphData> gaps, otherGaps;  ///< gaps of all counted blows in the unit shown, for both starts
 };
 
 /// Data of the plots of a scan over a parameter.

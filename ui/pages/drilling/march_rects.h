@@ -37,7 +37,7 @@ class MarchRects : public QObject {
     /// penetrations.
     void presentRuns(const QVector<RunMark>& means);
     const QVector<RunMark>& runMarks() const { return m_runs->marks(); }
-    /// Returns the number of the blow (from 1) at x in `rect`; nothing if `rect` is not a plot over blows or
+    /// Returns the number of the blow (from 1) at x in `rect`. Nothing if `rect` is not a plot over blows, or
     /// has no such blow.
     std::optional<long> blowAt(const QCPAxisRect* rect, double x) const;
     void setStyle(const PlotStyle& style);

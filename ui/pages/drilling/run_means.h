@@ -21,8 +21,8 @@ using RunDrilling = RunStudies<DrillingQuestion, RunMeans>;
 /// Returns the question for the blow sequence of a run, with the time step of a scan, which is coarser.
 DrillingQuestion runQuestion(const Scenario& scenario);
 
-/// Returns the means of a blow sequence; nothing if the scenario is refused, or if its motion is not bounded
-/// because the machine is pushed back.
+/// Returns the means of a blow sequence. Nothing if the scenario is refused, or if the machine is pushed back
+/// so that the motion is not bounded.
 std::optional<RunMeans> runMeans(const DrillingQuestion& question, const std::stop_token& stop);
 
 }  // namespace drillwave

@@ -18,7 +18,7 @@ namespace drillwave {
 
 /// Straight line of the loading curve that a blow has followed.
 struct RockLine {
-    QPointF from, to;  ///< ends of the line: penetration and force
+    QPointF from, to;  ///< ends of the line: penetration as x, force as y, in the units shown
     double slope = 1;  ///< slope as a multiple of the stiffness k
     bool operator==(const RockLine&) const = default;
 };
@@ -29,18 +29,18 @@ struct RockCurve {
     using Path = QSharedPointer<QCPDataContainer<QCPCurveData>>;
 
     ShownUnits units;
-    Path path;  ///< penetration and force; the curve parameter is the global time
+    Path path;  ///< force over penetration; the curve parameter is the global time
     /// Path as drawn and filled, with a limited number of points.
     Path outline;
-    double peakForce = 0;            ///< largest force Fm
-    double maxPenetration = 0;       ///< largest penetration Um
-    double residualPenetration = 0;  ///< residual penetration Ur
-    double loading = 0;              ///< stiffness k in primary loading
-    double unloading = 0;            ///< stiffness in unloading, k/γ
+    double peakForce = 0;            ///< largest impact force Fm, in units.force
+    double maxPenetration = 0;       ///< largest penetration Um, in units.penetration
+    double residualPenetration = 0;  ///< residual penetration Ur, in units.penetration
+    double loading = 0;              ///< stiffness k in primary loading, in units.stiffness
+    double unloading = 0;            ///< stiffness k/γ in unloading, in units.stiffness
     /// Lines up to the largest force; a single one for a law without corners.
     QVector<RockLine> lines = {};
-    double energy = 0;       ///< energy left in the rock, the enclosed area
-    double energyShare = 0;  ///< energy left in the rock as a share of the hammer work
+    double energy = 0;       ///< energy left in the rock (the enclosed area), in units.energy
+    double energyShare = 0;  ///< energy left in the rock as a share of the hammer work, 0 … 1
     /// Whether energyShare refers to the hammer energy E0 instead.
     bool ofHammerEnergy = false;
     std::vector<RunOverlay<RockCurve>> runs = {};  ///< paths of pinned runs (results kept for comparison)

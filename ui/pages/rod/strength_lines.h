@@ -24,9 +24,10 @@ class StrengthLines {
     using StressText = std::function<QString(double shown)>;
 
     explicit StrengthLines(Kind kind) : m_kind(kind) {}
-    /// Adds the lines to the plot. Call this once, before addName(), so that the label is above the lines.
+    /// Adds the lines of the strength to an axis rect. Call this once, before addName(), so that the label is
+    /// above the lines.
     void addLines(QCPAxisRect* rect);
-    /// Sets the label. Call this once, after addLines().
+    /// Sets the text item that shows the label of the lines. Call this once, after addLines().
     void addName(QCPItemText* name);
 
     void clear();

@@ -40,7 +40,7 @@ struct StringRod {
     double endOfBlow = 0;                      ///< end of the blow [t0], Impact::endOfBlow
     double forcesEnd = 0;                      ///< end of the recorded forces [t0], Impact::forcesEnd
 
-    /// Returns the rear end of the hammer in lengths of the string; negative or 0.
+    /// Returns the position of the hammer's rear end in lengths of the string; negative or 0.
     double rear() const { return stretches.front().rear; }
     /// Returns the index of the section at a position (lengths of the string); where two sections meet, the
     /// one nearer to the hammer.

@@ -23,10 +23,10 @@ class StringDrawing : public QWidget {
 
     /// Marks the sections of a row of the table (from 0); −1 marks none.
     void setRow(int row);
-    /// Returns the index of the section at a point [px], counted from the rear of the hammer; nothing outside
-    /// hammer and string.
+    /// Returns the index of the section at a point [px], counted from 0 at the rear of the hammer. Nothing
+    /// outside hammer and string.
     std::optional<std::size_t> sectionAt(QPointF point) const;
-    /// Returns the rectangle of a section [px], counted from the rear of the hammer.
+    /// Returns the rectangle [px] of a section given by its index, counted from 0 at the rear of the hammer.
     QRectF sectionRect(std::size_t section) const;
     /// Returns a text for a section: its name, impedance, and largest stresses with place and time.
     QString textOf(std::size_t section) const;

@@ -44,7 +44,7 @@ class StringModel : public QAbstractTableModel {
     /// Creates the model. The document must outlive it.
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
-    /// Returns whether a column is one that few sections use.
+    /// Returns whether a column is for numbers that few sections have, or for presets.
     static bool isOccasional(int column) { return column >= presetName; }
     /// Returns whether any section has a value in a column that few sections use.
     bool isUsed(int column) const;

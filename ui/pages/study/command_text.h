@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Returns the command for a POSIX shell: "drillwave NAME FILE WORDS". A scenario that is not saved in a file
-/// as shown is included as a here-document, so that the command always studies what the window shows.
+/// Returns the command for a POSIX shell: "drillwave NAME FILE WORDS". A scenario with unsaved changes or
+/// without a file is included as a here-document. The command therefore always studies what the window shows.
 QString commandText(const Document& document, const QString& name, const QStringList& words);
 
 /// Returns a word quoted for a POSIX shell if necessary.

@@ -14,8 +14,9 @@ namespace drillwave {
 class ChoiceBox;
 class UnitChoice;
 
-/// Controls for a family of curves: a list of parameters (or none) and a field for values, such as "0.01;
-/// 0.1; 1" or "3 m; 12 ft". Invalid text stays, is marked with its reason, and changes nothing.
+/// Controls for a family of curves: a list of parameters (or none) and a field for their values. Values are
+/// typed as "0.01; 0.1; 1" or "3 m; 12 ft". Invalid text stays, is marked with its reason, and changes
+/// nothing.
 class FamilyFields : public QWidget {
     Q_OBJECT
 

@@ -27,9 +27,9 @@ class JointMarksItem : public WavePictureItem {
 
     void setBlow(const SolvedBlowPtr& blow) override;
     void setStyle(const PlotStyle& style) override;
-    /// Returns the names in view for which there is space, the longest section first.
+    /// Returns the section names in view for which there is space, the longest section first.
     QVector<Name> names() const;
-    /// Returns the positions of the lines in view [px from the left].
+    /// Returns the positions of the lines at the joints in view [px from the left].
     QVector<double> lines() const;
 
   protected:

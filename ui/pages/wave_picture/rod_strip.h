@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Drawing of hammer, rod, bit and rock at one instant, with the colours of the wave picture above, and the
-/// state of the bit in words. A drill string shows all its sections, with heights proportional to their
-/// diameters. If the picture shows forces, the sections have the colours of their stresses; the largest
+/// Drawing of hammer, rod, bit and rock at one instant, with the colours of the wave picture above it. The
+/// state of the bit is shown in words. A drill string shows all its sections, with heights proportional to
+/// their diameters. If the picture shows forces, the sections have the colours of their stresses. The largest
 /// stress of the blow has the end colour of the scale. Redrawing takes a fraction of a millisecond, because
 /// it happens at every step of playing.
 class RodStrip : public QWidget {

@@ -63,7 +63,7 @@ struct StringPicture {
     StringRod rod;                              ///< sections of hammer and string
     double end = 0;                             ///< time until which the waves were computed [t0]
     double largestStress = 1;                   ///< largest stress magnitude of the blow [F0/A of the rod]
-    std::vector<ContactInterval> faceContacts;  ///< times of contact between hammer and string
+    std::vector<ContactInterval> faceContacts;  ///< times of contact between hammer and string [t0]
 };
 
 /// Wave picture of a blow; never changed once made. All numbers are dimensionless except those of `units`.
@@ -72,13 +72,15 @@ struct WavePicture {
     PictureUnits units;
     WaveRaster raster;
     double rear = 0;       ///< x/L where the picture begins: 0, or the rear of a string's hammer
-    TimeSpan interesting;  ///< time span of interest, BlowWaves::interesting()
-    /// Largest magnitude of the field in that span, where the colour scale ends.
+    TimeSpan interesting;  ///< time span of interest [t0], BlowWaves::interesting()
+    /// Largest magnitude of the field in that span [F0 or F0/Z], where the colour scale ends.
     double limit = 1;
-    float least = 0;                              ///< smallest value in the raster, or 0
-    float largest = 0;                            ///< largest value in the raster, or 0
-    std::vector<double> fronts;                   ///< starts of the wave fronts, BlowWaves::fronts()
-    std::vector<ContactInterval> contacts;        ///< times of contact between bit and rock
+    /// Smallest value in the raster [F0 or F0/Z], or 0 if all are positive.
+    float least = 0;
+    /// Largest value in the raster [F0 or F0/Z], or 0 if all are negative.
+    float largest = 0;
+    std::vector<double> fronts;                   ///< starts of the wave fronts [t0], BlowWaves::fronts()
+    std::vector<ContactInterval> contacts;        ///< times of contact between bit and rock [t0]
     std::optional<StringPicture> string = {};     ///< data of a drill string; empty for a uniform rod
     std::vector<RunOverlay<RunWaves>> runs = {};  ///< pinned runs whose waves are drawn below the picture
 

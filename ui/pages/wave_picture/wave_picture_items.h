@@ -79,7 +79,7 @@ class ContactBarsItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    static constexpr int width = 46;  ///< width of the space beside the axes [px]
+    static constexpr int width = 46;  ///< width of the space for the bars beside the axes [px]
 
     explicit ContactBarsItem(QCustomPlot* plot) : WavePictureItem(plot) { setClipToAxisRect(false); }
 
