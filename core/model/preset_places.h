@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of presets along a parameter that a study varies.
+// Values of a varied parameter that presets have.
 #pragma once
 
 #include <span>
@@ -10,28 +10,28 @@
 
 namespace drillwave {
 
-/// A preset's value of a parameter in a scenario.
+/// Value that a parameter has in a scenario with a preset.
 struct PresetPlace {
-    Message name;   ///< of the preset
-    double si = 0;  ///< the value of the parameter with the preset taken
+    Message name;   ///< name of the preset, or names of several
+    double si = 0;  ///< value of the parameter with the preset, in SI
     bool operator==(const PresetPlace&) const = default;
 };
 
-/// The presets that set a parameter, or what it follows from (β the stiffness), by ascending value. Several
-/// of one value are one place with the names of the first two. None in a dimensionless scenario, where
-/// presets have no meaning. Requires applies().
+/// Returns the presets that set a parameter (or one that determines it, as the stiffness determines β), by
+/// ascending value. Presets with equal values are joined, with the names of the first two. Empty for a
+/// dimensionless scenario, which cannot use presets. Requires a parameter that applies to the scenario.
 std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Parameter& parameter,
                                       const Scenario& scenario);
 
-/// A preset as a point of a map.
+/// Preset as a point of a map over two parameters.
 struct PresetPoint {
     Message name;
-    double x = 0;  ///< SI
-    double y = 0;  ///< SI
+    double x = 0;  ///< value of the first parameter in SI
+    double y = 0;  ///< value of the second parameter in SI
     bool operator==(const PresetPoint&) const = default;
 };
 
-/// The presets that set both parameters.
+/// Returns the presets that set both parameters, with their values.
 std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Parameter& x, const Parameter& y,
                                       const Scenario& scenario);
 

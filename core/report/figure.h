@@ -56,25 +56,15 @@ struct FigureAxis {
 /// their order; `area` is a closed, filled path.
 enum class SeriesKind { line, path, area };
 
-<<<<<<< HEAD
-/// Colour and dashes of a series, which numbers beyond these continue.
+/// Colour and dashes of a series. Numbers beyond those named here give further pens.
 enum class SeriesRole { result, second, third, fourth };
 
-/// The pen of a series: that of its role, as it is or wide; that of its role thin and dotted; in the colour
-/// of the words, long dashes or a strong line.
+/// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes)
+/// and `strong` (a thick line) have the text colour.
 enum class SeriesStroke { usual, wide, dotted, dashed, strong };
 
-/// Marks at the points of a line: none, with the line through them, without it; stars or small rings without
-/// it.
+/// Marks at the points of a line: none, marks with the line, or marks, stars or small rings without the line.
 enum class SeriesPoints { none, joined, apart, stars, rings };
-=======
-/// Role of a series, which determines its pen and colour; `reference` is a thick line in the text colour.
-enum class SeriesRole { result, second, third, fourth, reference };
-
-/// Marks at the points of a line: none, marks with the line, marks without the line, or stars without the
-/// line.
-enum class SeriesPoints { none, joined, apart, stars };
->>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
 
 /// Number in a caption, with its quantity and number of digits.
 struct FigureNumber {
@@ -100,12 +90,8 @@ struct SeriesTarget {
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::result;
-<<<<<<< HEAD
     SeriesStroke stroke = SeriesStroke::usual;
-    Message legend = {};  ///< empty: it is not in the legend
-=======
     Message legend = {};  ///< text in the legend; the series is not listed if it is empty
->>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
     std::vector<double> x = {};
     std::vector<double> y = {};
     bool isOnTop = false;  ///< whether its x values belong to the top axis of the panel
@@ -116,22 +102,16 @@ struct FigureSeries {
     std::vector<double> upper = {};
     bool isFilled = false;  ///< whether the strip between y and `upper` is shaded
     SeriesPoints points = SeriesPoints::none;
-<<<<<<< HEAD
-    std::vector<FigureText> texts = {};  ///< beside the first points, empty ones beside those without
-    bool isTextBelow = false;            ///< texts are left below their points, not right above
-    std::vector<std::size_t> rows = {};  ///< row of the study's table of each point
-    std::optional<SeriesTarget> target = {};
-    std::optional<AxisTarget> dragged = {};  ///< changes by as much as the user drags the line up or down
-=======
     /// Texts beside the first points; empty texts for points without one.
     std::vector<FigureText> texts = {};
     /// Whether texts are placed to the lower left of their points, otherwise to the upper right.
     bool isTextBelow = false;
     std::vector<std::size_t> rows = {};  ///< row of the study's table for each point
+    /// Effect of a click near the line; empty if only the place of the click counts.
+    std::optional<SeriesTarget> target = {};
     /// Parameter that changes by the distance by which the user drags the line up or down; empty if it cannot
     /// be dragged.
     std::optional<AxisTarget> dragged = {};
->>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
 };
 
 /// Kind of a marked point of a curve.
@@ -158,12 +138,8 @@ struct FigureZone {
     double from = 0;
 };
 
-<<<<<<< HEAD
-/// All values of x between two, shaded and named at the top; with `at`, at the foot, centred there, if there
-/// is room beside the names of other bands.
-=======
-/// Band of all values of x from `from` to `to`, shaded and labelled.
->>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
+/// Band of all values of x from `from` to `to`, shaded and labelled: at the top in the middle, or, with `at`,
+/// at the foot at that x if the labels of other bands leave room.
 struct FigureBand {
     Message name;
     double from = 0;
@@ -209,12 +185,8 @@ struct StudyPanel {
     /// for series with `isOnTop`.
     double topPerX = 0;
     std::vector<FigureSeries> series = {};
-<<<<<<< HEAD
-    std::vector<FigureMark> marks = {};  ///< of the series `marked`
+    std::vector<FigureMark> marks = {};  ///< marks on the series with the index `marked`
     std::size_t marked = 0;
-=======
-    std::vector<FigureMark> marks = {};  ///< marks on the first series
->>>>>>> 2ad8d85b851e501529cc89c2f5924c80fa9712d5
     std::optional<FigureZone> zone = {};
     std::vector<FigureBand> bands = {};
     FigureLayers layers = {};

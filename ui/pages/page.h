@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interface of all pages of the window, and the answer with which a page begins.
+// Interface of all pages of the window.
 #pragma once
 
 #include <QWidget>
@@ -17,66 +17,68 @@ namespace drillwave {
 struct ReportStudies;
 class StudyActivity;
 
-/// A page asks for what it shows while it can be seen, and computes nothing otherwise.
+/// Page of the window. It requests its data only while it is visible, and computes nothing otherwise.
 class Page : public QWidget {
     Q_OBJECT
 
   public:
     using QWidget::QWidget;
 
-    /// Name on the tab.
+    /// Returns the title of the page's tab.
     virtual QString title() const = 0;
-    /// Whether it has something to show for a scenario. Other pages cannot be chosen, have no tab if their
-    /// answer is elsewhere(), and get no requests.
+    /// Returns whether the page has something to show for a scenario. If not, it cannot be chosen and gets no
+    /// requests; it has no tab if elsewhere() is not empty.
     virtual bool shows(const Scenario& /*scenario*/) const { return true; }
-    /// Why it does not show a scenario and where the answer is, in one line. Empty if the user can make a
-    /// scenario that it shows by its tab.
+    /// Returns why the page does not show the present scenario and where the answer is, in one line. Empty if
+    /// its tab lets the user create a scenario that it can show.
     virtual QString elsewhere() const { return {}; }
-    /// Whether elsewhereRequested() leads there.
+    /// Returns whether elsewhereRequested() opens the place named by elsewhere().
     virtual bool leadsElsewhere() const { return false; }
-    /// Returns the function that makes the present data of this page from a blow; called only while the page
-    /// can be seen. Empty if the page needs only the blow.
+    /// Returns the function that computes the data of this page from a blow; called only while the page is
+    /// visible. Empty if the page needs only the blow.
     virtual PreparePage prepare() const = 0;
-    /// Shows an answer to a request for it, or for other pages.
+    /// Shows a solved blow that was requested by this page or by others.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
-    /// Whether it can show one of many blows instead of a single one.
+    /// Returns whether the page can show one blow of a sequence as well as a single blow.
     virtual bool showsMarched() const { return false; }
     /// Brings everything into view.
     virtual void fit() = 0;
-    /// Returns the exports of the page, in the order of a menu.
+    /// Returns the exports of the page, in the order of the menu.
     virtual QList<PageExport> exports() const = 0;
-    /// Returns the study that it runs in addition to the blow, for the status line; nullptr if it runs none.
+    /// Returns the study that the page runs in addition to the blow, for the status line; nullptr if it runs
+    /// none.
     virtual StudyActivity* activity() const { return nullptr; }
-    /// Adds what it has computed for the present scenario to a report, also while it cannot be seen.
+    /// Adds the results of the page for the present scenario to a report, even if the page is hidden.
     virtual void addTo(ReportStudies& /*studies*/) const {}
-    /// Whether what it shows answers the present input: what does not is not copied.
+    /// Sets whether the page shows results of the present input. Outdated results cannot be copied.
     virtual void setCurrent(bool current) = 0;
-    /// Shows a blow faintly while a value is dragged, for comparison; nullptr when the drag has ended.
+    /// Shows the blow before a drag faintly while the user drags a value; nullptr when the drag has ended.
     virtual void setGhost(const SolvedBlowPtr& /*before*/) {}
-    /// The pinned runs, at first and whenever something of them has changed, also while the page cannot be
-    /// seen.
+    /// Sets the pinned runs (results kept for comparison). Called once at first and after every change, even
+    /// if the page is hidden.
     virtual void setRuns(const RunListPtr& /*runs*/) {}
 
   signals:
-    /// The page needs something else now than in the last request.
+    /// Reports that the page needs other data than it last requested.
     void needsChanged();
-    /// title() is another one.
+    /// Reports that title() has changed.
     void titleChanged();
-    /// The user pins what the page shows of another scenario than the present one.
+    /// Reports that the user wants to pin a run for another scenario, which the page shows.
     void pinRequested(const drillwave::ScenarioDocument& contents);
-    /// A value, or another scenario, has been taken from what the page shows, as the last undo step: "Feed
-    /// force set to 9 kN".
+    /// Reports that values of the page were taken into the scenario as one undo step. `what` says which, such
+    /// as "Feed force set to 9 kN".
     void valuesTaken(const QString& what);
-    /// The user wants to go to where the answer is.
+    /// Reports that the user wants to go to the place that shows the answer; see elsewhere().
     void elsewhereRequested();
-    /// The user wants one of the exports.
+    /// Reports that the user wants to save one of the exports.
     void exportRequested(const drillwave::PageExport& wanted);
 
   protected:
-    /// Makes the answer in bold with the button that copies it, once.
+    /// Creates the label of the answer, in bold, and the button that copies it. Returns their layout. Call it
+    /// once.
     QLayout* makeAnswer();
     QLabel* answerLabel() const { return m_answerLabel; }
-    /// Returns the answer as text, for the clipboard.
+    /// Returns the answer as text for the clipboard.
     virtual QString answerText() const;
     QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
 

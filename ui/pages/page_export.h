@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Something of a page that can be written to a file.
+// An export of a page: numbers or a picture that can be written to a file.
 #pragma once
 
 #include <QByteArray>
@@ -11,24 +11,29 @@
 
 namespace drillwave {
 
-/// Numbers or a picture. The functions give what the page shows when they are called.
+/// Export of a page, as numbers or as a picture. Its functions return what the page shows when they are
+/// called.
 struct PageExport {
     struct Picture {
-        /// Returns the bytes of the file, empty when it cannot be drawn; `title` goes into its properties.
+        /// Returns the bytes of the file; empty if it cannot be drawn. `title` goes into the file's
+        /// properties.
         std::function<QByteArray(const PictureChoice& choice, const QString& title)> file;
-        std::function<double()> aspectRatio;  ///< width/height on screen
-        std::function<void()> copy;           ///< to the clipboard
+        /// Returns the width divided by the height of the picture on screen.
+        std::function<double()> aspectRatio;
+        std::function<void()> copy;  ///< copies the picture to the clipboard
     };
 
-    QString title;     ///< in the menu: "&Data of this plot…"
-    QString toolTip;   ///< the same in a sentence
-    QString fileStem;  ///< what the file's name adds to that of the scenario: "_plot", or nothing
+    QString title;    ///< text in the menu, such as "&Data of this plot…"
+    QString toolTip;  ///< title as a sentence
+    /// Suffix of the proposed file name after the scenario's name, such as "_plot"; may be empty.
+    QString fileStem;
     std::function<QByteArray()> csv;
-    /// Whether csv() returns rows to be put after a header with the blow, or a whole file.
+    /// Content that csv() returns: rows to be written below a header with the blow, or a whole file.
     enum class Content { rows, wholeFile } content = Content::rows;
-    /// Why it cannot be written now; empty, or no function, when it can.
+    /// Returns why the export is impossible now; empty if it is possible. May be nullptr, which means always
+    /// possible.
     std::function<QString()> obstacle = {};
-    std::optional<Picture> picture;  ///< instead of csv
+    std::optional<Picture> picture;  ///< picture to export instead of csv
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section of the rod that all pages look at, as a field.
+// A field for the section of the rod that all pages observe.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -8,12 +8,12 @@
 
 namespace drillwave {
 
-/// x/L of the observation, shown with three decimals, kept with all.
+/// Field for the observed section, x/L. It shows three decimals and keeps all digits.
 class PlaceField : public QDoubleSpinBox {
     Q_OBJECT
 
   public:
-    /// The observation must outlive the field.
+    /// Creates the field. `observation` (observed section and time of all pages) must outlive it.
     PlaceField(Observation& observation, const QString& toolTip, QWidget* parent);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page around one plot, which is what it exports.
+// A page with one plot, which it exports.
 #pragma once
 
 #include "ui/pages/page.h"
@@ -23,17 +23,17 @@ class PlotPage : public Page {
     PlotWidget* plot() const { return m_plot; }
 
   protected:
-    /// Makes the button *Fit*, which may become as narrow as its word.
+    /// Returns a new button *Fit*, which can shrink to the width of its text. `tip` is its tooltip.
     QPushButton* newFitButton(const QString& tip);
-    /// The page's plot, made by the page once, where it comes in the order of its widgets.
+    /// Creates the plot of the page and returns it. Call it once, in the tab order of the page's widgets.
     PlotWidget* makePlot();
-    /// Connects a frame that draws in the plot with the window's style, fitting and keyboard.
+    /// Sets the frame that draws in the plot, and connects it with style, fitting and keyboard.
     void useFrame(StudyFrame& frame, const QString& accessibleName);
-    /// Shows what the frame has drawn since, in words as well.
+    /// Redraws the plot and updates its description for assistive tools.
     void redraw();
     StudyFrame& frame() const { return *m_frame; }
-    /// Sets the least height of the plot in lines of text; parts above and below it shrink first, then the
-    /// page is scrolled.
+    /// Sets the minimum height of the plot in lines of text. In a small window the widgets above and below
+    /// shrink first, then the page is scrolled.
     void setLeastLines(int lines);
 
   private:

@@ -9,16 +9,20 @@
 
 namespace drillwave {
 
-/// Whether the axes on opposite sides follow each other.
+/// Linking of the axes on opposite sides of a rect: `linked` axes take over each other's ranges, `free` ones
+/// do not.
 enum class Sides { linked, free };
 
-/// Makes a rect with axes on all sides, for a layout of the plot.
+/// Returns a new axis rect with axes on all four sides. The caller adds it to the layout of the plot.
 QCPAxisRect* newAxisRect(QCustomPlot& plot, Sides sides);
 
-/// Places an item in coordinates of the rect, cut at its axes, on the layer of that name (default: the usual
-/// one); nobody can select it.
+/// Places an item in the coordinates of the bottom and left axes of `rect` and clips it there. `layer` names
+/// the QCustomPlot layer of the item (default: the current layer of the plot). The user cannot select the
+/// item.
 void placeItem(QCPAbstractItem& item, QCPAxisRect* rect, const QString& layer = {});
 
+/// Adds a new item to the plot and places it in `rect`; see placeItem(). Returns the item, which the plot
+/// owns.
 template <class Item>
 Item* addItem(QCPAxisRect* rect, const QString& layer = {}) {
     auto* item = new Item(rect->parentPlot());
@@ -26,11 +30,13 @@ Item* addItem(QCPAxisRect* rect, const QString& layer = {}) {
     return item;
 }
 
-/// x as a share of the width, and y in coordinates.
+/// Sets the x of a position as a share of the axis rect's width, from 0 (left) to 1 (right). Its y stays as
+/// it was.
 void setAcross(QCPItemPosition& position);
-/// A line across the rect at a value of its y axis.
+/// Adds a horizontal line across the rect, which is hidden until setLevel() places it. Returns the line,
+/// which the plot owns.
 QCPItemStraightLine* addLevel(QCPAxisRect* rect, const QString& layer = {});
-/// Hidden without a value.
+/// Moves a line of addLevel() to a value on the vertical axis. Hides the line if `value` is empty.
 void setLevel(QCPItemStraightLine& line, const std::optional<double>& value);
 
 }  // namespace drillwave

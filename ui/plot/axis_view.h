@@ -8,36 +8,39 @@
 
 namespace drillwave {
 
-/// `wanted` if an axis of this scale can show it with ticks that differ in double precision: finite,
-/// magnitudes up to 1e100, no narrower than 1e-12 of its place, on a logarithmic scale positive and not
-/// wider than 300 decades; else `present`.
+/// Returns `wanted` if an axis of this scale can show it with ticks that differ in double precision, else
+/// `present`. A usable range is finite, with magnitudes up to 1e100 and a width of at least 1e-12 of its
+/// larger magnitude. On a logarithmic scale it is also positive and spans less than 300 decades.
 QCPRange usableRange(QCPRange wanted, QCPRange present, QCPAxis::ScaleType scale);
 
-/// Changes the range by `factor` (less than 1 zooms in) around a pixel of the axis.
+/// Changes the range of the axis by `factor` (less than 1 zooms in). The value at `aroundPixel` stays where
+/// it is.
 void zoomAxis(QCPAxis& axis, double factor, double aroundPixel);
 
-/// Moves what was at `fromPixel` when the range was `start` to `toPixel`.
+/// Pans the axis: the value that was at `fromPixel` when the range was `start` moves to `toPixel`.
 void panAxis(QCPAxis& axis, QCPRange start, double fromPixel, double toPixel);
 
-/// Shows what is between two pixels of the axis.
+/// Zooms the axis to the range between two of its pixels, given in either order.
 void zoomAxisTo(QCPAxis& axis, double pixel, double otherPixel);
 
-/// Returns why the axis cannot be logarithmic with its visible curves; empty when it can. Zeros are cut off
-/// at the edge: an impact force begins with them.
+/// Returns why the axis cannot be logarithmic with its visible curves; empty when it can. Values of zero are
+/// no obstacle, because impact forces begin with zeros: the axis cuts them off at its edge.
 QString reasonAgainstLogarithm(const QCPAxis& axis);
 
-/// Linear or logarithmic, with the ticks that go with it, also on the opposite side of the rect; switching to
-/// logarithmic shows the positive values of the visible curves.
+/// Sets the scale of the axis and of the opposite axis of its rect, linear or logarithmic, with suitable
+/// ticks. A change to logarithmic also fits the range to the positive values of the visible curves.
 void setScale(QCPAxis& axis, QCPAxis::ScaleType scale);
 
-/// Sets a logarithmic axis to the positive values of the visible curves, at most 9 decades of them.
+/// Sets the range of a logarithmic axis to the positive values of the visible curves, with at most 9 decades
+/// below the largest. A linear axis is left unchanged.
 void fitLogarithmic(QCPAxis& axis);
 
-/// Sets as many ticks on a vertical axis as its height has room for numbers, at most five or so. Returns
-/// whether the number has changed.
+/// Sets the number of ticks that a vertical axis aims at, from 3 to 5 according to its height. Returns
+/// whether that number has changed; horizontal axes never change.
 bool setTickCount(QCPAxis& axis);
 
-/// Gives the ticks enough digits to differ, six at least; ticks that are powers of ten stay so.
+/// Sets the number of significant digits of the tick labels, from 6 to 16, so that neighbouring labels
+/// differ. Labels that are powers of ten are left as they are.
 void setTickDigits(QCPAxis& axis);
 
 }  // namespace drillwave

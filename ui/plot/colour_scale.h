@@ -11,36 +11,40 @@ class QCPColorGradient;
 
 namespace drillwave {
 
-/// A scale of shares −1 … 1, made in the OKLab space: lightness changes evenly, so that equal steps look
-/// equal; blue and orange differ also to the colour blind. Each is made once, on first use.
+/// Scale of colours for shares from −1 to 1. Lightness changes evenly in the OKLab colour space, so that
+/// equal steps look equal. Colour-blind readers can distinguish blue from orange. Each scale is computed
+/// once, on first use.
 class ColourScale {
   public:
-    /// For values of either sign, on a light or a dark background: blue below, orange above, alike in
-    /// lightness on both sides. Zero is as light (or dark) as the background of a plot, so that an
-    /// undisturbed rod looks empty.
+    /// Returns the scale for values of either sign on a light background: blue below zero, orange above. Both
+    /// sides have the same lightness. Zero is as light as the background of a plot, so that an undisturbed
+    /// rod looks empty.
     static const ColourScale& onLight();
+    /// Returns the scale for values of either sign on a dark background, where zero is as dark as the
+    /// background.
     static const ColourScale& onDark();
-    /// For values on either side of a level: dark blue below, light orange above, hardly any colour at the
-    /// level. Lightness grows all the way, so that it can be read in grey, too.
+    /// Returns the scale for values on either side of a level: dark blue below, light orange above, almost no
+    /// colour at the level. Lightness increases throughout, so that the scale also works in greyscale.
     static const ColourScale& aboutLevel();
-    /// From dark blue over green to light yellow; lightness grows all the way.
+    /// Returns a scale from dark blue through green to light yellow. Lightness increases throughout.
     static const ColourScale& ramp();
-    /// The one that fits the background.
+    /// Returns onDark() if the background of the plot is dark, onLight() if it is light.
     static const ColourScale& forBackground(const QColor& background) {
         return isDark(background) ? onDark() : onLight();
     }
 
-    /// Returns the colour of value/limit; outside −1 … 1 that of the ends, transparent for NaN.
+    /// Returns the colour of a share, which is a value divided by the limit of the scale. Shares outside −1 …
+    /// 1 get the colour of the nearer end; NaN gives transparent.
     QRgb colour(double share) const;
-    /// Returns the colours for a colour bar.
+    /// Returns the whole scale, from −1 to 1, as the gradient of a colour bar.
     QCPColorGradient gradient() const;
 
   private:
     enum class Kind { sides, ramp };
-    /// OKLab lightness of −1, 0 and 1.
+    /// Computes the colours from the OKLab lightness (0 black, 1 white) at the shares −1, 0 and 1.
     ColourScale(Kind kind, double below, double middle, double above);
 
-    std::vector<QRgb> m_colours;  // evenly from −1 to 1, zero in the middle
+    std::vector<QRgb> m_colours;  // colours at equal steps from −1 to 1, with zero in the middle
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A place of a plot between lines across its axes, read in words.
+// A cross with a label, which marks one place of a plot.
 #pragma once
 
 #include <qcustomplot.h>
@@ -11,17 +11,18 @@
 
 namespace drillwave {
 
-/// A ring with lines through it, thin on a pale ground so that they are seen on any colour, and a label.
-/// Redraws only its layer "overlay".
+/// Ring with two thin lines through it and a label, which marks a place of a plot. A pale band behind the
+/// lines makes them visible on any colour. Changes redraw only the layer "overlay".
 class CrossMark {
   public:
     explicit CrossMark(QCustomPlot& plot) : m_plot(plot), m_mark(plot) {}
 
-    /// Shows it at a place in the coordinates of the bottom and left axes of `rect`, always the same rect.
+    /// Shows the cross at a place in the coordinates of the bottom and left axes of `rect`, with `text` as
+    /// its label. Every call must pass the same rect.
     void show(QCPAxisRect& rect, QPointF place, const QString& text);
     void hide();
     void setStyle(const PlotStyle& style);
-    /// The label, empty while it is hidden.
+    /// Returns the label of the cross; empty while the cross is hidden.
     QString text() const { return m_mark.text(); }
 
   private:
@@ -30,7 +31,7 @@ class CrossMark {
 
     QCustomPlot& m_plot;
     HoverMark m_mark;
-    std::array<QPointer<QCPItemTracer>, 2> m_lines;  // the ground first
+    std::array<QPointer<QCPItemTracer>, 2> m_lines;  // the pale band first, then the lines
     PlotStyle m_style = PlotStyle::forPaper();
 };
 

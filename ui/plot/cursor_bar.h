@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strip below a plot that reads a curve: between the cursors, or what is in view while there are none.
+// The strip below a plot that shows readings of a curve at the cursors A and B, or in the view if neither is
+// placed.
 #pragma once
 
 #include <qcustomplot.h>
@@ -16,27 +17,28 @@ class QToolButton;
 
 namespace drillwave {
 
-/// Names the curve, chosen among the visible ones, and shows its readings in a table. The height depends only
-/// on the width, never on the text.
+/// Strip with a list to choose one of the visible curves and a table of the readings of that curve. Its
+/// height depends only on its width, never on the text.
 class CursorBar : public QFrame {
     Q_OBJECT
 
   public:
     explicit CursorBar(QWidget* parent);
 
-    /// The curves to choose from; `chosen` is one of them, or nullptr when there are none.
+    /// Sets the curves to choose from. `chosen` is one of them, or nullptr if the list is empty.
     void setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen);
+    /// Source of the readings: the cursors A and B, or the part of the curve in view.
     enum class Of { cursors, view };
-    /// Requires readingCellCount cells.
+    /// Shows readings in the table. Requires exactly readingCellCount cells.
     void present(const ReadingCells& cells, Of of);
-    /// The cells in one line.
+    /// Returns all readings of the table in one line.
     QString text() const { return m_text; }
-    /// Puts the table into the clipboard.
+    /// Copies the table with all digits to the clipboard, as tab-separated text.
     void copy() const;
-    /// Whether the user may copy it.
+    /// Enables or disables the Copy button of the strip.
     void setCopyEnabled(bool enabled);
-    /// [px] for a width [px]: two lines, three where that is narrow, four where
-    /// the curve has a line of its own.
+    /// Returns the height [px] of the strip at a width [px]: two lines of text, or three if the strip is
+    /// narrower. In the narrowest form the list of curves takes a further line.
     int heightFor(int width) const;
 
   signals:
@@ -47,7 +49,8 @@ class CursorBar : public QFrame {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    /// The cells beside the curve in five columns or in three, or in three below it.
+    /// Arrangement of the table beside the list of curves: in five columns (`wide`) or three (`usual`), or in
+    /// three columns below the list (`narrow`).
     enum class Form { wide, usual, narrow };
     int leastWidth(Form form) const;
     Form formFor(int width) const;
@@ -61,7 +64,7 @@ class CursorBar : public QFrame {
     QToolButton* m_copy;
     QToolButton* m_close;
     Form m_form = Form::usual;
-    QList<QPointer<QCPGraph>> m_curves;  // a plot may be rebuilt before it is drawn, and read, again
+    QList<QPointer<QCPGraph>> m_curves;  // may be deleted when a plot is rebuilt
     ReadingCells m_cells;
     QString m_text;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cursors of a plot moved by its user.
+// Moves the cursors of a plot for the mouse and the keys.
 #pragma once
 
 #include <QPoint>
@@ -11,19 +11,22 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Pixels are those of the plot. Cursors stay within the axes; the time moves only where the plot offers it.
+/// Mover of the cursors A, B and time of a plot. All pixels are in widget coordinates of the plot. Cursors
+/// stay within the axes; the time cursor moves only if PlotWidget::offersTime().
 class CursorMover {
   public:
     explicit CursorMover(PlotWidget& plot) : m_plot(plot) {}
 
-    /// The cursor below a point that may be moved.
+    /// Returns the cursor within a few pixels of a point if the user may move it, else nothing.
     std::optional<PlotCursor> cursorAt(QPointF point) const;
-    /// Takes up the cursor at a point, if there is one: stepping moves it from now on.
+    /// Returns the cursor at a point, as cursorAt(), and makes it the one that step() moves.
     std::optional<PlotCursor> grabAt(QPointF point);
+    /// Moves a cursor to a horizontal position [px] on the plot; positions outside the axes are clamped.
     void drag(PlotCursor cursor, double pixel);
-    /// Puts a cursor at a point, or in the middle if there is none or it is beside the axes.
+    /// Places a cursor at a point of the plot. Without a point, or with one outside the axes, the cursor is
+    /// placed in the middle.
     void placeAt(PlotCursor cursor, std::optional<QPoint> at);
-    /// Moves the cursor that was moved last.
+    /// Moves the cursor that was moved last by a number of pixels, positive to the right.
     void step(double pixels);
 
   private:

@@ -9,12 +9,13 @@
 
 namespace drillwave {
 
-/// The parts of the line through `points` that are within both ranges, cut where it crosses them, with a
-/// point of NaN wherever it was outside in between. A range on a logarithmic scale must be positive.
+/// Returns the parts of the line through `points` that are within both axis ranges. The line is cut where it
+/// crosses a range; a point with value NaN separates parts. The range of a logarithmic axis must be positive.
 QVector<QCPGraphData> clippedLine(const QCPGraphDataContainer& points, const QCPAxis& keyAxis,
                                   const QCPAxis& valueAxis);
 
-/// While it lives, all graphs of the plot that leave their axes are cut there.
+/// Guard that clips all graphs of a plot at the edges of their axes during its lifetime. The destructor
+/// restores their data.
 class CurveClip {
   public:
     explicit CurveClip(QCustomPlot& plot);

@@ -6,9 +6,9 @@
 
 namespace drillwave {
 
-/// QCPGraph draws a solid line on screen piece by piece, which is fast: where many points meet the pieces
-/// cover each other, flat stretches come out thicker and each point is a dot. Here the line is one path
-/// without points that the device cannot show apart, which is as fast and has the same dashes all along.
+/// Graph whose solid line is drawn on screen as one path, without the points that the device cannot resolve.
+/// QCPGraph draws such a line segment by segment, so that dense points show as dots and flat stretches look
+/// thicker. One path is as fast, and its dashes are regular.
 class CurveGraph : public QCPGraph {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ class CurveGraph : public QCPGraph {
     void drawLinePlot(QCPPainter* painter, const QVector<QPointF>& lines) const override;
 };
 
-/// Draws curves that may turn back in the same way.
+/// Curve that may turn back in x, drawn as one path like CurveGraph.
 class CurvePath : public QCPCurve {
     Q_OBJECT
 
@@ -30,12 +30,13 @@ class CurvePath : public QCPCurve {
     void drawCurveLine(QCPPainter* painter, const QVector<QPointF>& lines) const override;
 };
 
-/// Adds a graph to the plot that owns the axes; instead of QCustomPlot::addGraph().
+/// Adds a CurveGraph to the plot of the axes, instead of QCustomPlot::addGraph(). Returns the graph, which
+/// the plot owns.
 CurveGraph* addCurve(QCPAxis* keyAxis, QCPAxis* valueAxis);
 
-/// Leaves out points that a device pixel of that size cannot show off the line through the others: of those
-/// within one column the first, the extremes and the last stay, and of those in a row the ends. A point that
-/// is not finite divides the line.
+/// Returns a line without the points that a display with pixels of size `pixel` cannot show. Each half-pixel
+/// column keeps its first, lowest, highest and last point, in their order. Straight stretches keep only their
+/// ends. A point that is not finite divides the line.
 QVector<QPointF> thinnedLine(const QVector<QPointF>& line, double pixel);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Goals, extremes, crossings and kinks of a curve, with their numbers.
+// Marks of a curve with their numbers: target values, extremes, crossings and kinks.
 #pragma once
 
 #include <qcustomplot.h>
@@ -14,25 +14,25 @@
 
 namespace drillwave {
 
-/// A place of a curve that is named.
+/// Point of a curve that gets a mark and a label.
 struct CurveMark {
     using Kind = MarkKind;
     Kind kind = Kind::kink;
-    QPointF at;  ///< parameter and value as shown
+    QPointF at;  ///< x and y in the units of the axes
     bool operator==(const CurveMark&) const = default;
 };
 
-/// Points of a graph with words beside them that keep clear of the curves of its axes and of each other.
-/// If there are too many of a kind to be read, they are marked without numbers. Lives as a child of the
-/// plot.
+/// Marks on a graph, each with a label that avoids the curves of the axes and other labels. If a kind has too
+/// many marks, they are shown without labels. The plot owns the object.
 class CurveMarks : public QObject {
     Q_OBJECT
 
   public:
     explicit CurveMarks(QCPGraph* graph);
 
-    /// Replaces the marks, in the units of the axes.
+    /// Replaces the marks and labels. `x` and `y` are the units of the axes, which the labels show.
     void present(const QVector<CurveMark>& marks, const ShownUnit& x, const ShownUnit& y);
+    /// Removes all marks and labels.
     void clear();
     const QCPGraph* graph() const { return m_graph; }
     void setStyle(const PlotStyle& style);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meaning of a curve of a plot: its units, and the exact function behind its drawn points.
+// Meaning of a curve of a plot: its names and units, and the exact function that its points sample.
 #pragma once
 
 #include <QStringList>
@@ -9,33 +9,39 @@
 
 namespace drillwave {
 
-/// All values are in the units of the axes: x as on the horizontal one, y as on the vertical one.
+/// Names, units and exact functions of a curve. All values are in the units of the axes: x in that of the
+/// horizontal axis, y in that of the vertical axis.
 struct CurveMeaning {
-    QString xName = {};  ///< "t"; empty for the label of the axis
-    QString yName = {};  ///< "F"; empty for the label of the axis
-    QString xUnit = {};  ///< "ms"; empty for a mere number
-    QString yUnit = {};  ///< "kN"
-    /// The words at x = 0, 1, … of an axis of words; between them there is nothing, and no slope.
+    QString xName = {};  ///< name of x, such as "t"; if empty, the label of the axis is used
+    QString yName = {};  ///< name of y, such as "F"; if empty, the label of the axis is used
+    QString xUnit = {};  ///< unit of x, such as "ms"; empty for a dimensionless number
+    QString yUnit = {};  ///< unit of y, such as "kN"; empty for a dimensionless number
+    /// Words shown at x = 0, 1, … instead of numbers. Between them the curve has no values and no slope.
+    /// Empty for an axis of numbers.
     QStringList xWords = {};
-    /// Shown slope = slopeFactor · dy/dx, followed by slopeUnit; without a unit "kN/ms".
+    /// Unit of the shown slope; if empty, it is made from the units of y and x, such as "kN/ms".
     QString slopeUnit = {};
+    /// Factor of the shown slope: shown slope = slopeFactor · dy/dx.
     double slopeFactor = 1;
-    /// Shown integral = integralFactor · ∫y dx, followed by integralUnit ("N s"); without a unit "kN·ms".
-    /// Factor 0: over an axis like a parameter or a frequency, integral and mean have no meaning.
+    /// Unit of the shown integral, such as "N s"; if empty, it is made from the units of y and x, such as
+    /// "kN·ms".
     QString integralUnit = {};
+    /// Factor of the shown integral: shown integral = integralFactor · ∫ y dx. The value 0 hides integral and
+    /// mean, which have no meaning if x is a parameter or a frequency.
     double integralFactor = 1;
-    /// Exact y(x); without it values are read from the drawn chords.
+    /// Exact function y(x). If empty, y is interpolated linearly between the drawn points.
     std::function<double(double x)> value = {};
-    /// Exact ∫ y dx from a to b, negative of that from b to a; without it the drawn chords are integrated.
+    /// Exact ∫ y dx from a to b, which changes sign if a and b are swapped. If empty, the line through the
+    /// drawn points is integrated.
     std::function<double(double a, double b)> integral = {};
 
-    /// The word nearest to x; empty where x is a number, or NaN.
+    /// Returns the word nearest to x; empty if the axis has no words or x is NaN.
     QString wordAt(double x) const {
         if (xWords.isEmpty() || std::isnan(x)) return {};
         return xWords[std::clamp<qsizetype>(std::lround(x), 0, xWords.size() - 1)];
     }
 
-    /// A result over a parameter.
+    /// Returns the meaning of a result plotted over a parameter, for which integral and mean are not shown.
     static CurveMeaning overParameter(const QString& xUnit, const QString& yUnit) {
         return {.xUnit = xUnit, .yUnit = yUnit, .integralFactor = 0};
     }

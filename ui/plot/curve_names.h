@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of the two numbers of a point of a curve.
+// Names of x and y of a curve, for the texts that give a point of it.
 #pragma once
 
 #include <qcustomplot.h>
@@ -8,12 +8,15 @@
 
 namespace drillwave {
 
-/// Returns the name in the meaning, else the label of the axis without its unit: "time t" of "time t [ms]";
-/// in stacked plots only the lowest has the label of the common axis. "x" and "y" if there is neither.
+/// Returns the name of x: that of the meaning, else the label of the horizontal axis without its unit ("time
+/// t" for "time t [ms]"). Stacked plots take the label of the lowest axis. Without a label the name is "x".
 QString xNameOf(const QCPAbstractPlottable& curve, const CurveMeaning& meaning);
+/// Returns the name of y: that of the meaning, else the label of the vertical axis without its unit, else
+/// "y".
 QString yNameOf(const QCPAbstractPlottable& curve, const CurveMeaning& meaning);
 
-/// The label of the horizontal axis of a curve, or that of the lowest of stacked plots; may be empty.
+/// Returns the label of the horizontal axis of a curve, with its unit. If that axis has none, returns the
+/// label of the lowest of the stacked plots; may be empty.
 QString xLabelOf(const QCPAbstractPlottable& curve);
 
 }  // namespace drillwave

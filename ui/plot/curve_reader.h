@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cursors of a plot and the strip below it that reads a curve at them.
+// The cursors of a plot, and the strip below the plot with the readings of a curve at the cursors.
 #pragma once
 
 #include <QObject>
@@ -15,54 +15,62 @@ namespace drillwave {
 
 class CursorBar;
 
-/// Key of the setting that shows the strips below the plots even without cursors.
+/// Key of the user setting that shows the strip of readings below each plot even if no cursor is placed.
 inline const QString tableShownKey = QStringLiteral("plots/table");
 
-/// Reads the chosen curve of a plot whenever it is drawn or a cursor moves. Every x and y is in the units of
-/// the axes.
+/// Reader of one curve of a plot. Updates the strip of readings below the plot whenever the plot is drawn or
+/// a cursor moves. All x and y are in the units of the axes.
 class CurveReader : public QObject {
     Q_OBJECT
 
   public:
-    /// Lives in the plot, as do the meanings of its curves, which decide how they are read.
+    /// Creates a reader for `plot`. `meanings` gives units and exact functions of its curves; it must outlive
+    /// the reader, as must the plot.
     CurveReader(QCustomPlot& plot, const CurveMeanings& meanings);
 
-    /// Puts cursor A, B or the time to x, or takes it away; emits nothing but changed().
+    /// Places cursor A, B or time at x (unit of the axis), or removes it if x is empty. Emits changed() for A
+    /// and B, and no other signal.
     void place(PlotCursor cursor, std::optional<double> x);
+    /// Returns the x of a cursor in the unit of the axis; nothing if it is not placed.
     std::optional<double> position(PlotCursor cursor) const { return m_cursors.position(cursor); }
-    /// Takes A and B away.
+    /// Removes the cursors A and B.
     void clear();
     const PlotCursors& cursors() const { return m_cursors; }
     void setStyle(const PlotStyle& style) { m_cursors.setStyle(style); }
 
-    /// The graph read at A and B: as chosen, else the usual one, else the first that is visible; nullptr
-    /// without any.
+    /// Returns the graph that is read: the one last chosen, else the default of setUsual(), else the first
+    /// visible one. Hidden graphs are skipped; nullptr if no graph is visible.
     QCPGraph* graph() const;
-    /// The one that is read until another is chosen; or none.
+    /// Sets the graph that is read by default until the user chooses another one; nullptr for no default.
     void setUsual(QCPGraph* graph) { m_usual = graph; }
+    /// Chooses the graph that is read at the cursors; nullptr for the default of setUsual().
     void setGraph(QCPGraph* graph);
-    /// The curve below a point of the plot is read from now on, or one of the axes there. While there are
-    /// cursors, a curve between the same axes stays.
+    /// Chooses the curve within 40 px of a point of the plot, or else the first curve on the axes there. If a
+    /// cursor is placed and the present curve is on the same axes, the choice stays.
     void aim(QPointF pixel);
     /// Returns the reading of graph() at cursors A and B; nothing unless both are placed.
     std::optional<CursorReading> reading() const;
-    /// The strip below the plot, in words; empty while there is none.
+    /// Returns the text of the strip below the plot; empty while the strip is hidden.
     QString text() const;
-    /// Copies the text of the strip to the clipboard, as a table.
+    /// Copies the readings in the strip to the clipboard, as tab-separated text.
     void copy() const;
-    /// Whether what the strip reads may be copied: the curves answer the present input.
+    /// Sets whether the curves belong to the present input. Readings of outdated curves cannot be copied.
     void setCurrent(bool current);
-    /// Whether the strip has its place also while neither A nor B is there: what is in view is read then.
+    /// Sets whether the strip is also shown if neither A nor B is placed. It then shows readings of the part
+    /// of the curve in view.
     void setTableShown(bool shown);
-    /// The curve has data of its own: reads it again. Replots do that by themselves.
+    /// Reads the curve again. Needed only after a change of its data without a replot, because replots read
+    /// it too.
     void read();
-    /// The strip takes its height from the plot.
+    /// Shows or hides the strip and places it at the bottom of the plot, which becomes smaller by the strip's
+    /// height.
     void placeBar();
 
   signals:
-    /// Cursor A or B, the curve or its data have changed; see reading().
+    /// Reports that the curve was read again: cursor A or B, the curve or its data may have changed. See
+    /// reading().
     void changed();
-    /// The user has taken A and B away by the strip.
+    /// Reports that the user has removed the cursors A and B by the button of the strip.
     void closed();
 
   private:

@@ -8,25 +8,29 @@
 
 namespace drillwave {
 
-/// Values in the units shown; NaN where the curve has no such value.
+/// Readings of a curve at the cursors A and B, in the units shown. A number that the curve does not have is
+/// NaN.
 struct CursorReading {
-    double a = 0;   ///< x of cursor A
-    double b = 0;   ///< x of cursor B
-    double yA = 0;  ///< right of a jump, as everywhere here
-    double yB = 0;
-    double slope = 0;     ///< of the straight line from A to B, in CurveMeaning's unit
-    double mean = 0;      ///< of the curve over the time between A and B
-    double integral = 0;  ///< from A to B, negative when B is left of A, in CurveMeaning's unit
+    double a = 0;      ///< x of cursor A, in the unit of the axis
+    double b = 0;      ///< x of cursor B, in the unit of the axis
+    double yA = 0;     ///< y at a in the unit of the axis; at a jump, the value right of it
+    double yB = 0;     ///< y at b in the unit of the axis; at a jump, the value right of it
+    double slope = 0;  ///< slope of the straight line from A to B, in CurveMeaning::slopeUnit
+    double mean = 0;   ///< mean of the curve between A and B, in the unit of the y axis
+    /// Integral from A to B in CurveMeaning::integralUnit; its sign changes if B is left of A.
+    double integral = 0;
 };
 
-/// Reads a curve at a and b: exactly where its meaning gives the exact functions, else from its points.
+/// Returns the readings of a curve between x = a and x = b. Uses the exact functions of `meaning` if it has
+/// them, else the line through the points.
 CursorReading readCurve(const QCPGraphDataContainer& points, const CurveMeaning& meaning, double a, double b);
 
-/// Returns the piecewise linear curve through the points at x; at a jump (a key twice) the value after it;
-/// NaN outside of the points.
+/// Returns y at x on the straight lines that join the points. At a jump (two points with equal x) it is the
+/// value after the jump; outside the points it is NaN.
 double chordValue(const QCPGraphDataContainer& points, double x);
 
-/// ∫ of the piecewise linear curve through the points from a to b, exact but for rounding; 0 outside of them.
+/// Returns the integral from a to b of the straight lines that join the points, exact except for rounding.
+/// The curve is zero outside the points.
 double chordIntegral(const QCPGraphDataContainer& points, double a, double b);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line at a value of x that the mouse moves.
+// A vertical line at a value of x that the user drags with the mouse.
 #pragma once
 
 #include <qcustomplot.h>
@@ -12,25 +12,27 @@
 
 namespace drillwave {
 
-/// Dragging the line takes the place of panning there. Lives as a child of the plot.
+/// Vertical line with a name that the user can drag. Dragging that starts on the line does not pan the plot.
+/// The plot owns the object.
 class DragLine : public QObject {
     Q_OBJECT
 
   public:
-    /// Through all of `rect`, a rect of the plot.
+    /// Creates the line over the whole height of `rect`, an axis rect of `plot`. The line is hidden at first.
     DragLine(QCustomPlot& plot, QCPAxisRect* rect);
 
-    /// Shows the line, in coordinates of the axes; while it is in the hand it stays where that is. The line
-    /// jumps to `snap` within a few pixels.
+    /// Shows the line at x, in the unit of the axis. During a drag it stays at the mouse pointer instead.
+    /// While dragged, the line jumps to `snap` when it is within a few pixels.
     void present(const QString& name, double x, std::optional<double> snap);
     void hide();
+    /// Returns the position of the line, in the unit of the axis.
     double x() const { return m_x; }
     void setStyle(const PlotStyle& style);
 
   signals:
-    /// The line is in the hand and has been moved there.
+    /// Reports that the user is dragging the line, which is now at x (unit of the axis).
     void moved(double x);
-    /// It has been let go there.
+    /// Reports that the user has released the line at x (unit of the axis).
     void released(double x);
 
   protected:
@@ -50,7 +52,7 @@ class DragLine : public QObject {
     double m_x = 0;
     std::optional<double> m_snap;
     bool m_isDragged = false;
-    bool m_hasHand = false;  // shown at the pointer
+    bool m_hasHand = false;  // whether the pointer has the shape for dragging
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Named bands of x behind the curves of one axis rect.
+// Named bands of x, shaded behind the curves of one axis rect.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,21 +13,23 @@
 
 namespace drillwave {
 
-/// A band in coordinates of the axes.
+/// Named range of x, in the unit of the axis.
 struct ShownBand {
     QString name;
     QCPRange range;
-    std::optional<double> at = {};  ///< x of a name at the foot; nothing: the name is at the top
+    std::optional<double> at = {};  ///< x of the name, at the foot; empty if the name is at the top
 };
 
-/// Shaded from bottom to top. Names at the top are in the middle of their bands; those at the foot are in two
-/// rows, clear of each other, and one that fits in neither is left out. The plot owns the items.
+/// Shaded bands over the whole height of an axis rect. Names at the top are in the middle of their bands;
+/// names at the foot are in two rows, clear of each other, and a name that fits in neither row is left out.
+/// The plot owns the items.
 class FigureBands {
   public:
     explicit FigureBands(QCPAxisRect* rect) : m_rect(rect) {}
 
     void present(std::vector<ShownBand> bands);
-    /// Cuts the bands at the view: files do not clip.
+    /// Places the bands within the present view, because file formats do not clip them. Call this after a
+    /// change of the view.
     void place();
     void setStyle(const PlotStyle& style);
 

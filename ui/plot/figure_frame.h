@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws any figure that is data, on screen and in files alike.
+// Draws a figure given as data, in the same way on screen and in files.
 #pragma once
 
 #include <functional>
@@ -18,73 +18,84 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// The units of one reader: of multiples of the blow's quantities and of SI values, and of fields.
+/// Units in which one user reads figures. `units` is for multiples of the blow's scales and for SI values;
+/// `unitFor` is for parameters.
 struct FigureUnits {
     ShownUnits units;
     std::function<const Unit&(const Parameter&)> unitFor;
 
-    /// shown value = value of the figure times factor.
+    /// Returns the unit of a quantity: shown value = value of the figure · factor.
     ShownUnit of(const FigureQuantity& quantity) const;
 };
 
+/// Figure with the units in which it is shown.
 struct ShownFigure {
     StudyFigure figure;
     FigureUnits units;
 };
 
-/// All of a figure is in view when it is fitted. A figure may have other panels than the one before only
-/// after those that they share, each in a row of its own.
+/// Plot that draws a StudyFigure: axes, curves, bands, levels and texts. Fitting brings all of the figure
+/// into view. A later figure may have more or fewer panels at the end; the panels they share must be alike.
 class FigureFrame : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit FigureFrame(QCustomPlot* plot);
 
-    /// Shows the figure; the view stays where it is unless it was fitted, or the axes have become others.
+    /// Shows a figure. The present zoom is kept, unless the view was fitted to the curves or the axes are
+    /// different.
     void present(const ShownFigure& shown);
-    /// Nothing before the first figure, and while there are words in its place.
+    /// Returns whether no figure is shown: before the first one, and while a message is shown instead.
     bool isEmpty() const { return m_panels.empty() || m_isCleared; }
-    /// A series of a panel that is a line; requires that there is one.
+    /// Returns the graph of a series with the given indices (from 0). The panel and series must exist;
+    /// nullptr if the series is not drawn as a line.
     QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
-    /// The target of clicks in a rect; nullptr where a click sets nothing.
+    /// Returns what a click in `rect` sets: a parameter to a factor times the value at the click. nullptr if
+    /// a click sets nothing.
     const AxisTarget* targetIn(const QCPAxisRect* rect) const;
-    /// The mark, or the line with a target, that is nearest to a click in the first panel, within a few
-    /// pixels.
+    /// Mark, or line with a target, that is nearest to a click in the first panel, within a few pixels.
     struct Target {
-        double x = 0;  ///< in the unit of the axis
-        std::optional<SeriesTarget> series = {};
+        double x = 0;  ///< place of the click or of the mark, in the unit of the axis
+        std::optional<SeriesTarget> series = {};  ///< what else the click sets; empty away from lines
         bool isMark = false;
     };
     Target targetAt(QPointF place) const;
-    /// Over the shown values of the first panel.
+    /// Unit of x in the first panel: shown value = value of the figure · factor.
     const ShownUnit& xUnit() const { return m_xUnit; }
+    /// Unit of y in the first panel: shown value = value of the figure · factor.
     const ShownUnit& yUnit() const { return m_yUnit; }
-    /// The line that can be dragged.
+    /// Curve of the first panel that the user can drag up and down.
     const SeriesDrag& seriesDrag() const { return *m_seriesDrag; }
-    /// The value that dragging it sets; nullptr where no line can be dragged.
+    /// Returns the parameter that dragging a curve sets, with its factor; nullptr if no curve can be dragged.
     const AxisTarget* dragged() const;
-    /// Tells the plot what its lines stand for, with the function behind the points of the figure's own.
+    /// Passes the units of the curves to the plot, and the exact functions y(x) that the curves of the first
+    /// panel sample.
     void giveMeanings(PlotWidget& plot) const;
-    /// Along the lines of the first panel, to its marks; from point to point where points are marked.
+    /// Returns the places for the keyboard in the first panel: along its lines, with the marks as targets. If
+    /// the panel has marked points, the keys go from point to point.
     KeyPlaces keyPlaces() const override;
-    /// Returns the row of the study's table whose point is nearest to a place of the first panel, within a
-    /// few pixels.
+    /// Returns the row index of the study's table whose point is nearest to `place` (coordinates of the first
+    /// panel). Nothing if no point is within a few pixels.
     std::optional<std::size_t> rowAt(QPointF place) const;
 
   signals:
-    /// The user moves the line of a figure's handle, and lets it go; in values of the figure.
+    /// Reports that the user is dragging the vertical line of the figure, which is now at x in the units of
+    /// the figure.
     void handleMoved(double x);
+    /// Reports that the user has released the vertical line of the figure at x, in the units of the figure.
     void handleReleased(double x);
-    /// The user has taken hold of the line of dragged(), and moves it there; in values of the figure.
+    /// Reports that the user has begun to drag the curve of dragged() at the height y, in the units of the
+    /// figure.
     void seriesHeld(double y);
+    /// Reports that the user has dragged the curve of dragged() to the height y, in the units of the figure.
     void seriesMoved(double y);
 
   private:
-    /// A series as it is drawn: a line or a path.
+    /// Series as drawn: either a line or a path.
     struct Drawn {
         QCPGraph* line = nullptr;
         QCPCurve* path = nullptr;
-        QCPGraph* upper = nullptr;          // of a strip
+        QCPGraph* upper = nullptr;          // second edge of a shaded strip
         std::vector<QCPItemText*> texts{};  // beside the points
     };
     struct Panel {
@@ -97,8 +108,8 @@ class FigureFrame : public StudyFrame {
         FigureBands bands{rect};
         LayerItems* layers = nullptr;
         DragLine* handle = nullptr;
-        std::size_t first = 0;  // panel of its row
-        std::size_t last = 0;   // panel of its row
+        std::size_t first = 0;  // index of the first panel in the same row
+        std::size_t last = 0;   // index of the last panel in the same row
     };
 
     void clear() override;
@@ -133,7 +144,7 @@ class FigureFrame : public StudyFrame {
     bool hasOtherAxes(const ShownFigure& shown) const;
     static bool hasPoints(const StudyPanel& panel);
     bool isThere(std::size_t index) const { return index < m_shown.figure.panels.size(); }
-    /// An empty one where an earlier figure had more.
+    /// Returns panel `index` of the present figure, or an empty panel if only an earlier figure had it.
     const StudyPanel& panelOf(std::size_t index) const;
     bool isFirstOfRow(std::size_t index) const { return m_panels[index].first == index; }
     QCPAxis* axisOf(std::size_t index, QCPAxis::AxisType side) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fitted until somebody zooms: whether the ranges of a plot's axes are still those that were fitted.
+// Tracks whether the axis ranges of a plot are still the fitted ones or have been changed by the user.
 #pragma once
 
 #include <QObject>
@@ -9,25 +9,28 @@ class QCPAxis;
 
 namespace drillwave {
 
-/// Lives as a child of what fits the plot. A view is fitted at first.
+/// Record of whether a view is fitted to its contents. A view is fitted at first, and until a watched range
+/// changes by other means than fit() or adjust(). The parent object owns it.
 class FittedView : public QObject {
     Q_OBJECT
 
   public:
     using QObject::QObject;
 
-    /// The range of this axis belongs to the view.
+    /// Adds an axis to the view: from now on its range changes count.
     void watch(const QCPAxis* axis);
+    /// Returns whether no watched range has been changed by other means since the last fit().
     bool isFitted() const { return m_fitted; }
-    /// `setRanges` brings everything into view: fitted again.
+    /// Calls `setRanges`, which brings everything into view, and marks the view as fitted.
     void fit(const std::function<void()>& setRanges);
-    /// `setRanges` follows what has been chosen: fitted or not as before.
+    /// Calls `setRanges` without changing whether the view is fitted.
     void adjust(const std::function<void()>& setRanges);
-    /// While there is nothing in view, no range of it is anybody's choice.
+    /// Sets whether the view is empty. Range changes of an empty view do not count as choices of the user.
     void setEmpty(bool empty) { m_empty = empty; }
 
   signals:
-    /// A range was changed otherwise: the view is not fitted any more.
+    /// Reports that a range was changed by other means than fit() or adjust(), so that the view is no longer
+    /// fitted.
     void chosen();
 
   private:

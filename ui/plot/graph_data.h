@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sampled histories as ready plot data.
+// Time histories converted to the data of plot curves.
 #pragma once
 
 #include <QSharedPointer>
@@ -14,26 +14,26 @@ class QCPDataContainer;
 
 namespace drillwave {
 
-/// Shared, never changed once built: handing it to a graph costs nothing however long it is.
+/// Points of a graph, shared and never changed once built, so that passing them to a graph copies nothing.
 using GraphData = QSharedPointer<QCPDataContainer<QCPGraphData>>;
 
-/// Whether curves go on beyond the span of interest, to be panned to, or end there, for formats that do not
-/// clip.
+/// Treatment of a history after the end of the time span of interest. `kept` keeps the later points, which
+/// the user can pan to; `cut` removes them, for file formats that do not clip.
 enum class Tail { kept, cut };
 
-/// Appends a point if both numbers are finite: one "inf" in the data would make every rescaling of the axes
-/// fail without a word.
+/// Appends a point if time and value are finite. One infinite number in the data would make every rescaling
+/// of the axes fail silently.
 void appendFinite(QVector<QCPGraphData>& points, double time, double value);
 
-/// Samples in the units they are shown in.
+/// Returns the samples as points in the units shown. Samples that are not finite are left out.
 QVector<QCPGraphData> shownPoints(const std::vector<double>& time, const std::vector<double>& value,
                                   const ShownUnit& timeUnit, const ShownUnit& valueUnit);
 
-/// Copies points of not decreasing times.
+/// Returns the points as data of a graph. Requires times in ascending order; equal times are allowed.
 GraphData graphData(const QVector<QCPGraphData>& points);
 
-/// Returns a history at the bit in shown units: 0 from time 0 to its first point, constant from its last
-/// point to `timeEnd`, and with Tail::cut nothing after that.
+/// Returns a history at the bit as data of a graph, in the units shown. It is 0 from time 0 to the first
+/// point and constant from the last point to `timeEnd`. With Tail::cut it ends at `timeEnd`.
 GraphData historyData(QVector<QCPGraphData> points, double timeEnd, Tail tail);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "You are here": where on a plot of a study the present scenario is.
+// "You are here": the mark of the present scenario on the plot of a study.
 #pragma once
 
 #include <qcustomplot.h>
@@ -11,21 +11,23 @@
 
 namespace drillwave {
 
-/// A ring on a line through it, on the overlay layer, so that it follows the hand without a full replot.
-/// Lives as a child of the plot; hidden at first.
+/// Ring on a vertical line, at the values of the present scenario (the current input). It is on the overlay
+/// layer, so that it follows the input without a full replot. The plot owns it; it is hidden at first.
 class HereMark : public QObject {
     Q_OBJECT
 
   public:
     HereMark(QCustomPlot* plot, QCPAxis* x, QCPAxis* y);
 
-    /// Moves it, in units of the axes; without a y only the line is shown, without an x nothing. Replots only
-    /// the overlay layer, and only after a change.
+    /// Moves the mark to x and y, in the units of the axes. Without y only the line is shown, without x
+    /// nothing. Replots the overlay layer if the place has changed.
     void setPlace(std::optional<double> x, std::optional<double> y);
     void setStyle(const PlotStyle& style);
+    /// Returns the x of the mark, in the unit of the axis; nothing while the mark is hidden.
     std::optional<double> x() const { return m_x; }
+    /// Returns the y of the mark, in the unit of the axis; nothing without a ring.
     std::optional<double> y() const { return m_y; }
-    /// Both coordinates; nothing if one is missing.
+    /// Returns x and y of the mark, in the units of the axes; nothing if one is missing.
     std::optional<QPointF> place() const {
         return m_x && m_y ? std::optional(QPointF(*m_x, *m_y)) : std::nullopt;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The point of a curve next to the pointer, marked and read in words.
+// A mark on the curve point nearest to the mouse pointer, with a label.
 #pragma once
 
 #include <qcustomplot.h>
@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// A point on a visible curve.
+/// Point on a visible curve: x and y in the units of the axes, and its pixel position on the plot.
 struct CurvePoint {
     QCPAbstractPlottable* curve = nullptr;
     double x = 0;
@@ -22,27 +22,30 @@ struct CurvePoint {
     QPointF pixel;
 };
 
-/// Returns the point of a visible named curve nearest to a point of the plot, within `tolerance` pixels.
-/// Searches only the points of graphs near the pointer, so long curves cost no more than short ones.
+/// Returns the point nearest to `pixel` on the visible curves in a legend; nothing if none is within
+/// `tolerance` [px]. Only the points of a graph near the pointer are searched, so that long curves cost no
+/// more than short ones.
 std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
-/// Whether a curve or a point that is drawn, with a name or without, is within so many pixels.
+/// Returns whether a visible curve or point is within `reach` [px] of a pixel. Includes curves that are in no
+/// legend.
 bool isOnCurve(const QCustomPlot& plot, QPointF pixel, double reach);
 
-/// Describes its curve and its numbers in words.
+/// Returns a text with the curve's name and the x and y of the point, with their names and units, in three
+/// lines.
 QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale);
 
-/// A ring and a label on the layer "overlay".
+/// Ring with a label on the layer "overlay". The caller redraws that layer after a change.
 class HoverMark {
   public:
     explicit HoverMark(QCustomPlot& plot) : m_plot(plot) {}
 
-    /// Marks a point [px] of an axis rect, and reads it where there are words. The overlay has to be drawn
-    /// again then.
+    /// Shows the ring at a point of an axis rect [px of the plot], with a label unless `text` is empty. The
+    /// caller then redraws the overlay.
     void show(QCPAxisRect& rect, QPointF pixel, const QString& text);
-    /// Returns whether the overlay has to be drawn again.
+    /// Hides the mark. Returns whether it was shown, so that the overlay must be redrawn.
     bool hide();
     void setStyle(const PlotStyle& style);
-    /// The label, empty while there is no mark.
+    /// Returns the label of the mark; empty while no label is shown.
     QString text() const;
 
   private:

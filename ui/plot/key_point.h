@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The point of a plot that keys move, and that Enter takes as a click does.
+// A point on a plot that the arrow keys move; pressing Enter acts like a click there.
 #pragma once
 
 #include <qcustomplot.h>
@@ -15,61 +15,69 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Places for the keyboard in a plot, in the coordinates of the bottom and left axes of one axis rect.
+/// Places that the keyboard can reach in a plot, in the coordinates of the bottom and left axes of `rect`.
 struct KeyPlaces {
+    /// Movement of the point by the arrow keys.
     enum class On {
-        curves,  ///< along the visible curves, and from one to the next
+        curves,  ///< along a visible curve; up and down change to another curve
         points,  ///< from point to point of the visible curves
         area     ///< anywhere between the axes
     };
+    /// Axis rect of the places; nullptr if the keys have no places in this plot.
     QCPAxisRect* rect = nullptr;
     On on = On::curves;
-    /// First place; the middle of the view if there is none.
+    /// Returns the place where the point appears; if it returns nothing, the middle of the view is used.
     std::function<std::optional<QPointF>()> start = [] { return std::nullopt; };
-    /// Places that are worth going to: extremes, kinks, presets.
+    /// Returns notable places that the key N jumps to, such as extremes, kinks and presets.
     std::function<QVector<QPointF>()> marks = [] { return QVector<QPointF>(); };
-    /// Further places that a click takes, each a thing by itself: cells of a coarse map.
+    /// Returns further places that a click selects, such as the cells of a coarse map.
     std::function<QVector<QPointF>()> targets = [] { return QVector<QPointF>(); };
-    /// Describes a place, in addition to the numbers of the curve.
+    /// Returns a description of a place, which is shown above the numbers of the curve; may be empty.
     std::function<QString(QPointF)> words = [](QPointF) { return QString(); };
 };
 
-/// It stays at its coordinates when the view changes, and on its curve when that does. Lives as a child of
-/// the plot.
+/// Point on a plot that the keys move. It keeps its coordinates when the view changes, and stays on its curve
+/// when the curve changes. The plot owns it.
 class KeyPoint : public QObject {
     Q_OBJECT
 
   public:
     explicit KeyPoint(PlotWidget& plot);
 
-    /// Enables the keys here by the places that a page offers.
+    /// Sets the places that the keys can reach, which enables the keys, and hides the point.
     void offer(KeyPlaces places);
+    /// Returns whether the plot has places for the keys.
     bool isOffered() const { return m_places.rect != nullptr; }
 
-    /// Puts it where the places begin; no effect while it is there, or where there is nothing to go along.
+    /// Shows the point at the start of the offered places. Does nothing if the point is already shown or no
+    /// place is available.
     void enter();
+    /// Hides the point and forgets its place.
     void leave();
-    /// The place in coordinates; nothing before enter() and after leave().
+    /// Returns the place of the point in coordinates of the axes; nothing before enter() and after leave().
     std::optional<QPointF> place() const { return m_place; }
+    /// Returns the place of the point in pixels of the plot; nothing before enter() and after leave().
     std::optional<QPointF> pixel() const;
 
-    /// Moves it by pixels to the right and up. On points, by as many points to the right or up; on curves,
-    /// any number upwards is one curve.
+    /// Moves the point by pixels to the right and upwards (negative: left, down). With On::points the numbers
+    /// count points. With On::curves any vertical step changes to the next curve.
     void move(int right, int up);
-    /// To the first or last place in view: of the curve, of the points, or of the line across the area.
+    /// Moves the point to the last place in view if `last`, else to the first one. Places are those of the
+    /// curve, of all points, or of the horizontal line through the point.
     void goToEnd(bool last);
-    /// To the next mark to the right, from the last to the first, or backwards; false without marks in view.
+    /// Moves the point to the next mark to the right, or to the left if not `forward`, continuing at the
+    /// other end. Returns false if no mark is in view.
     bool goToMark(bool forward);
-    /// Whether a mark or a target is within so many pixels.
+    /// Returns whether a mark or a target of the offered places is within `reach` [px] of a pixel.
     bool isOnMark(QPointF pixel, double reach) const;
-    /// Does what a click there does.
+    /// Acts like a click at the place of the point: emits clicked() and placeTaken() of the plot.
     void take(Qt::KeyboardModifiers modifiers);
 
-    /// Hides it for now, or shows it where it was.
+    /// Hides the point without forgetting its place, or shows it there again.
     void setHidden(bool hidden);
     bool isHidden() const { return m_hidden; }
     void setStyle(const PlotStyle& style) { m_mark.setStyle(style); }
-    /// Its label, empty while it is not shown.
+    /// Returns the label of the point; empty while the point is not shown.
     QString text() const { return m_mark.text(); }
 
   private:
@@ -92,7 +100,7 @@ class KeyPoint : public QObject {
     PlotWidget& m_plot;
     KeyPlaces m_places;
     std::optional<QPointF> m_place;
-    QPointer<QCPGraph> m_curve;  // it is on
+    QPointer<QCPGraph> m_curve;  // the curve that the point is on
     bool m_hidden = false;
     CrossMark m_mark;
 };

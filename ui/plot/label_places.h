@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places for the names of marks and lines, so that each can be read.
+// Placement of labels, so that each can be read.
 #pragma once
 
 #include <qcustomplot.h>
@@ -11,20 +11,21 @@
 
 namespace drillwave {
 
-/// A text, and its possible places, the best first.
+/// Text with the functions that move it to each of its possible places, the best place first.
 struct PlacedLabel {
     QCPItemText* text;
     QVector<std::function<void()>> places;
 };
 
-/// Returns the rect of a text, in pixels of the plot.
+/// Returns the rectangle of a text, in pixels of the plot.
 QRectF rectOf(const QCPItemText& text);
 
-/// Returns points along a graph as drawn, a few pixels apart.
+/// Returns points along a graph as drawn, about 3 px apart, in pixels of the plot.
 QVector<QPointF> pointsAlong(const QCPGraph& graph);
 
-/// Puts each label in turn where it is least cut off by `room`, does not lie on earlier ones nor on `taken`,
-/// and covers fewest of the points; among equally good places the first of them.
+/// Places the labels one by one where least is lost. The cost is the area cut off by `room`, the overlap with
+/// `taken` and earlier labels, and the number of covered `points`. Among equally good places the first one is
+/// taken. Everything is in pixels of the plot.
 void placeLabels(const QVector<PlacedLabel>& labels, const QRectF& room, QVector<QRectF> taken,
                  const QVector<QPointF>& points);
 

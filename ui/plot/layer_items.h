@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Layers of a figure: areas between edges, each with its name.
+// Layers of a figure: shaded areas between curves, each with its name.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,14 +13,15 @@
 
 namespace drillwave {
 
-/// Behind the curves; cut at the axes in every format. Lives as a child of the plot.
+/// Shaded areas behind the curves of an axis rect, clipped at its axes in every file format. The plot owns
+/// the object.
 class LayerItems : public QObject {
     Q_OBJECT
 
   public:
     explicit LayerItems(QCPAxisRect* rect);
 
-    /// Shows the layers, their values times these factors being those of the axes.
+    /// Shows the layers. A value of the layers times its factor is a value on the axis.
     void present(const FigureLayers& layers, double xFactor, double yFactor);
     void setStyle(const PlotStyle& style);
 

@@ -9,23 +9,24 @@
 
 namespace drillwave {
 
-/// Returns the curves in a legend, in the order in which they were added: those that users can name.
+/// Returns the curves that have an entry in a legend of the plot, in the order in which they were added.
 QList<QCPAbstractPlottable*> namedCurves(const QCustomPlot& plot);
 
-/// Returns the named curves that are shown now and have a point.
+/// Returns the curves with a legend entry that are visible and have at least one point.
 QList<QCPAbstractPlottable*> visibleCurves(const QCustomPlot& plot);
 
-/// The curve whose legend entry is at a point of the plot, or nullptr.
+/// Returns the curve whose legend entry is at a point of the plot [px]; nullptr if there is none.
 QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point);
 
-/// Arranges as many entries side by side as have room in a width [px], at most so many: in columns, each as
-/// wide as the widest of its entries.
+/// Arranges the entries of a legend in as many columns as fit into `width` [px], from 1 to `mostColumns`.
+/// Each column is as wide as its widest entry.
 void wrapLegend(QCPLegend& legend, double width, int mostColumns);
 
-/// Fades and strikes out the entries of hidden curves. Changes nothing where nothing has changed.
+/// Fades and strikes out the legend entries of hidden curves, and restores those of visible curves.
 void markHiddenCurves(QCustomPlot& plot);
 
-/// While it lives, the entries of hidden curves are not drawn: on paper nobody can show them again.
+/// Guard that hides the legend entries of hidden curves during its lifetime. A reader on paper cannot show
+/// these curves again.
 class WithoutHiddenEntries {
   public:
     explicit WithoutHiddenEntries(QCustomPlot& plot);

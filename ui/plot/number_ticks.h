@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers along an axis, as numberText() writes them.
+// Axis ticks with numbers in the format of numberText().
 #pragma once
 
 #include <qcustomplot.h>
@@ -8,9 +8,9 @@
 
 namespace drillwave {
 
-/// Ticks of QCustomPlot without group separators ("1.000" is 1 to who reads it in English) and with a minus
-/// sign. A power of ten keeps the "e" and the hyphen by which QCustomPlot knows it, in languages, too, that
-/// write neither.
+/// Ticker of QCustomPlot whose labels have a true minus sign and no group separators, because "1.000" would
+/// mean 1 in English. In powers of ten the "e" and the hyphen are kept in every language, because QCustomPlot
+/// recognises powers by them.
 template <class Ticker>
 class NumberTicks : public Ticker {
   protected:

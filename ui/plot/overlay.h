@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layer of marks that lie over a plot: cursors, crosses, what is read below the pointer.
+// The layer of marks above a plot: cursors, crosses and labels at the pointer.
 #pragma once
 
 class QCustomPlot;
 
 namespace drillwave {
 
-/// Redraws only the overlay of the plot. One that has not been drawn yet is drawn with all else.
+/// Redraws only the layer "overlay" of a plot. Does nothing before the first replot of the plot, which draws
+/// this layer too.
 void redrawOverlay(QCustomPlot& plot);
 
 }  // namespace drillwave

@@ -11,12 +11,13 @@
 
 namespace drillwave {
 
+/// Units, names and exact functions of the curves of a plot, by curve.
 using CurveMeanings = QHash<const QCPAbstractPlottable*, CurveMeaning>;
 
-/// Returns one column for x and one for each curve, named with their units; curves on other x have a column
-/// for them in front. Numbers read back exactly, whatever the locale. Shorter columns end with empty cells. A
-/// separator of ',' gives CSV after RFC 4180 with line ends "\n", a tab the form that spreadsheets take from
-/// the clipboard.
+/// Returns the points of the visible curves as a table with names and units in the first row. One column
+/// holds x, each curve has one for y; a curve with other x values than the one before gets its own x column.
+/// Numbers are exact and independent of the locale; shorter columns end with empty cells. The separator ','
+/// gives CSV (RFC 4180, line ends "\n"), a tab gives the form for pasting into spreadsheets.
 QByteArray plotCsv(const QCustomPlot& plot, const CurveMeanings& meanings, char separator = ',');
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertical lines over all curves of a plot: the cursors A and B, and the time shared with other pages.
+// Vertical lines across all curves of a plot: the cursors A and B, and the time cursor shared with other
+// pages.
 #pragma once
 
 #include <qcustomplot.h>
@@ -14,21 +15,25 @@
 
 namespace drillwave {
 
+/// Cursor of a plot: A and B read curves, `time` marks the time that is shown on all pages.
 enum class PlotCursor { a, b, time };
 
-/// Lines through every axis rect that has graphs, which share one x axis, on the layer "overlay": moving them
-/// redraws nothing else.
+/// Cursor lines through every axis rect that has graphs; these rects share one x axis. The lines are on the
+/// layer "overlay", so that moving them redraws nothing else.
 class PlotCursors {
   public:
     explicit PlotCursors(QCustomPlot& plot) : m_plot(plot) {}
 
-    /// Puts a cursor to x, or takes it away; replots nothing.
+    /// Places a cursor at x (unit of the axis), or removes it if x is empty or not finite. Does not redraw
+    /// the plot.
     void place(PlotCursor cursor, std::optional<double> x);
+    /// Returns the x of a cursor in the unit of the axis; nothing if it is not placed.
     std::optional<double> position(PlotCursor cursor) const { return of(cursor).x; }
-    /// The cursor within a few pixels of a point of the plot, A and B before the time.
+    /// Returns the cursor within a few pixels of a point of the plot. Among several, A comes before B, and B
+    /// before time.
     std::optional<PlotCursor> cursorAt(QPointF point) const;
     void setStyle(const PlotStyle& style);
-    /// The axis rects with graphs, from the top.
+    /// Returns the axis rects that have graphs, in the order of the plot, from the top.
     QList<QCPAxisRect*> rects() const;
 
   private:

@@ -10,16 +10,17 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Lives as a child of the plot: see PlotWidget for what the keys do.
+/// Keyboard control of one plot; the keys are listed at PlotWidget. The plot owns the object.
 class PlotKeys : public QObject {
     Q_OBJECT
 
   public:
     explicit PlotKeys(PlotWidget& plot);
 
-    /// Whether the key means something here; it is done then.
+    /// Executes the command of a key. Returns whether the key has a meaning in the plot.
     bool press(const QKeyEvent& event);
-    /// While the pointer is over the plot some keys go there wherever the focus is.
+    /// Sets whether the mouse pointer is over the plot. While it is, Backspace, A, B and T act on the plot
+    /// even if another widget has the focus.
     void followPointer(bool isHere);
 
   protected:

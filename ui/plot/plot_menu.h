@@ -11,7 +11,8 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// The menu of a point of the plot at this moment; deletes itself when it is closed.
+/// Context menu for the point `at` of a plot [px], with the entries that are possible now. It deletes itself
+/// when it is closed.
 class PlotMenu : public QMenu {
     Q_OBJECT
 
@@ -19,7 +20,8 @@ class PlotMenu : public QMenu {
     PlotMenu(PlotWidget& plot, QPoint at);
 };
 
-/// Replaces the entries of another menu by the same ones, for a menu bar; call it when that menu opens.
+/// Replaces the entries of `menu`, a menu of the menu bar, by those of the context menu at a point [px]. Call
+/// this when the menu is about to open.
 void fillPlotMenu(QMenu& menu, PlotWidget& plot, QPoint at);
 
 }  // namespace drillwave

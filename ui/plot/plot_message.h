@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a plot shows nothing, in words on a plate that stays within the plot.
+// A message in a box on a plot, which says why the plot shows nothing.
 #pragma once
 
 #include <qcustomplot.h>
@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// Hidden without a text. Long sentences are broken to the width of the plot.
+/// Message in a box on a plot; hidden at first. Long sentences are broken at 80 % of the plot's width.
 class PlotMessage : public QObject {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ class PlotMessage : public QObject {
     void show(const QString& text);
     void hide() { m_item->setVisible(false); }
     void setStyle(const PlotStyle& style);
-    /// The item with its line breaks; for tests.
+    /// Returns the text item with its line breaks; for tests.
     const QCPItemText& item() const { return *m_item; }
 
   private:

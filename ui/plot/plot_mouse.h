@@ -13,14 +13,17 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Receives the plot's events from the plot, which owns it: see PlotWidget for the gestures.
+/// Handler of the mouse events of one plot, which owns it and passes the events on. The gestures are listed
+/// at PlotWidget.
 class PlotMouse {
   public:
     explicit PlotMouse(PlotWidget& plot) : m_plot(plot) {}
 
     void wheel(const QWheelEvent& event);
-    /// Before and after the plot itself has taken note of a press: it draws the box.
+    /// Handles a press before QCustomPlot does: switches on the selection box if this press starts one.
     void beforePress(const QMouseEvent& event);
+    /// Handles a press after QCustomPlot has: grabs a cursor, starts panning, or goes back to the previous
+    /// view.
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);
@@ -37,7 +40,7 @@ class PlotMouse {
     PlotWidget& m_plot;
     Gesture m_gesture = Gesture::none;
     QPointF m_pressed;
-    bool m_panning = false;  // moved already, not only pressed
+    bool m_panning = false;  // whether the pointer has moved far enough to pan
     PlotCursor m_grabbed = PlotCursor::a;
     Qt::CursorShape m_pointer = Qt::ArrowCursor;
 };

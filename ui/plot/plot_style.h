@@ -23,25 +23,26 @@ struct PlotStyle {
     QColor frame;
     QColor grid;
     QColor zeroLine;
-    QColor lines[lineKinds];  ///< contrast of at least 4.5 with the background
-    QFont font;               ///< size in pixels, so that files look the same at any resolution
-    double lineWidth = 1.6;   ///< [px]
-    int legendGap = 4;        ///< between line and name [px]
+    QColor lines[lineKinds];  ///< colours of the curves, with a contrast of at least 4.5 to the background
+    QFont font;  ///< font of all texts; its size is in pixels, so that files look the same at any resolution
+    double lineWidth = 1.6;  ///< width of curves [px]
+    int legendGap = 4;       ///< space between the line and the name of a legend entry [px]
 
-    /// Light or dark after the palette of a widget.
+    /// Returns the style for a widget on screen, light or dark according to its palette.
     static PlotStyle forScreen(const QPalette& palette, const QFont& font);
-    /// Black on white, for files.
+    /// Returns the style for files, black on white.
     static PlotStyle forPaper();
 
-    /// Returns the pen of the index-th curve of a plot: the first lineKinds differ both in colour and in dash
-    /// pattern (never only in colour), sixteen of them in one of the two.
+    /// Returns the pen of curve `index` (from 0) of a plot. The first four pens differ in both colour and
+    /// dash pattern, the first sixteen in at least one of them.
     QPen linePen(int index) const;
-    /// Returns the pen of an earlier result, which stays faintly: thin, translucent and dotted.
+    /// Returns the pen of a curve of an earlier result, shown faintly: thin, translucent and dashed.
     QPen ghostPen(int index) const;
-    /// A translucent version of a line's colour, for areas.
+    /// Returns the brush for the area under curve `index`: its colour, translucent.
     QBrush areaBrush(int index) const;
 
-    /// Returns the background of words on curves: what they hide is faintly visible.
+    /// Returns the brush behind words that are placed on curves. It is translucent, so that the curves remain
+    /// faintly visible.
     QBrush behindWords() const;
 
     void applyTo(QCPAxisRect& rect) const;
@@ -49,7 +50,8 @@ struct PlotStyle {
     void applyTo(QCPTextElement& title) const;
 };
 
-/// The layer below the curves, for those of an earlier result; made when there is none.
+/// Returns the layer below the curves for curves of an earlier result. Creates it if the plot does not have
+/// it.
 QCPLayer* ghostLayer(QCustomPlot& plot);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// View of a plot, and the ways in which a user moves it.
+// View of a plot (its axis ranges), and the ways in which the user changes it.
 #pragma once
 
 #include <QPointer>
@@ -9,42 +9,49 @@
 
 namespace drillwave {
 
-/// Every step can be taken back. Points and distances are in pixels of the plot; each step redraws it.
+/// View of a plot: zooming, panning, scales and the way back to earlier views. Points and distances are in
+/// pixels of the plot; each step redraws it.
 class PlotView {
   public:
     explicit PlotView(QCustomPlot& plot) : m_plot(plot), m_history(plot) {}
 
-    /// The axis rect used last, which keys act on; at first the first one. nullptr where there is none.
+    /// Returns the axis rect used last, which the keys act on. At first it is the first one; nullptr if the
+    /// plot has none.
     QCPAxisRect* activeRect() const;
-    /// The rect below a point, if there is one, is used from now on.
+    /// Makes the axis rect at a point the active one, if there is an axis rect.
     void activateAt(QPointF point);
-    /// Whether the point is between the axes of a rect that has been used.
+    /// Returns whether a point is between the axes of the axis rect used last; false before one has been
+    /// used.
     bool isInside(QPointF point) const;
-    /// Returns the axes that a wheel or drag at this point acts on: the axis below it, or both of the rect.
+    /// Returns the axes that a wheel turn or drag at this point acts on: the axis below it, or both axes of
+    /// the rect.
     QList<QCPAxis*> axesAt(QPointF point) const;
 
-    /// Changes the ranges at a point by `factor` (less than 1 zooms in) around it; false where there is no
-    /// axis.
+    /// Zooms the axes at a point by `factor` (less than 1 zooms in), keeping the values at the point. Returns
+    /// false if no axis is there.
     bool zoomAt(QPointF point, double factor);
-    /// Changes the ranges in the same way around the middle of the active rect.
+    /// Zooms the active axis rect by `factor` (less than 1 zooms in) around its middle.
     void zoom(double factor);
-    /// Moves the active rect's view by a share of its size.
+    /// Moves the curves of the active axis rect by a share of its width or height, positive to the right or
+    /// down.
     void pan(Qt::Orientation orientation, double share);
-    /// Drags what was at `from` along, from the first dragTo() on.
+    /// Starts a drag at the point `from`. Nothing moves before the first dragTo().
     void beginDrag(QPointF from);
+    /// Moves the curves so that the values that were at the start of the drag are at `to`.
     void dragTo(QPointF to);
     void endDrag() { m_dragged.clear(); }
-    /// Shows what is in a box of the active rect.
+    /// Zooms the active axis rect to a box that the user has drawn. Boxes smaller than 6 px are ignored.
     void zoomTo(const QRect& drawn);
 
-    /// A step of its own: linear or logarithmic; a horizontal axis together with those of `stacked`, when it
-    /// is one of theirs.
+    /// Sets an axis linear or logarithmic, as one step that goBack() reverts. A horizontal axis of one of the
+    /// rects in `stacked` takes the horizontal axes of all of them along.
     void setScale(QCPAxis* axis, QCPAxis::ScaleType scale, const QList<QCPAxisRect*>& stacked);
-    /// Keeps the present view to go back to; call before it changes otherwise.
+    /// Saves the present view for goBack(). Call this before changing the view by other means.
     void remember() { m_history.remember(); }
     bool canGoBack() const { return m_history.canGoBack(); }
+    /// Returns to the last saved view that differs from the present one.
     void goBack();
-    /// Fits what no page does: logarithmic axes.
+    /// Fits all logarithmic axes to the positive values of their curves; pages fit only linear axes.
     void fitLogarithms();
 
   private:
@@ -58,7 +65,7 @@ class PlotView {
     QPointer<QCPAxisRect> m_active;
     QPointF m_dragStart;
     QVector<DraggedAxis> m_dragged;
-    bool m_dragging = false;  // moved already
+    bool m_dragging = false;  // whether the pointer has moved since beginDrag()
 };
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plot on screen: zooms, pans, reads and copies alike on every page, and follows palette, font and screen.
+// A plot on screen, with the same zooming, panning, reading and copying on every page. It follows palette,
+// font and screen.
 #pragma once
 
 #include <qcustomplot.h>
@@ -23,96 +24,108 @@ namespace drillwave {
 
 class PlotKeys;
 
-/// Mouse: the wheel zooms at the pointer (over an axis only that axis), dragging pans, dragging with Shift or
-/// with the right button zooms to a box, a double-click fits, the back button goes back, a click on a legend
-/// entry hides or shows its curve, a click on a curve has it read at the cursors; cursors can be dragged.
-/// Keys: arrows pan, + and − zoom, Home fits, Backspace or Alt+Left goes back, A, B and T place cursors at
-/// the pointer (in the middle when it is elsewhere), Ctrl+Left and Ctrl+Right move the cursor placed last by
-/// a pixel, with Shift by ten. Where a page has offered places to keyPoint(), Enter puts a point there, which
-/// arrows move by a pixel (from point to point, from curve to curve), with Shift by ten, Home and End to the
-/// ends, N and Shift+N to the next and the last mark; Enter then is a click there, Shift+Enter one with
-/// Shift, A and B place cursors there, and Esc takes it away, as a click of the mouse does. The wheel takes
-/// the focus; Backspace, A, B and T go to the plot below the pointer wherever the focus is, but in fields for
-/// text.
+/// Plot widget of all pages.
 ///
-/// The curves that are read, hidden and copied are those with an entry in a legend. All axis rects that hold
-/// graphs are taken to share one x axis; linking their ranges is up to the page. Every x and y here is in the
-/// units of the axes.
+/// Mouse: the wheel with Ctrl zooms at the pointer; over an axis it zooms only that axis. Dragging pans;
+/// dragging with Shift or with the right button zooms to a box. A double-click fits, the back button goes
+/// back. A click on a legend entry hides or shows its curve; a click on a curve chooses it for reading.
+/// Cursors can be dragged.
+///
+/// Keys: arrows pan, + and − zoom, Home fits, Backspace or Alt+Left goes back. A, B and T place cursors at
+/// the pointer, or in the middle if the pointer is elsewhere. Ctrl+Left and Ctrl+Right move the cursor placed
+/// last by one pixel, with Shift by ten.
+///
+/// Point for keys: if a page has offered places to keyPoint(), Enter shows a point there. Arrows move it by
+/// one pixel (or from point to point, or from curve to curve), with Shift by ten. Home and End move it to the
+/// ends, N and Shift+N to the next and the previous mark. Enter then acts like a click at the point,
+/// Shift+Enter like a click with Shift; A and B place cursors there. Esc or a mouse click removes the point.
+///
+/// Focus: zooming with the wheel gives the plot the focus. Backspace, A, B and T act on the plot below the
+/// pointer even if another widget has the focus, except for text fields.
+///
+/// Only curves with an entry in a legend are read, hidden and copied. All axis rects with graphs are assumed
+/// to share one x axis; the page links their ranges. All x and y are in the units of the axes.
 class PlotWidget : public QCustomPlot {
     Q_OBJECT
 
   public:
+    /// Function that applies a style to everything that a page draws in the plot.
     using Restyle = std::function<void(const PlotStyle&)>;
+    /// Function that returns the data of the plot as a table, with `separator` between the cells.
     using DataText = std::function<QByteArray(char separator)>;
 
     explicit PlotWidget(QWidget* parent = nullptr);
     ~PlotWidget() override;
 
-    /// Applies the style of the present palette now, and again whenever palette or font change.
+    /// Applies the style of the present palette by `restyle` now, and again whenever palette or font change.
     void followPalette(Restyle restyle);
 
-    /// Sets the meaning of a curve: units for all readings, and the exact functions behind its points if
-    /// there are any. Set it again with every result; forgotten with the curve.
+    /// Sets the meaning of a curve: its units, and the exact functions that its points sample, if there are
+    /// any. Set it again with every new result; it is forgotten when the curve is deleted.
     void setMeaning(const QCPAbstractPlottable* curve, const CurveMeaning& meaning);
-    /// The cursors, and what they read.
+    /// Returns the reader of the curves at the cursors.
     CurveReader& reader() { return m_reader; }
     CursorMover& mover() { return m_mover; }
     PlotView& view() { return m_view; }
-    /// The point that keys move; a page offers its places.
+    /// Returns the point that the keys move. A page calls its offer() to enable the keys.
     KeyPoint& keyPoint() { return *m_point; }
-    /// Whether the page follows the time cursor: it has connected timeCursorDragged().
+    /// Returns whether the page uses the time cursor, that is, whether it has connected timeCursorDragged().
     bool offersTime() const;
-    /// Marks a point of a curve and reads it in words, or nothing.
+    /// Shows a ring and a label at a point of a curve; removes them if `point` is empty.
     void markPoint(const std::optional<CurvePoint>& point);
-    /// A point of a curve in words.
+    /// Returns a text with the curve's name and the point's x and y, with names and units.
     QString words(const CurvePoint& point) const;
-    /// The mark at the pointer, in words; empty when there is none.
+    /// Returns the label of the mark at the mouse pointer; empty if there is none.
     QString hoverText() const { return m_hover.text(); }
 
     void setCurveVisible(QCPAbstractPlottable* curve, bool visible);
-    /// Linear or logarithmic; a horizontal axis together with those of all stacked plots.
+    /// Sets an axis linear or logarithmic. A horizontal axis takes those of all stacked plots along.
     void setAxisScale(QCPAxis* axis, QCPAxis::ScaleType scale);
 
-    /// The present view drawn for paper, black on white, numbers as in files, with cursors where they are
-    /// placed; `format` is one of plotFormats(), `dpi` counts for PNG. See renderPlot().
+    /// Returns the present view as bytes of a file: black on white, with numbers in C locale, and with the
+    /// placed cursors. `format` is one of plotFormats(); `dpi` is the resolution of PNG. See renderPlot().
     QByteArray drawing(const QString& format, Millimetres size, double dpi = standardDpi,
                        const QString& title = {});
-    /// The size of the plot on screen at 96 dots per inch.
+    /// Returns the size of the plot on screen [mm], at 96 dots per inch.
     Millimetres sizeOnPaper() const;
-    /// The data of the plot as CSV; see plotCsv().
+    /// Returns the data of the plot as CSV in English; see plotCsv().
     QByteArray csv() const { return dataText(','); }
+    /// Returns whether the plot has data to copy: a visible curve with points, or a function set by
+    /// setDataText().
     bool hasData() const;
-    /// Sets the text of a plot without curves, with a separator between cells, in the form of plotCsv().
+    /// Sets the function that returns the data of a plot without curves, in the form of plotCsv().
     void setDataText(DataText text) { m_dataText = std::move(text); }
-    /// Sets the function that names curves and axes in the present language (EnglishTexts): csv() is in
-    /// English.
+    /// Sets the function that names curves and axes in the present language. It is called again when csv()
+    /// switches to English (EnglishTexts) and back.
     void setNaming(std::function<void()> name) { m_name = std::move(name); }
 
-    /// Whether what is shown answers the present input; nothing else is copied or saved.
+    /// Sets whether the plot belongs to the present input. An outdated plot cannot be copied or saved.
     void setCurrent(bool current);
     bool isCurrent() const { return m_current; }
 
-    /// The context menu for a point of the plot; without one for the middle of the axes used last.
+    /// Opens the context menu for a point of the plot [px], or for the middle of the axis rect used last if
+    /// `at` is empty.
     void openMenu(std::optional<QPoint> at = {});
 
     QSize minimumSizeHint() const override { return {300, 240}; }
 
   public slots:
-    /// Keeps the view to go back to and asks the page to fit.
+    /// Saves the present view for going back, emits fitRequested() and fits logarithmic axes.
     void fit();
     void copyPicture();
     void copyData();
 
   signals:
-    /// The page is to bring everything into view.
+    /// Asks the page to bring everything into view.
     void fitRequested();
-    /// A click with the left button, pressed and released at one place of an axis rect: its coordinates on
-    /// the bottom and left axes there.
+    /// Reports a click with the left button, pressed and released at one place of `rect`. `coordinates` are
+    /// those of its bottom and left axes.
     void clicked(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
-    /// A click on a curve or a mark, or Enter at the point of the keys: the page may then change the
-    /// scenario. Clicks beside them, such as one that only gives the plot the focus, change nothing.
+    /// Reports a click on a curve or a mark, or Enter at the point for keys. The page may then change the
+    /// scenario. Clicks elsewhere, such as one that only gives the plot the focus, emit only clicked().
     void placeTaken(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
-    /// The user moves the time cursor; it is there already. A page that connects this offers the cursor.
+    /// Reports that the user has moved the time cursor to x (unit of the axis). A page that connects this
+    /// signal offers the time cursor.
     void timeCursorDragged(double x);
     void savePictureRequested();
     void saveDataRequested();

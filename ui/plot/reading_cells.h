@@ -12,35 +12,42 @@
 
 namespace drillwave {
 
-/// One number with its unit. NaN if it is not known.
+/// Number with its name and unit. A value of NaN means that it is not known.
 struct ReadingCell {
-    QString name;   ///< in full, for what is copied or read aloud: "F at A"
-    QString label;  ///< before the number in the table; may be empty
+    /// Full name, used for copying and for screen readers, such as "F at A". An empty name means an empty
+    /// cell.
+    QString name;
+    QString label;  ///< short name before the number in the table; may be empty
     double value = 0;
     QString unit = {};
-    QString words = {};  ///< instead of the number, on an axis of words
+    QString words = {};  ///< word shown instead of the number, if the axis has words
 
-    /// "1.2 ms", "–" where it is not known.
+    /// Returns the cell as shown, such as "1.2 ms", or "–" if the value is not known. `digits` are
+    /// significant digits.
     QString text(const QLocale& locale, int digits) const;
 };
 
-/// Three columns of two cells, x above y, and three more; a cell without a name stays empty.
+/// Number of cells of the table: three columns of two cells, x above y, and three single cells. A cell
+/// without a name stays empty.
 inline constexpr qsizetype readingCellCount = 9;
 using ReadingCells = QList<ReadingCell>;
 
-/// Places and values at the cursors, their differences, mean, slope and integral. The meaning has both names.
+/// Returns the cells of the readings at the cursors: x and y at A and B, their differences, mean, slope and
+/// integral. `meaning` must contain the names of x and y.
 ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meaning);
 
-/// Least and largest value with their places in the view, mean and integral. The meaning has both names.
+/// Returns the cells of the readings in the view: smallest and largest y with their x, ends of the view, mean
+/// and integral. `meaning` must contain the names of x and y.
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning);
 
-/// Digits of a number where there is room for it.
+/// Significant digits of a number in the table if there is enough space.
 inline constexpr int readingDigits = 6;
 
-/// All cells in one line: "A 1.2 ms · F at A 10 kN · …".
+/// Returns all cells in one line: "A 1.2 ms · F at A 10 kN · …".
 QString readingText(const ReadingCells& cells, const QLocale& locale);
 
-/// Lines of name, number and unit with tabs between them, for a spreadsheet; numbers as in files.
+/// Returns a table for a spreadsheet: the name of the curve, then lines of name, number and unit separated by
+/// tabs. Numbers have all digits and a decimal point.
 QString readingTable(const QString& curve, const ReadingCells& cells);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves of pinned runs in a plot.
+// The curves of pinned runs (results kept for comparison) in a plot.
 #pragma once
 
 #include <qcustomplot.h>
@@ -17,32 +17,35 @@
 
 namespace drillwave {
 
-/// Returns the name of a run in a legend: only its letter if there are more than three `runs`.
+/// Returns the legend text of a pinned run, at most 24 characters long. With more than three `runs` it is
+/// only the letter of the run.
 QString runLegend(const QString& title, qsizetype runs);
 
-/// The pen of a run as a broad translucent band in dashes as long.
+/// Returns the pen of a run changed to a translucent band, 4 px wide, with the run's dashes.
 QPen runBand(QPen pen);
 
-/// One run's curve.
+/// Curve of one pinned run (a result kept for comparison).
 template <class Data>
 struct RunDrawing {
-    int number = 0;  ///< of its letter, colour and dash
-    QString title;   ///< "A  k 300 MN/m"
+    int number = 0;  ///< number of the run (from 0), which decides its letter, colour and dash pattern
+    QString title;   ///< title of the run: its letter and what differs, such as "A  k 300 MN/m"
     Data data;
 };
+/// Curve of a pinned run (a result kept for comparison) with ascending x.
 using RunCurve = RunDrawing<GraphData>;
-/// A curve that may turn back.
+/// Curve of a pinned run (a result kept for comparison) that may turn back in x.
 using RunPath = RunDrawing<QSharedPointer<QCPCurveDataContainer>>;
 
-/// Curves over two axes below those of the page, in the legend with their names or, if these do not fit or
-/// are many, their letters. Lives as a child of the plot.
+/// Curves of pinned runs over two axes, drawn below the curves of the page. The legend gives their names, or
+/// only their letters if the names do not fit or are many. The plot owns the object.
 template <class Plottable, class Drawing>
 class RunDrawings : public QObject {
   public:
-    /// Relative width of runs beside many curves of the page.
+    /// Line width factor for pinned runs in plots where the page draws many curves of its own.
     static constexpr double thin = 0.7;
 
-    /// Without a legend the curves are neither read nor copied.
+    /// Creates an empty set of curves. If `legend` is nullptr, the curves can be neither read nor copied.
+    /// `width` is a factor of the line width.
     RunDrawings(QCPAxis* x, QCPAxis* y, QCPLegend* legend, double width = 1)
         : QObject(x->parentPlot()),
           m_x(x),
@@ -55,12 +58,12 @@ class RunDrawings : public QObject {
         connect(x->parentPlot(), &QCustomPlot::afterLayout, this, [this] { fitNames(); });
     }
 
-    /// Translucent bands, where thin lines are curves of another kind; in the legend as the name of that
-    /// which they are, with the letters of the runs: "N A".
+    /// Draws the runs as translucent bands, for plots in which thin lines mean something else. `name` is the
+    /// name of the quantity; the legend shows it with the letter of the run, such as "N A".
     void setBands(const QString& name) { m_bands = name; }
 
-    /// Replaces the curves. Curves of the same runs stay: hidden ones are still hidden, and one that is read
-    /// is still read.
+    /// Replaces the curves. If the runs are the same as before, hidden curves stay hidden and the curve that
+    /// is read stays chosen.
     void present(const QVector<Drawing>& drawings) {
         const bool isSame = std::ranges::equal(drawings, m_drawings, [](const auto& a, const auto& b) {
             return a.number == b.number && a.title == b.title;
@@ -69,7 +72,7 @@ class RunDrawings : public QObject {
         if (!isSame) makeAnew();
         for (qsizetype i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_drawings[i].data);
     }
-    /// Moves its entries after newer ones in the legend.
+    /// Moves the runs' entries to the end of the legend.
     void standLast() {
         if (!m_legend) return;
         for (Plottable* graph : std::as_const(m_graphs)) {
@@ -140,7 +143,7 @@ class RunDrawings : public QObject {
     QCPAxis* m_y;
     QCPLegend* m_legend;
     double m_width;
-    QString m_bands;  // their name; empty where they are lines
+    QString m_bands;  // name of the bands; empty if the runs are lines
     PlotStyle m_style;
     QVector<Drawing> m_drawings;
     QVector<Plottable*> m_graphs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks of pinned runs on a plot of a study.
+// Marks of pinned runs (results kept for comparison) on the plot of a study.
 #pragma once
 
 #include <qcustomplot.h>
@@ -12,24 +12,25 @@
 
 namespace drillwave {
 
-/// A run as a point, in the units of the axes.
+/// Pinned run shown as a point, with x and y in the units of the axes.
 struct RunMark {
-    int number = 0;  ///< of its letter and colour
+    int number = 0;  ///< number of the run (from 0), which decides its letter and colour
     QString title;
     QPointF at;
     bool operator==(const RunMark&) const = default;
 };
 
-/// Points in the colours of their runs, named beside them, over everything else. A name goes around its
-/// point to a free place, and is only its letters if there is no room for more. Lives as a child of the
-/// plot.
+/// Marks of pinned runs in their colours, each with its name, above everything else. A name is placed around
+/// its point where there is space, and shortened to the letter of the run otherwise. The plot owns the
+/// object.
 class RunMarks : public QObject {
     Q_OBJECT
 
   public:
     RunMarks(QCustomPlot* plot, QCPAxis* x, QCPAxis* y);
 
-    /// Replaces the marks; true if they differ, so that the plot needs a replot.
+    /// Replaces the marks. Returns whether they differ from the present ones, so that the plot must be
+    /// redrawn.
     bool present(const QVector<RunMark>& marks);
     void setStyle(const PlotStyle& style);
     const QVector<RunMark>& marks() const { return m_marks; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pens of pinned runs: each has its own colour and dash.
+// Pens of pinned runs (results kept for comparison): each has its own colour and dash pattern.
 #pragma once
 
 #include "ui/plot/plot_style.h"
@@ -9,11 +9,13 @@ class QSize;
 
 namespace drillwave {
 
-/// Returns the pen of run 0, 1, 2 …: a colour that no curve of a page has, of contrast 4.5 at least with the
-/// background, and a dash. The first six differ in both, thirty-six in one of them; none is solid.
+/// Returns the pen of pinned run `number` (from 0). Its colour is used by no curve of a page and has a
+/// contrast of at least 4.5 to the background. The first six pens differ in both colour and dashes, the first
+/// thirty-six in at least one of them; no pen is solid.
 QPen runPen(int number, const PlotStyle& style);
 
-/// A piece of that line, for a list. Takes the colours of the palette.
+/// Returns an icon of `size` with a line in the pen of a run, for a list of runs. The palette decides between
+/// the light and the dark colours.
 QIcon runIcon(int number, const QPalette& palette, QSize size);
 
 }  // namespace drillwave

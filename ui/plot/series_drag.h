@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve in the hand.
+// Dragging of a curve with the mouse.
 #pragma once
 
 #include <qcustomplot.h>
@@ -9,22 +9,26 @@
 
 namespace drillwave {
 
-/// Lets a curve be dragged up and down, which takes the place of panning there. Lives as a child of the plot.
+/// Handler that lets the user drag a curve up and down. Dragging that starts on the curve does not pan the
+/// plot. The plot owns it.
 class SeriesDrag : public QObject {
     Q_OBJECT
 
   public:
     explicit SeriesDrag(QCustomPlot& plot);
 
-    /// Drags that curve of the plot; nullptr for none.
+    /// Sets the curve that can be dragged; nullptr for none.
     void setCurve(QCPGraph* curve);
-    /// How far above (negative: below) the curve a pixel is [px]; nothing where there is no curve.
+    /// Returns the height of a pixel above the curve [px], negative below it; nothing if the curve has no
+    /// point there.
     std::optional<double> heightAbove(QPointF pixel) const;
 
   signals:
-    /// The user has taken hold of the curve where it is at that y: the moves that follow belong together.
+    /// Reports that the user has begun to drag the curve, at a point with the value y (unit of the axis). The
+    /// moves until the release belong together.
     void begun(double y);
-    /// That point of the curve has been moved to that y.
+    /// Reports that the user has dragged the point of the curve where the drag began to the value y (unit of
+    /// the axis).
     void moved(double y);
 
   protected:
@@ -38,8 +42,8 @@ class SeriesDrag : public QObject {
     QCustomPlot& m_plot;
     QCPGraph* m_curve = nullptr;
     bool m_dragging = false;
-    bool m_hand = false;     // shown at the pointer
-    double m_grabbedAt = 0;  // height above the curve [px]
+    bool m_hand = false;     // whether the pointer has the shape for dragging
+    double m_grabbedAt = 0;  // height above the curve where the drag began [px]
 };
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Common part of the plots of pages: messages, view, style, header, runs and the mark of the scenario.
+// Common part of the plots of pages: message, view, style, legend and caption, pinned runs and the mark of
+// the present scenario.
 #pragma once
 
 #include <qcustomplot.h>
@@ -18,17 +19,19 @@
 
 namespace drillwave {
 
-/// Draws on screen and in files alike. A plot of a page adds what it draws, says how that looks and goes
-/// away, and which ranges have all of it in view. Lives as a child of the plot.
+/// Base of the plots of pages, for screen and files. A derived class adds its items, and defines how to style
+/// them, how to clear them and which ranges show all of them. The plot owns the object.
 class StudyFrame : public QObject {
     Q_OBJECT
 
   public:
-    /// No curves, and `message` in their place (why there are none).
+    /// Removes all curves and shows `message` instead, which says why there are none.
     void showNothing(const QString& message);
-    /// Places the mark of the scenario, in units of the axes: without y a line, without x nothing.
+    /// Places the mark of the present scenario at x and y, in the units of the axes. Without y it is a
+    /// vertical line, without x it is hidden.
     void setHere(std::optional<double> x, std::optional<double> y) { m_here->setPlace(x, y); }
-    /// Where pinned runs are and, of a plot that has them, their curves; in units of the axes.
+    /// Shows pinned runs (results kept for comparison) as marks and, in plots of curves, as curves. All are
+    /// in the units of the axes.
     void setRuns(const QVector<RunMark>& marks, const QVector<RunCurve>& curves = {});
     const QVector<RunMark>& runMarks() const {
         static const QVector<RunMark> none;  // before the plot has runs
@@ -39,49 +42,61 @@ class StudyFrame : public QObject {
         return m_runCurves ? m_runCurves->graphs() : none;
     }
     void setStyle(const PlotStyle& style);
-    /// Everything in view.
+    /// Brings everything into view.
     void fit();
-    /// The same, unless the user has chosen another view.
+    /// Brings everything into view, unless the user has chosen another view.
     void fitUnlessZoomed();
-    /// Where keys may go; no rect where they do nothing.
+    /// Returns the places that the keys can reach in this plot. The default has no axis rect, so that the
+    /// keys do nothing.
     virtual KeyPlaces keyPlaces() const { return {}; }
-    /// Returns a description of the plot in words, for assistive tools and the line above it.
+    /// Returns a description of the plot in words, for assistive tools and for the line above the plot.
     QString textSummary() const { return m_summary; }
 
   protected:
     explicit StudyFrame(QCustomPlot* plot);
 
-    /// Away with what is drawn; message, runs and "you are here" have gone already.
+    /// Removes what the derived class has drawn. The base class has already removed runs, caption and the
+    /// mark of the scenario.
     virtual void clear() = 0;
-    /// Applies m_style to the items of the derived frame; the base class has applied it to its own.
+    /// Applies m_style to the items of the derived class; the base class has already applied it to its own
+    /// items.
     virtual void restyle() = 0;
-    /// That have everything in view.
+    /// Sets the axis ranges that bring everything into view.
     virtual void setRanges() = 0;
 
-    /// The plot without its own axes and legend; none of its curves comes into a legend by itself.
+    /// Removes QCustomPlot's own axes and legend from the plot. New curves are not added to a legend
+    /// automatically.
     void layOutAnew();
-    /// Takes a rect for the one that is fitted and zoomed.
+    /// Makes `rect` the axis rect whose ranges are fitted and zoomed.
     void view(QCPAxisRect* rect);
+    /// Returns the horizontal axis of the fitted axis rect.
     QCPAxis* x() const { return m_rect->axis(QCPAxis::atBottom); }
+    /// Returns the vertical axis of the fitted axis rect.
     QCPAxis* y() const { return m_rect->axis(QCPAxis::atLeft); }
+    /// Returns the position in pixels of a point given in the units of the axes.
     QPointF pixelOf(QPointF at) const { return {x()->coordToPixel(at.x()), y()->coordToPixel(at.y())}; }
-    /// A row of its own above all others, as high as it has to be.
+    /// Adds an element in a new row above all others, only as high as the element needs.
     void insertAbove(QCPLayoutElement* element);
-    /// Legend of the plot, or another one if that has gone with the layout.
+    /// Makes the plot's legend visible and uses it, or a new legend if the layout has deleted the old one.
+    /// `margins` are in pixels.
     void useLegend(const QMargins& margins);
-    /// Legend and caption (of no words yet) above the axes, where they can hide no part of a curve, and
-    /// `spaceBelow` them [px]. Returns what holds them.
+    /// Adds a row with legend and (still empty) caption above the axes, where they cannot hide a curve, with
+    /// `spaceBelow` [px]. Returns the layout of that row.
     QCPLayoutGrid* addHeader(int spaceBelow);
-    /// These are over the axes that are in view.
+    /// Adds the mark of the present scenario over the axes of the fitted rect.
     void addHere();
     const HereMark& here() const { return *m_here; }
+    /// Adds the marks of pinned runs, which need the axes of the fitted rect.
     void addRunMarks();
+    /// Adds the curves of pinned runs. `width` is a factor of the line width.
     void addRunCurves(double width = 1);
-    /// Behind what has come into the legend since.
+    /// Moves the pinned runs to the end of the legend.
     void standRunsLast() { m_runCurves->standLast(); }
-    /// Words of a rect, in font and colour of the style.
+    /// Adds a text to an axis rect, in font and colour of the style. `padding` is in pixels. Returns the
+    /// text, which the plot owns.
     QCPItemText* addText(QCPAxisRect* rect, const QMargins& padding, Qt::Alignment alignment);
-    /// At the end of what shows something: fitted where it was, or where the axes are others than before.
+    /// Hides the message of showNothing(). Fits the view if it was fitted before or if the axes are
+    /// different. Call this after showing new results.
     void finish(bool hasOtherAxes);
 
     QCustomPlot* m_plot;

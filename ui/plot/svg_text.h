@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of an SVG in a form that every reader has fonts for.
+// Conversion of the texts of an SVG file to characters that every viewer has.
 #pragma once
 
 #include <QByteArray>
@@ -7,9 +7,10 @@
 
 namespace drillwave {
 
-/// Subscripts and superscripts of Unicode ("N₀ₚ", "10⁻⁵"), which many fonts lack, become smaller letters
-/// below or above the line; ¹, ² and ³ alone stay. Texts in `family` may be set in a common font where it is
-/// missing. Characters that XML may not hold are written as printable() writes them.
+/// Returns the SVG with Unicode subscripts and superscripts ("N₀ₚ", "10⁻⁵") replaced by small letters below
+/// or above the line. Many fonts lack these characters; a single ¹, ² or ³ is kept. Texts in the font
+/// `family` get common fonts as alternatives. Characters that XML does not allow are escaped as by
+/// printable().
 QByteArray withCommonText(const QByteArray& svg, const QString& family);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The views of a plot one after the other, to go back to.
+// The earlier views of a plot, for going back.
 #pragma once
 
 #include <qcustomplot.h>
@@ -11,18 +11,20 @@
 
 namespace drillwave {
 
-/// Ranges and scales of all axes. Views of other units (axes of other labels) are forgotten.
+/// Stack of at most 100 views of a plot: ranges and scales of all axes. Views whose axes had other labels,
+/// and so other units, are discarded.
 class ViewHistory {
   public:
     explicit ViewHistory(QCustomPlot& plot) : m_plot(plot) {}
 
-    /// Keeps the present view; call before it changes.
+    /// Saves the present view. Call this before the view changes.
     void remember();
-    /// Remembers the view before a burst of changes, for example by a wheel: changes half a second or less
-    /// apart are one step.
+    /// Saves the view before a burst of changes, such as turns of a wheel. Changes at most half a second
+    /// apart count as one step.
     void rememberBurst();
+    /// Returns whether a saved view differs from the present one.
     bool canGoBack() const;
-    /// Restores the last view that differs from the present one.
+    /// Restores the last saved view that differs from the present one, and discards the views after it.
     void goBack();
 
   private:
@@ -39,7 +41,7 @@ class ViewHistory {
 
     QCustomPlot& m_plot;
     QVector<View> m_views;
-    QElapsedTimer m_burst;  // since its last change; invalid outside of a burst
+    QElapsedTimer m_burst;  // time since the last change of a burst; invalid outside a burst
 };
 
 }  // namespace drillwave

@@ -8,20 +8,22 @@
 
 namespace drillwave {
 
-/// Values in the units shown; NaN if no part of the curve is in view.
+/// Statistics of the part of a curve in view, in the units shown. All are NaN if no part of the curve is in
+/// view.
 struct ViewStatistics {
-    double begin = 0;  ///< x where the part in view begins
-    double end = 0;
-    double least = 0;    ///< smallest y
-    double leastAt = 0;  ///< x where it is first
-    double largest = 0;
-    double largestAt = 0;
-    double mean = 0;
-    double integral = 0;  ///< in CurveMeaning's unit
+    double begin = 0;      ///< smallest x of the part in view, in the unit of the axis
+    double end = 0;        ///< largest x of the part in view, in the unit of the axis
+    double least = 0;      ///< smallest y in view, in the unit of the axis
+    double leastAt = 0;    ///< x where the smallest y occurs first
+    double largest = 0;    ///< largest y in view, in the unit of the axis
+    double largestAt = 0;  ///< x where the largest y occurs first
+    double mean = 0;       ///< mean of y over the part in view, in the unit of the axis
+    double integral = 0;   ///< integral over the part in view, in CurveMeaning::integralUnit
 };
 
-/// Extremes are those of the drawn points and of the ends of the view, mean and integral as readCurve() has
-/// them.
+/// Returns the statistics of a curve for the range `view` of x. Extremes are those of the drawn points and of
+/// the ends of the view. Mean and integral use the exact functions of `meaning` if it has them, else the line
+/// through the points.
 ViewStatistics viewStatistics(const QCPGraphDataContainer& points, const CurveMeaning& meaning,
                               QCPRange view);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alerts about a scenario or its solution, in words.
+// A list of the alerts about a scenario or its solution, in words.
 #pragma once
 
 #include <QLabel>
@@ -16,30 +16,32 @@
 
 namespace drillwave {
 
-/// Shows alerts one below the other. While they come and go the list keeps the room it once needed, so that
-/// what is below stands still until values rest.
+/// List of alerts, one below the other. When it becomes shorter, it keeps its height for a moment, so that
+/// widgets below do not move while values are dragged.
 class AlertList : public QWidget {
     Q_OBJECT
 
   public:
     explicit AlertList(QWidget* parent = nullptr);
 
-    /// Shows why there is no solution (when not empty) before the remarks on the scenario.
+    /// Shows why there is no solution (if `problem` is not empty), then the alerts about the scenario.
     void present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style);
-    /// The texts shown.
+    /// Returns the texts of the list, one for each alert, after the reason for a missing solution.
     QStringList texts() const { return m_texts; }
-    /// Whether they say why there is no solution.
+    /// Returns whether the first text says why there is no solution.
     bool hasProblem() const { return m_hasProblem; }
-    /// How many of them are warnings, and how many mere notes.
+    /// Returns the number of warnings in the list.
     qsizetype warningCount() const { return m_warningCount; }
+    /// Returns the number of notes in the list, which are neither warnings nor the reason for a missing
+    /// solution.
     qsizetype noteCount() const { return m_texts.size() - m_warningCount - (m_hasProblem ? 1 : 0); }
-    /// Gives the keyboard to the first of them.
+    /// Gives the keyboard focus to the first alert.
     void takeFocus();
 
   signals:
-    /// Other texts are shown.
+    /// Reports that the texts have changed.
     void changed();
-    /// The user follows an alert to its parameter: the key, as in parameters().
+    /// Reports that the user has clicked the parameter of an alert; `key` is its key as in parameters().
     void parameterChosen(const QString& key);
 
   private:
@@ -54,14 +56,14 @@ class AlertList : public QWidget {
     QTimer m_rest;
 };
 
-// How many alerts there are, from where their list may be out of sight.
+// A button that shows the number of alerts, for places where the list may be out of sight.
 
-/// "⚠ 2 alerts": a click leads to the list, the tooltip has its texts.
+/// Button with the number of alerts, such as "⚠ 2 warnings · ℹ 1 note"; its tooltip has their texts.
 class AlertLink : public QToolButton {
     Q_OBJECT
 
   public:
-    /// Follows a list that lives as long; hidden while the list is empty.
+    /// Creates a button for a list, which must outlive it. The button is hidden while the list is empty.
     explicit AlertLink(const AlertList& list, QWidget* parent = nullptr);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of the hammer's work, as one bar.
+// The parts of the hammer's work as one bar.
 #pragma once
 
 #include <QWidget>
@@ -9,17 +9,17 @@
 
 namespace drillwave {
 
-/// The parts in the order of the bar.
+/// Parts of the energy in the order of the bar.
 inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves,
                                         EnergyPart::hammer, EnergyPart::losses};
 
-/// A short word for a share: "rock".
+/// Returns the short name of a part of the energy, such as "rock".
 QString energyPartName(EnergyPart part);
-/// The share of the whole, 0 … 1; what rounding makes negative is 0.
+/// Returns the share of a part in the whole energy, 0 … 1. Negative values from rounding are returned as 0.
 double energyShare(const ImpactSummary& summary, EnergyPart part);
 
-/// A horizontal bar whose parts differ in pattern, colour and, where they fit, words. Empty without a
-/// result.
+/// Horizontal bar of the energy parts, which differ in pattern, colour and, where it fits, text. It is empty
+/// without a result.
 class EnergyBar : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ class EnergyBar : public QWidget {
 
     void present(const ImpactSummary& summary);
     void clear();
-    /// The words in a part; empty where they do not fit.
+    /// Returns the text in a part of the bar; empty if it does not fit.
     QString labelOf(EnergyPart part) const;
 
     QSize sizeHint() const override;
@@ -41,10 +41,10 @@ class EnergyBar : public QWidget {
     QRectF partRect(EnergyPart part) const;
     void describe();
 
-    std::array<double, energyParts.size()> m_shares{};  // together 1, or all 0 without a result
+    std::array<double, energyParts.size()> m_shares{};  // sum 1; all 0 without a result
 };
 
-/// The pattern of one part, for the list at the bar.
+/// Small sample of the pattern of one energy part, for the list below the bar.
 class EnergySwatch : public QWidget {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The events of a blow as a table that follows the time cursor and moves it.
+// The events of a blow as a table that follows the time cursor and can move it.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -10,9 +10,10 @@
 
 namespace drillwave {
 
-// The events of a blow as a table: when, and what happened at the bit.
+// The table of events: the time, and what happened at the bit.
 
-/// Reads from the shared answer: a blow with many contacts costs nothing to list.
+/// Table model of the events of a blow. It reads them from the shared result, so that many contacts cost
+/// nothing.
 class EventModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -20,9 +21,9 @@ class EventModel : public QAbstractTableModel {
     using QAbstractTableModel::QAbstractTableModel;
 
     void present(const SolvedBlowPtr& blow);
-    /// Global time t/t0 of the event in a row.
+    /// Returns the global time of the event in a row [t0].
     double timeAt(int row) const;
-    /// The first event at a global time t/t0, if there is one.
+    /// Returns the row of the first event at a global time [t0]; nothing if there is none.
     std::optional<int> rowAt(double time) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -32,9 +33,10 @@ class EventModel : public QAbstractTableModel {
 
   private:
     SolvedBlowPtr m_blow;
-    ShownUnit m_unit;  // of times
+    ShownUnit m_unit;  // unit of the times shown
 };
 
+/// Table of the events of a blow.
 class EventTable : public QTableView {
     Q_OBJECT
 
@@ -42,11 +44,11 @@ class EventTable : public QTableView {
     explicit EventTable(QWidget* parent = nullptr);
 
     void present(const SolvedBlowPtr& blow);
-    /// Marks the event at the time cursor t/t0, if there is one.
+    /// Marks the event at the time cursor [t0]; none if there is no event or `time` is empty.
     void setTime(std::optional<double> time);
 
   signals:
-    /// The user chose an event: its global time t/t0.
+    /// Reports that the user has chosen an event; `time` is its global time [t0].
     void timeChosen(std::optional<double> time);
 
   protected:
@@ -58,7 +60,7 @@ class EventTable : public QTableView {
 
     EventModel* m_model;
     std::optional<double> m_time;
-    bool m_following = false;  // the table follows the time cursor, not the user
+    bool m_following = false;  // whether the selection changes because of the time cursor, not the user
 };
 
 }  // namespace drillwave

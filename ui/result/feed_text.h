@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The required and the installed feed, as the window writes them: empty if the scenario lacks
-// data.
+// Required and installed feed force as texts for the window; empty if the scenario lacks the necessary data.
 #pragma once
 
 #include <QString>
@@ -13,28 +12,33 @@
 
 namespace drillwave {
 
-// The required feed of all four cases, which takes a study of all gaps, in addition to the blow.
+// The required feed force of all four cases, which needs a study of all gaps in addition to the blow.
 
-/// Follows the blow on show as soon as its values rest. Keeps the estimate of the earlier one until then.
+/// Estimate of the feed force required by four cases: this blow, rigid rock, 95 % of all gaps, and the worst
+/// gap. It is computed when the values have not changed for a moment. The previous estimate is kept until
+/// then.
 class WorstNeed : public QObject {
     Q_OBJECT
 
   public:
     explicit WorstNeed(QObject* parent = nullptr);
 
-    /// Starts the study for a blow; one without a thrust has no estimate.
+    /// Requests the estimate for a blow. It exists only for a solved blow on a uniform rod with a blow
+    /// frequency.
     void ask(const SolvedBlow& blow);
-    /// Stops following blows until the next ask().
+    /// Stops requesting estimates until the next ask().
     void askNothing();
-    /// The estimate of all four cases; nothing where there is none, or none yet.
+    /// Returns the estimate of the required feed force for all four cases; nothing if there is none, or none
+    /// yet. The cases are this blow, rigid rock, 95 % of all gaps and the worst gap.
     std::optional<FeedEstimate> estimate() const;
-    /// The largest of the four required forces [N]; nothing where there is none, or none yet.
+    /// Returns the largest feed force [N] required by this blow, rigid rock, 95 % of all gaps and the worst
+    /// gap. Nothing if it is not known, or not yet.
     std::optional<double> thrust() const;
-    /// Why there is none, in a sentence; may be empty.
+    /// Returns a sentence that says why there is no estimate; may be empty.
     QString problem() const;
-    /// Whether estimate() is that of the last blow.
+    /// Returns whether estimate() belongs to the last blow.
     bool isCurrent() const;
-    /// Whether it is on its way.
+    /// Returns whether an estimate is being computed or will be soon.
     bool isAwaited() const;
 
   signals:
@@ -44,48 +48,56 @@ class WorstNeed : public QObject {
     void ask(std::optional<Scenario> scenario);
     void run();
 
-    std::optional<Scenario> m_scenario;  // with a thrust
+    std::optional<Scenario> m_scenario;  // scenario to estimate; empty if it has none
     StudyJob<ThrustStudy> m_job;
-    bool m_due = false;  // requested, and not run yet
+    bool m_due = false;  // whether an estimate is requested but not yet started
     QTimer m_rest;
 };
 
-/// The force that this blow requires, f I0 (1+e), and the feed at which an undamped rigid rod is back in
-/// time.
+/// Returns the feed force required by this blow, f I0 (1 + e), with its unit; empty without data.
 QString thrustNeededText(const SolvedBlow& blow);
+/// Returns the feed force for which an undamped rigid rod returns in time, f I0 (1 + 2e), with its unit;
+/// empty without data.
 QString returnInTimeText(const SolvedBlow& blow);
 
-/// The largest of the four required forces; marked by an ellipsis while it is not of this blow.
+/// Returns WorstNeed::thrust(), the largest required feed force, with its unit. An ellipsis is added while it
+/// belongs to an earlier blow; empty if it is not known.
 QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow);
 
-/// Whether what is installed reaches that, with the difference in words and as a share: "⚠ short by …". Empty
-/// where either is not known, an ellipsis where the need is not of this blow.
+/// Returns whether the effective feed force covers WorstNeed::thrust(), the largest required one, in words
+/// with the difference, such as "⚠ short by …". Empty if one of them is not known; an ellipsis while the
+/// estimate belongs to an earlier blow.
 QString worstMarginText(const WorstNeed& worst, const SolvedBlow& blow);
-/// Whether it is known to be less.
+/// Returns whether the effective feed force is known to be less than WorstNeed::thrust(), the largest
+/// required one.
 bool isShortOfWorst(const WorstNeed& worst, const SolvedBlow& blow);
 
-/// The installed thrust, and the effective force where weight along the hole counts.
+/// Returns the installed feed force with its unit, and the effective feed force if weight along the hole is
+/// given.
 QString thrustInstalledText(const SolvedBlow& blow);
 
-/// The installed force less what this blow requires [N]; below zero what is missing.
+/// Returns the effective feed force minus the force required by this blow [N]; negative if it is too small.
+/// Nothing without data.
 std::optional<double> thrustMargin(const SolvedBlow& blow);
 
-/// Formats the margin, also as a share of the required feed.
+/// Returns thrustMargin() with its unit, and as a share of the required force [%].
 QString thrustMarginText(const SolvedBlow& blow);
 
-/// Formats the difference of two margins [N], in the unit of the blow: "+1.27 kN". A margin passes through
-/// zero, where a share of it has no meaning.
+/// Returns the difference of two margins [N] with sign, in the force unit of the blow: "+1.27 kN". It has no
+/// percentage, because a margin can be zero.
 QString marginChangeText(double margin, double reference, const SolvedBlow& blow);
 
-/// The estimate by which the feed is judged, and whether its cases of all gaps are on their way.
+/// Estimate by which the feed is judged. `isAwaited` says whether its cases of all gaps are still being
+/// computed.
 struct FeedEstimateOnShow {
     std::optional<FeedEstimate> estimate = {};
     bool isAwaited = false;
 };
+/// Returns the estimate of all gaps if it belongs to this blow, else that of the blow.
 FeedEstimateOnShow estimateOnShow(const WorstNeed& worst, const SolvedBlow& blow);
 
-/// The required feed of single blows in one sentence; with an ellipsis while it is awaited. Empty where
-/// the blow is not solved.
+/// Returns one sentence on the feed force required by single blows, with an ellipsis while a better estimate
+/// is computed. Empty if the blow is not solved.
 QString requiredText(const FeedEstimateOnShow& shown, const SolvedBlow& blow);
 
 }  // namespace drillwave

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a solved blow, in the order in which a driller decides by them, what happened at the bit,
-// and what to know about it.
+// The numbers of a solved blow in the order in which a driller needs them, the events at the bit, and alerts.
 #pragma once
 
 #include <QLabel>
@@ -24,23 +23,24 @@ namespace drillwave {
 
 class EventTable;
 
-// A short sequence of blows, solved in addition to the blow on show.
+// A short sequence of blows, computed in addition to the blow that is shown.
 
-/// Follows consecutive blows as soon as the values rest, as many as fit into a second; where a hundred take
-/// longer, only on request. The result of an earlier blow is not shown.
+/// Sequence of consecutive blows for the scenario of the result panel. It is computed when the values have
+/// not changed for a moment, with as many blows as fit into one second. If 100 blows take longer, it is
+/// computed only after follow(). The result of an earlier blow is not shown.
 class ShortSequence : public QObject {
     Q_OBJECT
 
   public:
     explicit ShortSequence(QObject* parent = nullptr);
 
-    /// Follows this blow from now on; one without feed and blow frequency has none.
+    /// Requests the sequence for a blow; there is none without feed force and blow frequency.
     void ask(const SolvedBlow& blow);
-    /// Follows the blows although they take longer.
+    /// Starts the computation although it takes longer than one second.
     void follow();
-    /// The result for the last blow; nullptr while there is none.
+    /// Returns the result for the last blow; nullptr if there is none yet.
     const DrillingResult* result() const;
-    /// Whether it is on its way.
+    /// Returns whether the sequence is being computed or will be soon.
     bool isAwaited() const;
     /// Returns the estimated computing time [s] while the sequence waits for follow(); otherwise nothing.
     std::optional<double> secondsOnRequest() const;
@@ -51,14 +51,15 @@ class ShortSequence : public QObject {
   private:
     void start();
 
-    std::optional<Scenario> m_scenario;  // that can be drilled with
+    std::optional<Scenario> m_scenario;  // scenario of the sequence; empty if it cannot drill
     QuickMarch m_march;
     StudyJob<DrillingResult> m_job;
-    bool m_isDue = false;  // requested, and not started yet
+    bool m_isDue = false;  // whether the sequence is requested but not yet started
     bool m_isStarted = false;
     QTimer m_rest;
 };
 
+/// Panel with the results of a blow: required feed, energy, numbers in sections, alerts and events.
 class ResultPanel : public SteadyScrollArea {
     Q_OBJECT
 
@@ -66,40 +67,42 @@ class ResultPanel : public SteadyScrollArea {
     explicit ResultPanel(QWidget* parent = nullptr);
 
     void present(const SolvedBlowPtr& blow);
-    /// The blow that every number is compared with, and what it is called; nullptr for none.
+    /// Sets the blow that every number is compared with, and its title; nullptr for none.
     void setReference(const SolvedBlowPtr& blow, const QString& title);
-    /// Marks the event at the time cursor t/t0, if there is one.
+    /// Marks the event at the time cursor [t0]; none if there is no event or `time` is empty.
     void setTime(std::optional<double> time);
-    /// Marks all that is shown as not of the present input, and what is copied too.
+    /// Sets whether the results belong to an earlier input. If so, they are greyed out and copied text says
+    /// so.
     void setOutOfDate(bool outOfDate);
-    /// All numbers as lines of "name<tab>value", with a reference and "<tab>difference".
+    /// Returns all numbers as lines of "section: name<tab>value", with "<tab>difference" if there is a
+    /// reference.
     QString text() const;
 
-    /// Returns what a driller decides by in one line: required feed and penetration per blow.
+    /// Returns the most important results in one line: required feed force and penetration per blow.
     QString shortAnswer() const;
     AlertList* alerts() const { return m_alerts; }
-    /// Brings the alerts into view, and the keyboard to them.
+    /// Scrolls to the alerts and gives them the keyboard focus.
     void goToAlerts();
 
   signals:
-    /// shortAnswer() may have changed.
+    /// Reports that shortAnswer() may have changed.
     void answered();
-    /// The user chose an event: its global time t/t0.
+    /// Reports that the user has chosen an event; `time` is its global time [t0].
     void timeChosen(std::optional<double> time);
-    /// The user follows a largest stress to where in the rod, x/L, and when, t/t0, it occurs.
+    /// Reports that the user has clicked a largest stress, which occurs at `section` (x/L) and `time` [t0].
     void placeChosen(double section, double time);
-    /// The user wants to see what many blows do.
+    /// Reports that the user wants to open the page Drilling.
     void drillingChosen();
-    /// The user wants waves to fade, so that a sequence can be resolved.
+    /// Reports that the user wants to set a wave loss, so that a sequence of blows can be resolved.
     void waveLossWanted();
-    /// The user follows an alert to its parameter: the key, as in parameters().
+    /// Reports that the user has clicked the parameter of an alert; `key` is its key as in parameters().
     void parameterChosen(const QString& key);
 
   protected:
     void changeEvent(QEvent* event) override;
 
   private:
-    /// Adds a section that folds; `name` is that of its object and of its key in the settings.
+    /// Adds a section that folds. `name` is its object name and its key in the settings.
     SectionBox* addSection(const QString& title, const char* name);
     void addNumbers(const QString& title, const char* name, const QList<ResultEntry>& entries);
     void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);
@@ -136,8 +139,8 @@ class ResultPanel : public SteadyScrollArea {
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
     SectionBox* m_alertSection = nullptr;
-    QLabel* m_required = nullptr;  // what single blows require
-    QLabel* m_followed = nullptr;  // what the sequence gives
+    QLabel* m_required = nullptr;  // feed force that single blows require
+    QLabel* m_followed = nullptr;  // results of the blow sequence
     StaleVeil* m_veil;
 };
 

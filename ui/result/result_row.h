@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One number of the result panel: name, value, and difference from the reference.
+// One number of the result panel: name, value, and difference from a reference.
 #pragma once
 
 #include <QLabel>
@@ -18,9 +18,9 @@ namespace drillwave {
 
 class SectionBox;
 
-// A value that leads to where it is from, by mouse and keys.
+// A value that acts as a link to the place it belongs to, for mouse and keys.
 
-/// Plain text that looks and works like a link.
+/// Label with plain text that looks and works like a link.
 class PlaceLink : public QLabel {
     Q_OBJECT
 
@@ -37,55 +37,57 @@ class PlaceLink : public QLabel {
     void paintEvent(QPaintEvent* event) override;
 };
 
-/// Content of a row for a blow.
+/// Description of one row of the result panel: how to get its texts and numbers from a blow.
 struct ResultEntry {
-    /// Formats the value; empty if there is none.
+    /// Returns the value as text; empty if there is none.
     using Text = std::function<QString(const SolvedBlow&)>;
-    /// The number itself, to be compared; none where it has no sense.
+    /// Returns the number that is compared with that of a reference; nothing if a comparison has no meaning.
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
-    /// Formats the difference of the blow on show from the reference.
+    /// Returns the difference between the number of the blow shown and that of the reference as text.
     using Change = std::function<QString(double now, double then, const SolvedBlow&)>;
-    /// Whether it is a number of such a scenario at all; the row is not there otherwise.
+    /// Returns whether the row exists for a scenario; otherwise it is hidden.
     using Concern = std::function<bool(const Scenario&)>;
-    /// Whether the text is a warning, and is to look like one.
+    /// Returns whether the text is a warning, which has a special colour.
     using Warning = std::function<bool(const SolvedBlow&)>;
     enum class Weight { usual, heavy };
 
-    QString name = {};  ///< empty: belongs to the row above
+    QString name = {};  ///< name of the value; empty if the row continues the row above
     QString meaning;
     Text text;
+    /// Part of the energy whose pattern is shown before the name; empty for none.
     std::optional<EnergyPart> part = {};
-    Text note = nullptr;  ///< further information on the value of this blow, in its tooltip
+    Text note = nullptr;  ///< further information on the value, for its tooltip
     Weight weight = Weight::usual;
     QString objectName = {};
     Number number = nullptr;
-    const Output* place = nullptr;  ///< the largest stress whose place the text leads to
-    Change change = nullptr;        ///< in percent where there is none
+    const Output* place = nullptr;  ///< output whose place the text links to; nullptr for no link
+    Change change = nullptr;        ///< nullptr: the difference is shown in percent
     Warning warning = nullptr;
-    Concern concerns = nullptr;      ///< every one where there is none
-    const Output* output = nullptr;  ///< whose number it is, where it is that of one
+    Concern concerns = nullptr;      ///< nullptr: the row exists for every scenario
+    const Output* output = nullptr;  ///< output that the row shows; nullptr if it shows none
 };
 
-/// Its widgets live in the grid of a section: swatch, name, change, value.
+/// Row of the result panel. Its widgets are in the grid of a section: pattern, name, difference, value.
 class ResultRow {
   public:
-    /// Fills the next row of the section's grid.
+    /// Creates the widgets of the entry in the next row of `grid`, the grid of a section.
     ResultRow(ResultEntry entry, SectionBox* section, QGridLayout* grid);
 
     const ResultEntry& entry() const { return m_entry; }
     SectionBox* section() const { return m_section; }
-    /// A PlaceLink where the entry has a place.
+    /// Returns the label of the value; a PlaceLink if the entry has a place.
     QLabel* value() const { return m_value; }
+    /// Returns whether the row is shown.
     bool isThere() const { return !m_value->isHidden(); }
-    /// Whether it is there with a value.
+    /// Returns whether the row is shown and has a value.
     bool isFilled() const;
-    /// "section: name<tab>value", with a reference and "<tab>difference".
+    /// Returns "section: name<tab>value", with "<tab>difference" if there is a reference.
     QString text() const;
 
-    /// Shows the row only if its entry concerns the scenario.
+    /// Shows the row if its entry exists for the scenario, and hides it otherwise.
     void offer(const Scenario& scenario) const;
     void present(const SolvedBlow& blow) const;
-    /// Against a reference of that title; nullptr for none.
+    /// Shows the difference from a reference with this title; nullptr hides it.
     void presentChange(const SolvedBlow& blow, const SolvedBlow* reference, const QString& title) const;
 
   private:
@@ -96,29 +98,30 @@ class ResultRow {
     SectionBox* m_section;
     QLabel* m_name;
     QLabel* m_value;
-    QLabel* m_change;             // against the reference
-    QWidget* m_swatch = nullptr;  // of a part of the energy
+    QLabel* m_change;             // difference from the reference
+    QWidget* m_swatch = nullptr;  // pattern of an energy part
 };
 
-/// Makes its text selectable; the menu is that of the panel.
+/// Lets the user select the text of a label. Its context menu is that of the panel.
 void makeSelectable(QLabel& label);
 
 // Entries of the rows of the result panel.
 
-/// Object name of the rows that wait for the study of all gaps.
+/// Object name of the rows that wait for the study of all gaps (see WorstNeed).
 inline const QString worstName = QStringLiteral("worstNeed");
 
-/// Returns all outputs of a group, in its order; below a largest stress its place as well.
+/// Returns the entries of all outputs of a group in their order. An entry of a largest stress is followed by
+/// one for its place.
 QList<ResultEntry> outputEntries(OutputGroup group);
 
-/// Required and installed feed. `worst` is of the blow on show and must outlive the
-/// rows; `worstOf` gives the need of any blow.
+/// Returns the entries of required and installed feed force. `worst` is the estimate of all gaps for the blow
+/// shown, and must outlive the rows. `worstOf` returns the largest required feed force of any blow.
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf);
 
-/// Returns the hammer energy, the reference of all energy shares where the hammer is followed.
+/// Returns the entry of the hammer energy, to which all energy shares refer if the scenario has a hammer.
 ResultEntry hammerEnergyEntry();
 
-/// The coefficient of restitution, with its error in the tooltip.
+/// Returns the entry of the coefficient of restitution, with its error in the tooltip.
 ResultEntry corEntry();
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lies over a result that is not of the present input.
+// A translucent cover over results that do not belong to the present input.
 #pragma once
 
 #include <QList>
@@ -7,20 +7,21 @@
 
 namespace drillwave {
 
-/// Greys, hatches and names what is below, in any palette; mouse and keys go through. Hidden at first.
+/// Cover over outdated results that greys, hatches and labels them, in any palette. Mouse and keys pass
+/// through it. It is hidden at first.
 class StaleVeil : public QWidget {
     Q_OBJECT
 
   public:
-    /// Lies over a widget, as its sibling, and follows it.
+    /// Creates a cover over a widget, as its sibling, which follows the widget's size and place.
     explicit StaleVeil(QWidget* over);
 
-    /// Lies over this sibling of the widget too, and over all between them.
+    /// Extends the cover to a sibling of the widget, and over everything between them.
     void cover(QWidget* sibling);
-    /// Hides the result below completely, because it is that of another scenario.
+    /// Sets whether the cover is opaque, which hides results of another scenario completely.
     void setOpaque(bool opaque);
 
-    /// The words on it.
+    /// Returns the label of the cover.
     static QString words();
 
   protected:

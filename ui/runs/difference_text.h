@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Differences of results as text.
+// Differences between results, and between scenarios, as text.
 #pragma once
 
 #include <QString>
@@ -11,20 +11,20 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// (value − reference)/|reference|; nothing where the reference is zero.
+/// Returns (value − reference)/|reference|; nothing if the reference is zero or a number is not finite.
 std::optional<double> relativeDifference(double value, double reference);
 
-/// The relative difference: "+32 %", "−0.4 %", "±0 %", "≈0 %" below a hundredth; empty for nothing. Beyond a
-/// thousand percent of a positive reference as a factor, "×12.3".
+/// Returns the relative difference as text: "+32 %", "−0.4 %", "±0 %", or "≈0 %" below 0.01 %. Above 1000 %
+/// of a positive reference it is a factor, "×12.3". Empty if there is no relative difference.
 QString relativeText(double value, double reference);
 
-/// "+0.2047", "−3.1", "±0".
+/// Returns a difference with its sign: "+0.2047", "−3.1", "±0". `digits` are significant digits.
 QString signedText(double difference, int digits = 4);
 
-// Differences between two scenarios, in few words.
+// Differences between two scenarios in a few words.
 
-/// Returns the values of the second scenario that differ, in the units of the fields: "k 300 MN/m, L 12 ft",
-/// "half sine". At most a few changes, the rest as "…". Empty if only the titles differ.
+/// Returns the values in which `after` differs from `before`, in the units of the input fields: "k 300 MN/m,
+/// L 12 ft", "half sine". At most four changes are listed, then "…". Empty if only the titles differ.
 QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the runs in a folder beside the scenario file, if the user wants that.
+// Keeps the pinned runs in a folder beside the scenario file, if the user wants that.
 #pragma once
 
 #include <QObject>
@@ -15,62 +15,71 @@
 
 namespace drillwave {
 
-/// An opened scenario brings the runs of its folder with it; those of the scenario before go if they
-/// are kept, and stay beside the new ones if nothing else has them. While runs are kept, every change
-/// of them is written, and after "save as" beside the new file, if there are no others. A separate
-/// thread waits for the disk, one writing after another; only the last of several changes meanwhile is
-/// written.
+/// Storage of the pinned runs (results kept for comparison) in files.
+///
+/// Opening a scenario also opens the runs in its folder. Runs of the scenario before are removed if they are
+/// stored with it; otherwise they stay in the list. While storing is switched on, every change is written.
+/// After "save as" the runs are also written beside the new file, unless other runs are there.
+///
+/// A separate thread writes, one job after another. If several changes arrive during a job, only the last
+/// one is written.
 class RunKeeper : public QObject {
     Q_OBJECT
 
   public:
-    /// Writes files into the folder, on any thread, as RunsFolder::write() does.
+    /// Function that writes files into the folder, on any thread, such as RunsFolder::write(). Returns why it
+    /// failed, or an empty message.
     using Write = std::function<Message(RunsFolder&, const std::vector<NamedFile>&, ExistingFiles)>;
 
-    /// Document and runs must outlive it.
+    /// Creates the object. Document and runs must outlive it.
     RunKeeper(Document& document, Runs& runs, QObject* parent = nullptr, Write write = &RunsFolder::write);
-    /// Writes the rest. Reports no failure, because the receivers may be gone already.
+    /// Writes the remaining changes. A failure is not reported, because receivers of signals may no longer
+    /// exist.
     ~RunKeeper() override;
 
-    /// Wanted, as far as no writing has failed.
+    /// Returns whether storing is switched on. It is switched off when writing fails.
     bool isKept() const { return m_kept; }
-    /// The folder of the present scenario; empty where that has no file.
+    /// Returns the folder of the present scenario; empty if the scenario has no file.
     QString folder() const;
-    /// Whether the folder has files that are not of the runs on show, and would stay: ask the user first.
+    /// Returns whether the folder contains files that do not belong to the runs shown and would remain. The
+    /// user should be asked before keep().
     bool holdsOthers();
-    /// Keeps the runs from now on; begins to write. Returns why not; then nothing is kept. A failure of
-    /// writing is reported by failed(), or by finish().
-    /// Replaces files of other programs only for ExistingFiles::replaced.
+    /// Switches storing on and starts writing. Returns why this is impossible, or an empty text. A later
+    /// failure is reported by failed() or finish(). Files of other programs are replaced only with
+    /// ExistingFiles::replaced.
     QString keep(ExistingFiles existing = ExistingFiles::kept);
-    /// Keeps the runs no more; removes the files of the runs, except those that another program has changed,
-    /// and the folder if nothing else is in it.
+    /// Switches storing off and removes the files of the runs, except files that another program has changed.
+    /// Removes the folder too if it is empty then.
     void giveUp();
-    /// Waits until all is written. Returns why that has failed, without failed(); then nothing is kept any
-    /// more.
+    /// Waits until everything is written. Returns why writing has failed, without emitting failed(); storing
+    /// is then switched off. Empty on success.
     QString finish();
 
   signals:
+    /// Reports that storing was switched on or off.
     void keptChanged(bool kept);
-    /// Saved under a name with such a folder already: nothing is kept there until keep() is called.
+    /// Reports that the scenario was saved under a name that has a folder of runs already. Nothing is written
+    /// there until keep() is called.
     void othersFound(const QString& folder);
-    /// Some runs could not be taken from their files, or not be written: why, line by line.
+    /// Reports that runs could not be read or written. `problem` gives the reasons, one per line.
     void failed(const QString& what, const QString& problem);
 
   private:
-    /// Runs to write, as they are when writing begins.
+    /// Request to write the runs, with their state at the time when writing starts.
     struct Order {
         enum class Reason { wish, change } reason;
         ExistingFiles existing;
-        QString failure;  ///< the message if it fails
+        QString failure;  ///< first part of the message if writing fails
     };
-    /// One writing, for one thread at a time: the worker's until it delivers, or until another thread has
-    /// waited for it.
+    /// Job that writes files, used by one thread at a time. The worker uses it until it has delivered the
+    /// result, another thread only after waiting for the worker.
     struct Job {
         Write write;
         RunsFolder folder;
         std::vector<NamedFile> files;
         ExistingFiles existing;
-        std::optional<Message> problem;  ///< there when it is done, empty where it has not failed
+        /// Empty optional until done; then the reason of a failure, or an empty message.
+        std::optional<Message> problem;
         std::vector<int> foreignNumbers;
         void run();
     };
@@ -93,13 +102,13 @@ class RunKeeper : public QObject {
     Runs& m_runs;
     const Write m_write;
     QTimer m_due;
-    QString m_path;  // of the scenario file whose folder it is
+    QString m_path;  // path of the scenario file that the folder belongs to
     bool m_kept = false;
-    bool m_partial = false;        // not all that is in the folder is on show
-    RunsFolder m_folder;           // before m_job
-    std::optional<Order> m_order;  // what no job has been made of yet
-    std::shared_ptr<Job> m_job;    // on its way
-    QString m_failure;             // the message if the last order fails
+    bool m_partial = false;        // whether the folder contains runs that are not in the list
+    RunsFolder m_folder;           // state of the folder before m_job
+    std::optional<Order> m_order;  // request that is not yet a job
+    std::shared_ptr<Job> m_job;    // job that is being executed
+    QString m_failure;             // first part of the message if the last request fails
     Worker m_worker;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves of the pinned runs laid over the plot of a page.
+// Curves of the pinned runs (results kept for comparison) drawn over the plot of a page.
 #pragma once
 
 #include <algorithm>
@@ -10,30 +10,33 @@
 
 namespace drillwave {
 
-/// The units on show for the dimensionless numbers of a run: the same ones, by its scales. `units` and
-/// `scales` are those of the present blow. nullopt where it has physical units and the run has none.
+/// Returns units that show the dimensionless numbers of a run like those of the present blow, by the scales
+/// of the run. `units` and `scales` are those of the present blow. Nothing if `units` are physical and the
+/// run is dimensionless.
 std::optional<ShownUnits> unitsOf(const SolvedBlow& run, const ShownUnits& units, const Scales& scales);
 
-/// Whether both are named alike. The factors are not looked at: of one run they follow from the names, but
-/// for their last digits.
+/// Returns whether all units of `a` and `b` have the same names. Factors are not compared: for one run they
+/// follow from the names, except for rounding.
 bool areSameUnits(const ShownUnits& a, const ShownUnits& b);
 
-/// One run with the curves that a page draws of it.
+/// Pinned run (a result kept for comparison) with the curves that a page draws for it.
 template <class Curves>
 struct RunOverlay {
-    int number = 0;  ///< of its letter, colour and dash
+    int number = 0;  ///< number of the run (from 0), which decides its letter, colour and dash pattern
     QString title;
-    std::weak_ptr<const SolvedBlow> blow;  ///< what is drawn does not keep it
+    /// Blow of the run; a weak pointer, so that the curves do not keep it in memory.
+    std::weak_ptr<const SolvedBlow> blow;
     ShownUnits units;
     std::shared_ptr<const Curves> curves;
-    /// Compares overlays: of the same blow in the same units if the curves are the same.
+    /// Returns whether two overlays draw the same. Equal curves mean the same blow in the same units.
     bool operator==(const RunOverlay& other) const {
         return number == other.number && title == other.title && curves == other.curves;
     }
 };
 
-/// Returns overlays for the solved runs on show, in the units of the present blow. Takes those in `made` from
-/// there; `make` makes the others from a blow and its units. On any thread.
+/// Returns the overlays of the solved runs that are shown, in the units of the present blow. Overlays in
+/// `made` are reused; `make` computes the curves of the others from a blow and its units. May be called on
+/// any thread.
 template <class Curves, class Make>
 std::vector<RunOverlay<Curves>> runOverlays(const RunList& runs, const SolvedBlow& now,
                                             const std::vector<RunOverlay<Curves>>& made, const Make& make) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// List of runs below the result: the present result first, then the pinned runs.
+// The list of runs below the result: the present result first, then the pinned runs (results kept for
+// comparison).
 #pragma once
 
 #include <QWidget>
@@ -16,23 +17,23 @@ namespace drillwave {
 class ChoiceBox;
 struct Output;
 
-/// One result of each run and its difference from the reference. A box chooses the result. A tick draws a run
-/// over the plots, F2 renames it, the menu has the rest.
+/// List with one result of each run and its difference from the reference. A list box chooses the result. A
+/// tick mark shows a run in the plots, F2 renames it, and the context menu has further actions.
 class RunPanel : public QWidget {
     Q_OBJECT
 
   public:
-    /// The runs must outlive it.
+    /// Creates the list. The runs must outlive it.
     explicit RunPanel(Runs& runs, QWidget* parent = nullptr);
 
-    /// The present result.
+    /// Shows the present result in the first row.
     void present(const SolvedBlowPtr& blow);
-    /// Whether the runs are there when the file is opened again: says so where they are not.
+    /// Sets whether the runs are stored and reopened with the file. If not, the list says so.
     void setKept(bool kept);
     QTreeWidget* list() const { return m_list; }
 
   signals:
-    /// The user wants the scenario of that run back.
+    /// Reports that the user wants to return to the scenario of the run with this number.
     void revertRequested(int number);
 
   protected:
@@ -56,10 +57,10 @@ class RunPanel : public QWidget {
     QLabel* m_hint;
     ChoiceBox* m_output;
     QTreeWidget* m_list;
-    QList<QAction*> m_ofRuns;  // what can be done with a run
+    QList<QAction*> m_ofRuns;  // actions for a run
     QAction* m_compareWithNow = nullptr;
     bool m_kept = false;
-    bool m_filling = false;  // the list follows the runs, not the user
+    bool m_filling = false;  // whether the list changes because of the runs, not the user
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pinned runs, and which of them the others are compared with.
+// The pinned runs (results kept for comparison), and the run that the others are compared with.
 #pragma once
 
 #include <QObject>
@@ -17,69 +17,74 @@ namespace drillwave {
 
 class UnitChoice;
 
-// A pinned result: the scenario with its bytes, and its blow.
+// Pinned result: the scenario with its text, and its blow.
 
 struct Run {
-    int number = 0;              ///< 0 … mostRuns − 1: its letter, colour and dash
-    QString name;                ///< what changed, in words
-    ScenarioDocument contents;   ///< what reverting brings back
-    SolvedBlowPtr blow;          ///< nullptr until it is solved; its `fault` is the reason if it could not be
-    bool isShown = true;         ///< laid over the plots
-    std::optional<double> kept;  ///< the e that its file has, where it is from one
-    std::string version = {};    ///< of the program that had solved that
+    /// Number of the run, 0 … mostRuns − 1, which decides its letter, colour and dash pattern.
+    int number = 0;
+    QString name;               ///< what differs from another run, in words, such as "k 300 MN/m"
+    ScenarioDocument contents;  ///< scenario with its text, which reverting restores
+    /// Solved blow; nullptr until it is solved. If its `fault` is not empty, it could not be solved.
+    SolvedBlowPtr blow;
+    bool isShown = true;  ///< whether the run is drawn over the plots
+    /// Coefficient of restitution stored in the file of the run; empty if the run is not from a file.
+    std::optional<double> kept;
+    std::string version = {};  ///< version of the program that computed `kept`
 
-    /// "A".
+    /// Returns the letter of the run, such as "A".
     QString letter() const { return QString::fromStdString(runLetter(number)); }
-    /// "A  k 300 MN/m".
+    /// Returns letter and name of the run, such as "A  k 300 MN/m".
     QString title() const { return letter() + QStringLiteral("  ") + name; }
     bool isSolved() const { return blow && blow->fault.isEmpty(); }
 };
 
-/// The runs in the order in which they were pinned; never changed once made, so that threads can share it.
+/// Runs in the order in which they were pinned; never changed once made, so that threads can share them.
 using RunList = std::vector<Run>;
 using RunListPtr = std::shared_ptr<const RunList>;
 
-/// At most mostRuns. Every change makes a new list; nothing here depends on the scenario that is being
-/// edited.
+/// Set of the pinned runs, at most mostRuns. Every change creates a new list. It does not depend on the
+/// scenario that is being edited.
 class Runs : public QObject {
     Q_OBJECT
 
   public:
-    /// Runs are named in these units, which must outlive them.
+    /// Creates an empty set. Runs are named in the units of `units`, which must outlive the set.
     explicit Runs(const UnitChoice& units, QObject* parent = nullptr) : QObject(parent), m_units(units) {}
 
     const RunListPtr& list() const { return m_list; }
-    /// nullptr where there is none of that number.
+    /// Returns the run with this number; nullptr if there is none.
     const Run* find(int number) const;
-    /// The run to compare the others and the present result with; nullptr for the present result itself.
+    /// Returns the run that all others and the present result are compared with; nullptr if it is the present
+    /// result.
     const Run* reference() const;
 
-    /// Adds a run, named by what changed against the reference, or the run before it; by `title` where there
-    /// is none. The first one becomes the reference. `blow` may be nullptr: it is solved then. Returns why
-    /// not.
+    /// Adds a run and returns an empty text, or returns why this is impossible. Its name is its difference
+    /// from the reference, or from the last run; without a difference it is `title`. The first run becomes
+    /// the reference. If `blow` is nullptr, RunSolver solves it.
     QString pin(ScenarioDocument contents, SolvedBlowPtr blow, const QString& title);
-    /// Adds kept runs under their numbers where those are free. Runs that exist already, with the same
-    /// scenario and name, are not added again. Returns the titles of runs for which there is no room.
+    /// Adds stored runs with their numbers, or with others if theirs are in use. Runs that exist already,
+    /// with the same scenario and name, are not added again. Returns the titles of the runs for which no
+    /// number is free.
     QStringList add(const std::vector<KeptRun>& kept);
-    /// Returns the runs in the form in which they are kept.
+    /// Returns the runs in the form in which they are stored in files.
     std::vector<KeptRun> toKeep() const;
-    /// Numbers that are not given to new runs: their files are somebody else's.
+    /// Excludes numbers from use by new runs, because the files with these numbers belong to others.
     void reserve(std::vector<int> numbers) { m_reserved = std::move(numbers); }
 
     void remove(int number);
     void clear();
-    /// An empty name changes nothing.
+    /// Renames a run. An empty name changes nothing.
     void rename(int number, const QString& name);
     void setShown(int number, bool shown);
-    /// nullopt: the present result.
+    /// Sets the reference run by its number; empty for the present result. An unknown number changes nothing.
     void setReference(std::optional<int> number);
-    /// The blow of a run that was added without. Ignored where the run is another one meanwhile.
+    /// Sets the blow of a run that has none. Ignored if the run with this number has another scenario.
     void setBlow(int number, const SolvedBlowPtr& blow);
 
   signals:
-    /// The list, something in it, or the reference.
+    /// Reports that the list, one of its runs or the reference has changed.
     void changed();
-    /// A kept run has been solved to another result than it had: in a sentence.
+    /// Reports that a stored run now has another result than in its file, in a sentence.
     void differs(const QString& sentence);
 
   private:
@@ -94,14 +99,14 @@ class Runs : public QObject {
     std::vector<int> m_reserved;
 };
 
-// Solves runs that have no blow yet: those of a file, and points of a study that were pinned.
+// Solves the runs that have no blow yet: runs from a file, and pinned points of a study.
 
-/// Solves runs one after the other, on a thread of its own.
+/// Solver of the runs without a blow, one after another, on its own thread.
 class RunSolver : public QObject {
     Q_OBJECT
 
   public:
-    /// The runs must outlive it.
+    /// Creates the solver. The runs must outlive it.
     explicit RunSolver(Runs& runs, QObject* parent = nullptr);
 
     bool isBusy() const { return m_job.isBusy(); }
@@ -110,13 +115,14 @@ class RunSolver : public QObject {
     void solveNext();
 
     Runs& m_runs;
-    int m_number = -1;  // of the run that is being solved
-    SolveJob m_job;     // goes first: its thread solves
+    int m_number = -1;  // number of the run that is being solved; −1 for none
+    SolveJob m_job;     // destroyed first, because its thread uses other members
 };
 
-// Runs that can be laid over a blow.
+// Runs that can be drawn over a blow.
 
-/// Returns the runs on rods for a rod, on drill strings for a string: the others have other axes.
+/// Returns the runs of the same kind as the scenario, uniform rod or drill string. Runs of the other kind
+/// have other axes.
 RunList runsLike(const Scenario& scenario, const RunList& runs);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Accuracy: how right the numbers are, for this scenario and for the hardest ones.
+// The page Accuracy: errors of the computation for this scenario and for the hardest scenarios.
 #pragma once
 
 #include <array>
@@ -16,17 +16,21 @@ namespace drillwave {
 
 class FigureFrame;
 
+/// Study that the page runs: accuracy of this scenario, or stability in the hardest scenarios.
 enum class Proof { accuracy, stability };
 
-/// A request for a study. A repeated one counts as new, so that run times are measured again.
+/// Request for a study of the computation itself. A repeated request counts as new, so that run times are
+/// measured again.
 struct ProofQuestion {
     Proof proof = Proof::accuracy;
-    Scenario scenario;  ///< of the accuracy
+    Scenario scenario;  ///< scenario of the accuracy study; the stability study has its own
+    /// Number of the request, so that equal requests differ.
     int run = 0;
     bool operator==(const ProofQuestion&) const = default;
 };
 
-/// Only a button starts the two studies. A study of another scenario is not shown.
+/// Page that studies the errors of the computation. Only a button starts a study; the result of another
+/// scenario is not shown.
 class AccuracyPage : public StudyPage {
     Q_OBJECT
 
@@ -35,7 +39,7 @@ class AccuracyPage : public StudyPage {
 
     QString title() const override { return tr("Accuracy"); }
     QString command() const override;
-    /// How many studies were started.
+    /// Returns the number of studies that were started.
     int studies() const { return m_study.started(); }
 
   protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of a study with more rows than a table of widgets has room for.
+// Table model for a study with too many rows for a table of widgets.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -8,14 +8,14 @@
 
 namespace drillwave {
 
-/// The first column has the titles of the rows.
+/// Table model of a study's table. The first column holds the titles of the rows.
 class ProofTable : public QAbstractTableModel {
     Q_OBJECT
 
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// `first` is the title of the first column.
+    /// Shows a table; `first` is the title of the first column.
     void present(const QString& first, StudyTable table);
     void clear() { present({}, {}); }
 

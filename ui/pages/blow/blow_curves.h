@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves of one blow as ready plot data, built away from the window's thread.
+// The curves of one blow as data of plots, computed outside the window's thread.
 #pragma once
 
 #include <QString>
@@ -15,29 +15,39 @@
 
 namespace drillwave {
 
-/// Data of the four plots of a blow (paper, Figs. 3–5), times global, in the units of `units`.
+/// Data of the four plots of a blow (paper, Figs. 3–5): waves, impact force, impulse and momentum over time.
+/// Times count from the impact of the hammer. All values are in the units of `units`.
 struct BlowCurves {
     static constexpr int waveCount = 4;
 
     ShownUnits units;
-    double section = 0.5;                           ///< x/L of the waves
-    std::array<GraphData, waveCount> waves;         ///< N0p, N1n, N2p, N3n, each over its own interval
-    std::array<GraphData, 2> laterWaves;            ///< N4p, N6p … and N5n, N7n …, up to timeEnd
-    GraphData sectionForce;                         ///< N there: the sum of all waves, up to timeEnd
-    std::optional<StringPlace> place;               ///< where in a drill string that is: then the first two
-                                                    ///< waves are Np and Nn, and there are no others
-    QString sectionWords;                           ///< of a string: "2nd rod", "hammer 1"
-    double fromRear = 0;                            ///< [m]
-    GraphData force;                                ///< impact force
-    GraphData faceForce = {};                       ///< of hammer and string
-    GraphData impulse;                              ///< of the impact force so far
-    GraphData momentum;                             ///< of the rod, positive towards the rock
-    std::optional<ClosedFormCurve> closedForm;      ///< where it is wanted and holds
-    double timeEnd = 0;                             ///< until then something happens; the curves may go on
-    std::vector<RunOverlay<BlowCurves>> runs = {};  ///< laid over them
+    /// Position x/L where the waves are observed; negative in the hammer.
+    double section = 0.5;
+    std::array<GraphData, waveCount> waves;  ///< N0p, N1n, N2p and N3n of a rod, each over its own time
+    /// Sums of the later waves of a rod up to timeEnd: N4p, N6p … towards the bit, then N5n, N7n … from the
+    /// bit.
+    std::array<GraphData, 2> laterWaves;
+    GraphData sectionForce;  ///< N at the section, the sum of all waves, up to timeEnd
+    /// Place of the section in a drill string; empty for a uniform rod. In a drill string the first two waves
+    /// are Np and Nn, and there are no others.
+    std::optional<StringPlace> place;
+    /// Name of the observed section of a drill string, such as "2nd rod" or "hammer 1".
+    QString sectionWords;
+    /// Distance of the place from the rear end of its section of the drill string [m].
+    double fromRear = 0;
+    GraphData force;           ///< impact force on the rock, in the unit units.force
+    GraphData faceForce = {};  ///< force between hammer and drill string; empty for a uniform rod
+    GraphData impulse;         ///< impulse of the impact force up to each time, in units.impulse
+    /// Momentum of rod or drill string in units.impulse, positive towards the rock.
+    GraphData momentum;
+    /// Curve of the closed form; empty if it is not wanted or not valid.
+    std::optional<ClosedFormCurve> closedForm;
+    /// End of the events of interest, in units.time; curves may be longer.
+    double timeEnd = 0;
+    std::vector<RunOverlay<BlowCurves>> runs = {};  ///< curves of pinned runs (results kept for comparison)
 };
 
-/// No curves where the histories were not kept.
+/// Returns the curves of a blow. The curves are empty if the blow was solved without time histories.
 BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail = Tail::kept);
 
 }  // namespace drillwave

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Meanings of the graphs of BlowPlots. The functions share the blow, so they may outlive everything else.
-/// Forces have exact values and integrals, the latter as impulses ("N s", "I₀"); impulse and momentum have
-/// exact values.
+/// Meanings (units and exact functions) of the curves in BlowPlots. Forces have exact values and integrals;
+/// integrals are shown as impulses ("N s", "I₀"). Impulse and momentum have exact values only. The functions
+/// share ownership of the blow, so that they stay valid.
 struct BlowMeanings {
     std::array<CurveMeaning, BlowCurves::waveCount> waves;
     std::array<CurveMeaning, 2> laterWaves;
@@ -24,10 +24,10 @@ struct BlowMeanings {
     CurveMeaning momentum;
 };
 
-/// Returns the meaning of a force over time that has only the points of its curve, no exact function.
+/// Returns the meaning of a measured or approximate force over time, with units but without exact functions.
 CurveMeaning forceMeaning(const ShownUnits& units);
 
-/// Requires a solved blow with its curves.
+/// Returns the meanings of the curves of a solved blow. Requires a blow that holds its BlowCurves.
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
 
 }  // namespace drillwave

@@ -23,7 +23,7 @@ class BlowPage : public PlotPage {
     Q_OBJECT
 
   public:
-    /// The observation must outlive the page.
+    /// Creates the page. `observation` (observed section and time of all pages) must outlive it.
     explicit BlowPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Blow"); }
@@ -33,7 +33,8 @@ class BlowPage : public PlotPage {
     void setGhost(const SolvedBlowPtr& before) override;
     void setRuns(const RunListPtr& runs) override;
 
-    /// Lays measured signals over the curves. Call it once; the list must outlive the page.
+    /// Shows the measured signals of a list over the curves. Call it once; list and units must outlive the
+    /// page.
     void follow(MeasuredList& measured, const UnitChoice& units);
 
     BlowPlots* plots() const { return m_plots; }
@@ -51,7 +52,8 @@ class BlowPage : public PlotPage {
     void setMeanings();
     void carryCursors();
     void goToPlace(double x);
-    /// Over the time that the plots show; requires curves that end.
+    /// Returns the computed force to compare with a signal, over the time span of the plots. Nothing if the
+    /// blow has no physical units, no histories or no curves.
     std::optional<ComputedForce> computedFor(const MeasuredSignal& signal) const;
     void align(std::size_t index);
     void showMisfit();
@@ -69,7 +71,7 @@ class BlowPage : public PlotPage {
     MeasuredBar* m_measuredBar = nullptr;
     SolvedBlowPtr m_blow;
     RunListPtr m_runs = std::make_shared<const RunList>();
-    ShownUnit m_cursorUnit;  // of cursors A and B
+    ShownUnit m_cursorUnit;  // time unit of the positions of cursors A and B
 };
 
 }  // namespace drillwave

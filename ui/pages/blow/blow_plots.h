@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The four plots of a blow on one time axis: the same drawing code for the page and for files.
+// The four plots of a blow on one time axis; the same code draws the page and files.
 #pragma once
 
 #include <QLocale>
@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Lays four axis rects with linked time axes into a plot and fills them: fitted, all curves are in view.
+/// Four plots of a blow, one above the other, with linked time axes. Fitting brings all curves into view.
 class BlowPlots : public StudyFrame {
     Q_OBJECT
 
@@ -19,33 +19,38 @@ class BlowPlots : public StudyFrame {
 
     explicit BlowPlots(QCustomPlot* plot);
 
-    /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
+    /// Shows the curves of a blow. The present zoom is kept, unless the view was fitted or the units changed.
     void present(const BlowCurves& curves);
-    /// Shows the curves of another blow faintly, in no legend; nullptr removes them.
+    /// Shows the curves of an earlier blow faintly and without legend entries; nullptr removes them.
     void setGhost(const BlowCurves* before);
-    /// A curve of something else among those of a kind, in its legend; it is fitted with them. The caller
-    /// gives it data and pen, and takes it away again.
+    /// Plot that an additional curve belongs to.
     enum class Kind { waves, impactForce };
+    /// Adds a curve to the plot of a kind and its legend; it is included in fitting. Returns the curve, for
+    /// which the caller sets data and pen. See removeOverlay().
     QCPGraph* addOverlay(Kind kind, const QString& name);
+    /// Removes a curve of addOverlay() from its plot.
     void removeOverlay(QCPGraph* overlay);
-    /// Describes the place of these waves in a drill string.
+    /// Returns a text for the place in a drill string where the waves are observed.
     static QString placeText(const BlowCurves& curves, const QLocale& locale);
-    /// Names curves and axes.
+    /// Names curves and axes in the present language.
     void name();
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
-    /// N at the section, the sum of all waves there.
+    /// Returns the graph of N at the section, the sum of all waves there.
     QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
-    /// The waves N0p, N1n, N2p, N3n.
+    /// Returns the graph of wave number 0 … 3: N0p, N1n, N2p, N3n.
     QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[1 + number]; }
-    /// Graph of all later waves towards the bit (0) or from it (1), in the legend only if there are any.
+    /// Returns the graph of the sum of all later waves towards the bit (0) or from it (1). It has a legend
+    /// entry only if such waves exist.
     QCPGraph* laterGraph(int heading) const { return m_plots[0].graphs[1 + BlowCurves::waveCount + heading]; }
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
-    /// In its legend only while the closed form holds.
+    /// Returns the graph of the closed form of the impact force. It has a legend entry only if the closed
+    /// form is valid.
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs[1]; }
-    /// The hammer's force on a drill string.
+    /// Returns the graph of the force between hammer and drill string.
     QCPGraph* faceForceGraph() const { return m_plots[1].graphs[2]; }
-    /// Graphs of the pinned runs, in the legend of the force.
+    /// Returns the graphs of N at the section of the pinned runs (results kept for comparison).
     const QVector<QCPGraph*>& sumsOfRuns() const { return m_plots[0].runs->graphs(); }
+    /// Returns the graphs of the impact force of the pinned runs.
     const QVector<QCPGraph*>& forcesOfRuns() const { return m_plots[1].runs->graphs(); }
     QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }
     QCPGraph* momentumGraph() const { return m_plots[3].graphs.first(); }
@@ -70,7 +75,7 @@ class BlowPlots : public StudyFrame {
     void showClosedForm();
     void nameWaves();
     void summarizeString();
-    /// In a legend only while it has data, as it cannot be hidden or shown otherwise.
+    /// Sets the data of a graph. The graph has a legend entry only while it has data, or always if `always`.
     void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data, bool always = false);
     void showRuns();
     void addGhost(std::size_t index, int kind, const GraphData& data);

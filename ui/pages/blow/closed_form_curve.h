@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's closed form of the impact force, to be drawn over the exact one where it holds.
+// The paper's closed form of the impact force, drawn with the exact force where it is valid.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace drillwave {
 
-/// Impact force by the closed form [paper (11)] [paper (12)] [paper (14)], in shown units.
+/// Impact force over time by the closed form [paper (11)] [paper (12)] [paper (14)], in the units shown.
 struct ClosedFormCurve {
     GraphData force;
-    double error = 0;  ///< bound on the error of its coefficient of restitution
+    double error = 0;  ///< bound on the error of the coefficient of restitution of the closed form
 };
 
-/// Returns nothing if the closed form does not hold (core/wave/closed/closed_form.h). `timeEnd`, in shown
-/// units, is the end of the other curves.
+/// Returns the closed form of the impact force; nothing if it is not valid for this problem
+/// (core/wave/closed/closed_form.h). `timeEnd` is the end of the other curves, in the units shown.
 std::optional<ClosedFormCurve> closedFormCurve(const Problem& problem, const ShownUnits& units,
                                                double timeEnd);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The measured signals laid over a blow, in a row: which there are, their shift in time, and away with them.
+// A row of controls for the measured signals over a blow: choice of the signal, shift in time, removal.
 #pragma once
 
 #include <QWidget>
@@ -17,27 +17,32 @@ class ChoiceBox;
 class QuantityField;
 class UnitChoice;
 
-/// Hidden while there is none.
+/// Controls for the measured signals over the curves of a blow. The row is hidden while there are no signals.
 class MeasuredBar : public QWidget {
     Q_OBJECT
 
   public:
-    /// List and units must outlive it.
+    /// Creates the controls. List and units must outlive them.
     MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* parent = nullptr);
 
-    /// Names and colours as in the plots; `comparable` is whether they can be drawn there.
+    /// Takes the colours of the measured curves from the style of the plots, for the icons in the list.
     void setStyle(const PlotStyle& style);
+    /// Sets whether the signals can be drawn, which needs a scenario in physical units. If not, a remark says
+    /// so.
     void setComparable(bool comparable);
-    /// Sets the deviation of the chosen signal from the computed curve; empty if it is not known.
+    /// Shows the deviation of the chosen signal from the computed curve; hidden if `text` is empty.
     void setMisfit(const QString& text);
+    /// Returns the index (from 0) of the chosen signal in the list; 0 if the list is empty.
     std::size_t chosen() const;
 
   signals:
-    /// The user wants to see the section where a signal was measured, x [m].
+    /// Reports that the user wants to see the section where a signal was measured. x is its position from the
+    /// struck end [m].
     void placeChosen(double x);
-    /// The user wants to shift the signal with that index so that it fits the computed curve.
+    /// Reports that the user wants to shift the signal with this index in time to its best fit with the
+    /// computed curve.
     void alignmentWanted(std::size_t index);
-    /// Another one is chosen.
+    /// Reports that another signal was chosen.
     void chosenChanged();
 
   private:
@@ -47,8 +52,8 @@ class MeasuredBar : public QWidget {
 
     MeasuredList& m_list;
     const UnitChoice& m_units;
-    std::vector<std::string> m_names;  // in the list on show
-    int m_gesture = 1;                 // of the shifts that are one step
+    std::vector<std::string> m_names;  // names of the signals in the list shown
+    int m_gesture = 1;                 // number of the present edit: its shifts form one undo step
     PlotStyle m_style;
     ChoiceBox* m_box;
     QPushButton* m_place;

@@ -12,25 +12,27 @@
 
 namespace drillwave {
 
-/// A measured normal force is drawn with the waves, a measured impact force with the computed one; each has a
-/// colour and a dash that no computed curve has. Lives as a child of the plots.
+/// Measured signals over the curves of a blow. A measured normal force is drawn with the waves, a measured
+/// impact force with the computed one. Each has a colour and dashes that no computed curve has. The plots own
+/// the object.
 class MeasuredCurves : public QObject {
     Q_OBJECT
 
   public:
     explicit MeasuredCurves(BlowPlots* plots);
 
-    /// Over the curves of a blow of a scenario in physical units, in the units of its plots.
+    /// Draws the measured signals in the units of the plots. Requires a scenario in physical units.
     void present(const std::vector<MeasuredSignal>& measured, const Scenario& scenario,
                  const ShownUnits& units);
     void setStyle(const PlotStyle& style);
-    /// One for each signal, in their order.
+    /// Returns the graphs of the signals, in the order of the signals.
     const QVector<QCPGraph*>& graphs() const { return m_graphs; }
 
+    /// Returns the pen of measured signal `index` (from 0). The first four differ in colour and dashes.
     static QPen pen(const PlotStyle& style, int index);
 
   private:
-    /// Contents of a graph, so that points are rebuilt only when these change.
+    /// Contents of a graph; its points are rebuilt only if these change.
     struct Shown {
         MeasuredSignal signal;
         double timeFactor = 0;
@@ -44,7 +46,8 @@ class MeasuredCurves : public QObject {
     std::vector<Shown> m_shown;
 };
 
-/// Whether a blow has times and forces that a measurement can be compared with: of physical units.
+/// Returns whether a blow can be compared with measurements: its scenario has physical units and it was
+/// computed without error.
 bool isComparable(const SolvedBlow& blow);
 
 }  // namespace drillwave

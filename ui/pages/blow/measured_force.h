@@ -12,20 +12,22 @@ namespace drillwave {
 
 struct BlowCurves;
 
-/// Force [N] over time [s] from 0 to `end`.
+/// Computed force [N] as a function of time [s] from 0 to `end` [s].
 struct ComputedForce {
     std::function<double(double time)> at;
     double end;
 };
 
-/// x/L of a place that is x [m] from the struck end, in the rod or string, or in its hammer.
+/// Returns x/L of a place at x [m] from the struck end, negative in the hammer. Values beyond hammer or bit
+/// are clamped.
 double shareAt(const Scenario& scenario, double x);
 
-/// N in the section of the signal, or the impact force, over the time that curves of the blow show. The blow
-/// has its histories, and its scenario units; it is copied.
+/// Returns the computed force to compare with a signal: N at the place of the signal, or the impact force. It
+/// covers the time span of `curves`. Requires a blow with time histories and physical units; the blow is
+/// copied.
 ComputedForce computedForce(const Blow& blow, const MeasuredSignal& signal, const BlowCurves& curves);
 
-/// Returns nothing if they have no time in common.
+/// Returns the deviation of a signal from the computed force; nothing if they have no time in common.
 std::optional<Misfit> misfitOf(const MeasuredSignal& signal, const ComputedForce& computed);
 
 }  // namespace drillwave

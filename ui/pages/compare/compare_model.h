@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The comparison as a table to look at.
+// Table model of the comparison of runs.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -9,16 +9,18 @@
 
 namespace drillwave {
 
-/// Below each result its difference from that of the reference, absolute and in percent.
+/// Table model of the comparison. Each result shows below its number the difference from the reference
+/// column, absolute and in percent.
 class CompareModel : public QAbstractTableModel {
     Q_OBJECT
 
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// `icons` stand before the titles of the columns.
+    /// Shows a table. `icons` are placed before the titles of the columns.
     void present(CompareTable table, QList<QIcon> icons);
     const CompareTable& table() const { return m_table; }
+    /// Returns whether a row is a heading without numbers.
     bool isHeading(int row) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

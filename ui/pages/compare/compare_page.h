@@ -19,15 +19,16 @@ class QTableView;
 
 namespace drillwave {
 
+/// Page that shows the present result and the pinned runs as columns of one table.
 class ComparePage : public Page {
     Q_OBJECT
 
   public:
-    /// Runs and units must outlive the page.
+    /// Creates the page. Runs and units must outlive it.
     ComparePage(Runs& runs, const UnitChoice& units, QWidget* parent = nullptr);
 
     QString title() const override;
-    /// Runs of any form side by side.
+    /// Returns no function: the page needs only the blow itself, whatever the kind of its scenario.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override;
@@ -36,11 +37,11 @@ class ComparePage : public Page {
     const CompareTable& table() const { return m_model->table(); }
 
   public slots:
-    /// The whole table to the clipboard, for a spreadsheet.
+    /// Copies the whole table to the clipboard, for a spreadsheet.
     void copy() const;
 
   signals:
-    /// The user wants the scenario of that run back.
+    /// Reports that the user wants to return to the scenario of the pinned run with this number.
     void revertRequested(int number);
 
   protected:
@@ -70,8 +71,9 @@ class ComparePage : public Page {
     QComboBox* m_reference = nullptr;
     QPushButton* m_revert = nullptr;
     QTableView* m_view;
-    std::map<int, std::unique_ptr<WorstNeed>> m_needs;  // by the number of the run, or `present result`
-    std::optional<int> m_chosen;  // run whose column it is; none for that of the present result
+    std::map<int, std::unique_ptr<WorstNeed>> m_needs;  // by number of the run, or `present result`
+    // Number of the run whose column is chosen; empty for the present result.
+    std::optional<int> m_chosen;
     CompareModel* m_model;
 };
 

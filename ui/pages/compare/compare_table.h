@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs side by side as numbers: changed parameters first, then results.
+// Pinned runs as columns of numbers: changed parameters first, then results.
 #pragma once
 
 #include <QByteArray>
@@ -14,49 +14,53 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// A column of the table.
+/// Column of the comparison: one run or the present result.
 struct CompareColumn {
-    QString title;                               ///< "now", "A  k 300 MN/m"
-    const Scenario* scenario;                    ///< not nullptr
-    const SolvedBlow* blow;                      ///< nullptr where there is none
-    std::optional<FeedEstimate> ofAllGaps = {};  ///< what all gaps require, where that was studied
+    QString title;                               ///< title, such as "now" or "A  k 300 MN/m"
+    const Scenario* scenario;                    ///< scenario of the column; never nullptr
+    const SolvedBlow* blow;                      ///< blow of the column; nullptr if there is none
+    std::optional<FeedEstimate> ofAllGaps = {};  ///< feed force required at every gap; empty if not studied
 };
 
-/// One quantity of all columns, in the units on show.
+/// Row of the comparison: one quantity of all columns, in the units shown.
 struct CompareRow {
     enum class Kind { heading, parameter, result } kind = Kind::result;
     QString name;
-    QString unit;                                ///< empty for plain numbers
-    std::vector<std::optional<double>> numbers;  ///< one for each column; none where it has none
-    QStringList words;                           ///< instead of numbers: shapes of the blow
-    /// Whether each number has another unit than the first: multiples of a scale of a rod cannot be compared
-    /// with those of a string.
+    QString unit;                                ///< unit of the numbers; empty for dimensionless numbers
+    std::vector<std::optional<double>> numbers;  ///< number of each column; empty if the column has none
+    QStringList words;                           ///< words of each column, instead of numbers
+    /// Whether each number has another unit than the first solved column. Multiples of a scale of a uniform
+    /// rod cannot be compared with those of a drill string.
     std::vector<bool> hasOtherUnit = {};
-    bool isSigned = false;  ///< a margin, which is printed with its sign
+    bool isSigned = false;  ///< whether numbers are printed with their sign, as margins are
 
     bool hasNumbers() const { return !numbers.empty(); }
-    /// The word, or the number to five digits; empty where the column has none.
+    /// Returns the cell of a column: its words, or its number to five digits; empty if it has neither.
     QString text(std::size_t column, const QLocale& locale) const;
-    /// number − that of the reference; nothing where one of them is missing.
+    /// Returns the number of a column minus that of the reference column. Nothing if a number is missing or
+    /// their units differ.
     std::optional<double> difference(std::size_t column, std::size_t reference) const;
-    /// Returns the difference as a share of the reference.
+    /// Returns difference() divided by the magnitude of the reference column's number; nothing if it does not
+    /// exist.
     std::optional<double> relative(std::size_t column, std::size_t reference) const;
 };
 
+/// Table of runs as columns, with headings, changed parameters and results as rows.
 struct CompareTable {
-    QStringList titles;         ///< of the columns
-    std::size_t reference = 0;  ///< the column that the others are compared with
+    QStringList titles;         ///< titles of the columns
+    std::size_t reference = 0;  ///< index of the column that the others are compared with
     std::vector<CompareRow> rows;
 };
 
-/// Returns all results that at least one of the columns has, without numerical errors, and margins of the
-/// thrust. `units` and `chosen` are those on show; their prefixes follow the first column that is solved.
-/// `fields` has the units of parameters.
+/// Returns the table of the columns: parameters that differ, and all results that at least one column has.
+/// Numerical errors are left out; margins of the feed force are added. `units` and `chosen` are the units of
+/// results, with prefixes that suit the first solved column. `fields` holds the units of parameters.
 CompareTable compareTable(const std::vector<CompareColumn>& columns, std::size_t reference, UnitSystem units,
                           const ChosenUnits& chosen, const UnitChoice& fields);
 
-/// The table with all digits: name, unit, the columns, and for each but the reference its difference and its
-/// relative difference in percent; empty without columns. RFC 4180 with ',', or with a tab for spreadsheets.
+/// Returns the table with all digits; empty without columns. Each line holds name, unit and numbers, then the
+/// difference of each column from the reference, absolute and in percent. The separator ',' gives CSV (RFC
+/// 4180), a tab the form for spreadsheets.
 QByteArray compareText(const CompareTable& table, char separator);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objectives of a design, as a sentence made of boxes.
+// Objectives of the Design study, each a sentence made of list boxes.
 #pragma once
 
 #include <QWidget>
@@ -13,16 +13,20 @@ namespace drillwave {
 class ChoiceBox;
 class OutputBox;
 
-/// Describes a statistic of an output to be maximised or minimised: "in the worst 5 %", "on average".
+/// Returns the words for a statistic of an output that is maximised or minimised, such as "in the worst 5 %"
+/// or "on average".
 QString statisticWords(const Statistic& statistic, Sense sense);
 
-/// One aim: largest or least, of which result, by which statistic.
+/// Row for one objective: largest or smallest value of a result, by a statistic.
 class AimRow : public QWidget {
     Q_OBJECT
 
   public:
+    /// Creates a row that begins with `words`, such as "for the".
     AimRow(const QString& words, QWidget* parent);
+    /// Offers the results of the scenario in the list box of the objective.
     void present(const Scenario& scenario);
+    /// Returns the objective that the row shows.
     DesignAim aim() const;
     void setAim(const DesignAim& aim);
     void setRemovable(bool removable);
@@ -40,17 +44,20 @@ class AimRow : public QWidget {
     QToolButton* m_remove;
 };
 
-/// One to three objectives; the first decides. Shows the defaults until the user chooses, and again if the
-/// scenario does not have what was chosen.
+/// List of one to three objectives, of which the first decides. Shows the defaults until the user chooses,
+/// and again if the scenario lacks a chosen result.
 class AimRows : public QWidget {
     Q_OBJECT
 
   public:
     explicit AimRows(QWidget* parent);
-    /// Offers the results that the scenario has.
+    /// Offers the results of the scenario as objectives. Keeps the chosen objectives if the scenario has all
+    /// of them.
     void present(const Scenario& scenario);
-    /// The scenario that is presented next is another document: what was chosen of this one is of no concern.
+    /// Discards the choice, because the next scenario belongs to another document: present() then shows the
+    /// defaults.
     void forget() { m_isChosen = false; }
+    /// Returns the objectives in their order; the first decides.
     std::vector<DesignAim> aims() const;
     const std::vector<AimRow*>& rows() const { return m_rows.rows(); }
     void setAims(const std::vector<DesignAim>& aims);
@@ -62,10 +69,10 @@ class AimRows : public QWidget {
     void append(const DesignAim& aim);
 
     Scenario m_scenario;
-    bool m_isChosen = false;  // by the user
+    bool m_isChosen = false;  // whether the user has chosen the objectives
     QVBoxLayout* m_layout;
     QToolButton* m_add;
-    RowList<AimRow> m_rows;  // in those
+    RowList<AimRow> m_rows;  // rows in m_layout
 };
 
 }  // namespace drillwave

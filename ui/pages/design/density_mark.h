@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distribution of an uncertain number, as a small picture.
+// A small picture of the distribution of an uncertain input.
 #pragma once
 
 #include <QWidget>
@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// The density over the range, linear to the right, as an area.
+/// Picture of a probability density as a filled area over the range of an uncertain input.
 class DensityMark : public QWidget {
     Q_OBJECT
 

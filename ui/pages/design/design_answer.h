@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of the page Design: its question, and the answer while it gets better.
+// The study of the page Design: its question, and its answer, which is refined in stages.
 #pragma once
 
 #include <optional>
@@ -12,32 +12,35 @@
 
 namespace drillwave {
 
-/// Samples of an answer which is there while the hand still moves.
+/// Number of samples of a quick answer, which is computed while the user still changes the input.
 inline constexpr std::uint64_t quickSamples = 256;
 
-/// A study, and the seconds that it may take; without them it takes what it needs.
+/// Design study with the time that it may take [s]; unlimited if `seconds` is empty.
 struct DesignQuestion {
     DesignStudy study;
     std::optional<double> seconds = {};
     bool operator==(const DesignQuestion&) const = default;
 };
 
-/// The answer so far.
+/// Answer of a design study as far as it is computed.
 struct DesignAnswer {
-    DesignReport report;                     ///< of as many samples as its study has
-    std::uint64_t wanted = 0;                ///< samples of the last answer
-    std::vector<Message> problems;           ///< why nothing can be solved: then there is nothing else
-    std::optional<double> secondsLeft = {};  ///< expected for the rest, where the seconds were over before
+    DesignReport report;            ///< results with the number of samples computed so far
+    std::uint64_t wanted = 0;       ///< number of samples of the final answer
+    std::vector<Message> problems;  ///< errors of the question; if not empty, there is no result
+    /// Estimated time of the remaining stages [s], if the time limit was reached; otherwise empty.
+    std::optional<double> secondsLeft = {};
+    /// Returns whether the answer has all the samples wanted.
     bool isRefined() const { return report.study.samples == wanted; }
-    /// Whether there are designs to be shown, and one of them to be taken.
+    /// Returns whether the answer contains a best design.
     bool hasBest() const { return report.findings.best.robust.has_value(); }
 };
 
-/// Quick answers first; where the seconds are over, the last of them is the answer. The text of the scenario
-/// is left empty.
+/// Returns the answer of a design study. It first computes and shows answers with fewer samples, and stops
+/// refining when the time limit is reached. The scenario text of the report is empty.
 DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<DesignAnswer>& feed);
 
-/// Returns the uncertain inputs of a worst case; those of draws are a row of them.
+/// Returns the values of the uncertain inputs of a worst case. Inputs given as draws (rows of values that
+/// belong together) have the values of one row.
 std::vector<ParameterValue> worstInputs(const DesignStudy& study, const WorstCase& worst);
 
 }  // namespace drillwave

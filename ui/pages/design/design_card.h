@@ -10,29 +10,34 @@
 
 namespace drillwave {
 
+/// Text that reports the best design, with links that load designs into the scenario.
 class DesignCard : public QTextBrowser {
     Q_OBJECT
 
   public:
     explicit DesignCard(QWidget* parent = nullptr);
 
-    /// Returns what to do, for a report with a best design; of a study without choices its warning.
+    /// Returns the sentence that recommends what to do; the warning of the report if it recommends nothing.
+    /// Requires a report with a best design.
     static QString headline(const DesignReport& report, const DesignUnits& units);
-    /// Returns the sentences that follow the headline: its warning, and the design that is as good as the one
-    /// to keep.
+    /// Returns the sentences after headline(): the warning, and a design that is equally good as the
+    /// recommended present one. Requires a report with a best design.
     static QStringList besideHeadline(const DesignReport& report, const DesignUnits& units);
-    /// The design to change to; nothing where the present one is to stay.
+    /// Returns the index of the design to change to; nothing if the present design should stay or nothing is
+    /// varied.
     static std::optional<std::uint64_t> designToLoad(const DesignReport& report);
-    /// Shows an answer that has a best design.
+    /// Shows an answer. Requires that it has a best design.
     void present(const DesignAnswer& answer, const DesignUnits& units);
 
-    /// Targets of the links.
+    /// Returns the link that loads a design by its index.
     static QUrl linkToDesign(std::uint64_t design);
+    /// Returns the link that loads the worst case of an objective by its index.
     static QUrl linkToWorst(std::size_t aim);
 
   signals:
-    /// The user wants a design, or the worst case of an aim.
+    /// Reports that the user wants to load the design with this index.
     void designWanted(std::uint64_t design);
+    /// Reports that the user wants to load the worst case of the objective with this index.
     void worstWanted(std::size_t aim);
 
   protected:

@@ -9,34 +9,38 @@
 
 namespace drillwave {
 
-/// Least number of values of the first variable for a map; curves with a band show more of fewer.
+/// Least number of values of the first design variable for a map. With fewer values, curves with a band show
+/// more.
 inline constexpr std::uint64_t leastRowsOfMap = 4;
 
-/// Whether what is chosen are two numbers along ranges, which a map can have as its axes.
+/// Returns whether a map can show the study: it has exactly two design variables, both numeric ranges with
+/// enough values.
 bool hasMap(const DesignStudy& study);
 
-/// Returns the map of a study that hasMap(), in shown units: the last variable across, the first one upward,
-/// and the statistic of the first objective, which is `value`, in colours.
+/// Returns the map of a study for which hasMap() is true, in the units shown. The last design variable is on
+/// the horizontal axis, the first on the vertical one. Colours show the statistic of the first objective;
+/// `value` is its output with its unit.
 MapPicture designMap(const DesignReport& report, const DesignUnits& units, const AimedOutput& value);
 
-/// Returns the place of a design on the map.
+/// Returns the place of a design (index from 0) in the coordinates of the axes.
 QPointF placeOnMap(const MapPicture& map, std::uint64_t design);
 
-/// The colours and the bar that explains them, which has a column of the plot's layout of its own while there
-/// is a map. Lives as long as the plot.
+/// Coloured map of designs with its colour bar. While a map is shown, the bar has its own column in the
+/// layout of the plot. The plot must outlive the object.
 class DesignMap {
   public:
     DesignMap(QCustomPlot* plot, QCPAxisRect* rect);
 
-    /// nullptr for no map. The picture must outlive the next call.
+    /// Shows a map; nullptr removes it. The picture must stay valid until the next call.
     void present(const MapPicture* picture);
     bool isShown() const { return m_picture != nullptr; }
-    /// Sets the label of the bar: `name` of the statistic, with the unit.
+    /// Sets the label of the colour bar: `name` of the statistic with its unit.
     void setLabel(const QString& name) { m_bar->setLabel(name); }
     void setStyle(const PlotStyle& style);
-    /// The whole map, with the cells at its edges.
+    /// Sets the axis ranges to the whole map, including the half cells at its edges. Requires a map.
     void setRanges() const;
-    /// The design whose cell is there; nothing outside.
+    /// Returns the index of the design whose cell contains a place (coordinates of the axes); nothing outside
+    /// the map. Requires a map.
     std::optional<std::uint64_t> designAt(QPointF place) const;
 
   private:
@@ -44,7 +48,7 @@ class DesignMap {
     QCPAxisRect* m_rect;
     MapRaster* m_raster;
     QCPColorScale* m_bar;
-    QCPMarginGroup* m_ends;  // of both
+    QCPMarginGroup* m_ends;  // aligns map and bar at top and bottom
     const MapPicture* m_picture = nullptr;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Design: which choice is best over what is not known (theory §12).
+// The page Design: the design that is best for uncertain inputs (theory §12).
 #pragma once
 
 #include "ui/job/study_job.h"
@@ -30,16 +30,16 @@ class DesignPage : public StudyPage {
     QString title() const override { return tr("Design"); }
     QString command() const override;
     void copyCommand() override;
-    /// Takes rows of values that belong together, a table as design --draws reads it, instead of the
-    /// uncertain rows, until they are removed or another document is opened. `source` names the record of
-    /// them.
+    /// Replaces the uncertain inputs by draws: rows of values that belong together, in a table as read by
+    /// `design --draws`. They stay until the user removes them or opens another document. `source` names the
+    /// record that they come from. An invalid table is ignored.
     void takeDraws(const QString& source, const QByteArray& table);
     void addTo(ReportStudies& studies) const override;
-    /// How many studies were started.
+    /// Returns the number of studies that were started.
     int studies() const { return m_study.started(); }
     const DesignPlot& designPlot() const { return *m_plot; }
     const DesignCard& card() const { return *m_card; }
-    /// Returns the present answer; nullptr at first.
+    /// Returns the answer that is shown or being refined; nullptr before the first one.
     const DesignAnswer* answer() const { return m_study.value(); }
 
   protected:
@@ -50,13 +50,14 @@ class DesignPage : public StudyPage {
     QStringList commandWords() const override;
 
   private:
-    /// The study of the controls, or why there is none.
+    /// Study that the controls describe, or the reason why they describe none.
     struct Wish {
         std::optional<DesignStudy> study;
         QString problem;
     };
     Wish wish() const;
-    /// Draws with their table, and what they are of.
+    /// Draws (rows of input values that belong together) with the table and the name of the record they come
+    /// from.
     struct GivenDraws {
         QString source;
         QByteArray table;
@@ -98,19 +99,20 @@ class DesignPage : public StudyPage {
     QWidget* m_drawsLine = nullptr;
     QLabel* m_drawsText = nullptr;
     std::optional<GivenDraws> m_draws;
-    QPushButton* m_load = nullptr;  // takes over the design to change to
+    QPushButton* m_load = nullptr;  // loads the recommended design
     ChoiceBox* m_samples = nullptr;
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
     QString m_problem;
-    QString m_headline, m_sentence;  // of what is shown
-    int m_usualSamples = 0;          // those of what was asked last
+    QString m_headline, m_sentence;  // sentences for the answer shown
+    int m_usualSamples = 0;          // default number of samples for the present scenario
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
-    DesignSetup m_setup;                                // set-up of the document when last shown
-    bool m_isSetUp = false;                             // the controls are of the document
-    std::optional<DesignStudy> m_refined;               // which may take what it needs
-    StudyRunner<DesignQuestion, DesignAnswer> m_study;  // goes first: its thread works
+    DesignSetup m_setup;                   // setup of the document when it was last shown
+    bool m_isSetUp = false;                // whether the controls show the setup of the document
+    std::optional<DesignStudy> m_refined;  // study that may run without time limit
+    // Destroyed first, because its thread uses other members.
+    StudyRunner<DesignQuestion, DesignAnswer> m_study;
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Picture of a study of designs.
+// Data of the plots of a design study.
 #pragma once
 
 #include <QLocale>
@@ -16,71 +16,91 @@
 
 namespace drillwave {
 
-/// An output of an aim in the unit it is shown in.
+/// Result that an objective uses, with the unit in which it is shown.
 struct AimedOutput {
     const Output* output = nullptr;
     ShownUnit unit;
-    double factor = 1;  ///< what is shown over what the study has
+    double factor = 1;  ///< shown value divided by the value in the study
 };
 
-/// Curves over the last choice, one set for each combination of the others.
+/// Curves over the last design variable, for one combination of the values of the other design variables.
 struct DesignSeries {
-    QString name;  ///< the other choices; empty where there are none
+    QString name;  ///< values of the other design variables; empty if there are none
+    /// Points of the curves: the objective's statistic, 5 % and 95 % quantile, mean, and value for the inputs
+    /// as entered.
     QVector<QPointF> aim, low, high, mean, nominal;
-    QVector<std::uint64_t> designs;  ///< of each point
+    QVector<std::uint64_t> designs;  ///< index of the design of each point
 };
 
+/// Sobol indices of one uncertain input, from 0 to 1: share of the scatter from this input only, and with
+/// interactions.
 struct SobolBar {
     QString name;
     double first = 0, total = 0;
 };
 
-/// All in shown units; never changed once built.
+/// Data of all plots of a design study, in the units shown; never changed once built.
 struct DesignPicture {
-    QString xName;  ///< of the last choice; empty where nothing is chosen
+    QString xName;  ///< name of the last design variable; empty if nothing is varied
     ShownUnit x;
     bool isLogarithmic = false;
-    QVector<QString> words;  ///< of a choice of words, which has their numbers from 0 as x; of no choice one
-    AimedOutput value;       ///< of the first aim
-    QString aimName;         ///< "efficiency in the worst 5 %"
-    QString statisticName;   ///< "in the worst 5 %"
+    /// Names of the values of the last design variable, if these are words: x then is their index from 0. A
+    /// single name if nothing is varied.
+    QVector<QString> words;
+    AimedOutput value;      ///< output of the first objective
+    QString aimName;        ///< name of the first objective, such as "efficiency in the worst 5 %"
+    QString statisticName;  ///< statistic of the first objective, such as "in the worst 5 %"
     QVector<DesignSeries> series;
-    int marked = 0;                          ///< the series of the robust best, which has the band
-    std::optional<MapPicture> map;           ///< instead of series, which are empty then
-    std::optional<QPointF> robust, nominal;  ///< best; beside series the nominal one at its nominal value
+    /// Index of the series with the best design for uncertain inputs, for which the band is drawn.
+    int marked = 0;
+    std::optional<MapPicture> map;  ///< map, shown instead of series; `series` then is empty
+    /// Places of the best design for uncertain inputs (robust) and for the values entered (nominal). In plots
+    /// of curves the latter is at its value for the inputs as entered.
+    std::optional<QPointF> robust, nominal;
+    /// Places of the designs that are equally good as the best one.
     QVector<QPointF> ties;
-    QString robustName, nominalName, presentName;  ///< "240 µs"; the last empty where it is no design
+    /// Names of the best designs and of the present design, such as "240 µs". The last is empty if the
+    /// present values are not among the designs.
+    QString robustName, nominalName, presentName;
 
-    QString firstAim, secondAim;  ///< names of the axes; the second empty for a single objective
-    QVector<QPointF> designs;     ///< second over first aim, design by design; NaN without statistics
+    /// Axis labels of the second plot; the second is empty for a single objective.
+    QString firstAim, secondAim;
+    QVector<QPointF> designs;  ///< second over first objective of each design; NaN without statistics
+    /// Whether each design belongs to the Pareto set.
     QVector<bool> pareto;
+    /// Index of the best design for uncertain inputs; −1 without a second objective.
     int robustNumber = -1;
 
     struct Bars {
         QString output;
-        QVector<SobolBar> bars;  ///< empty where it does not scatter, or one number alone is uncertain
+        QVector<SobolBar> bars;  ///< empty if the output does not scatter or only one input is uncertain
     };
     QVector<Bars> bars;
     QString summary;
 };
 
-/// Units of the parameters and outputs of an answer.
+/// Units and number format in which parameters and outputs of a design study are shown.
 class DesignUnits {
   public:
     DesignUnits(const DesignStudy& study, const ShownUnits& units,
                 std::function<const Unit&(const Parameter&)> fieldUnit, const QLocale& locale)
         : m_study(&study), m_units(units), m_fieldUnit(std::move(fieldUnit)), m_locale(locale) {}
 
+    /// Returns an output with its unit and factor; `size` is its typical magnitude, as in the study.
     AimedOutput of(const Output& output, double size) const;
+    /// Returns the unit of a parameter: shown value = SI value · factor.
     ShownUnit of(const Parameter& parameter) const;
-    /// "240 µs", "0.504".
+    /// Returns the value of a parameter (in SI) with its unit, such as "240 µs" or "0.504".
     QString text(const Parameter& parameter, double si) const;
+    /// Returns a value of a design variable with its unit, or as a word.
     QString text(const SweepAxis& choice, double value) const;
+    /// Returns the value of an output with its unit.
     QString text(const AimedOutput& output, double value, int digits = 4) const;
-    /// "240 µs", "240 µs, 3.66 m"; of no choice "this scenario".
+    /// Returns the values of all design variables of a design, such as "240 µs, 3.66 m"; "this scenario" if
+    /// nothing is varied.
     QString designName(std::uint64_t design) const;
     const QLocale& locale() const { return m_locale; }
-    /// The style of sentences in these units.
+    /// Returns the style of sentences with these units and this number format.
     LocalStyle style() const { return {m_locale, m_units.system, m_units.chosen}; }
 
   private:
@@ -90,14 +110,14 @@ class DesignUnits {
     QLocale m_locale;
 };
 
-/// "efficiency in the worst 5 %".
+/// Returns the name of an objective, such as "efficiency in the worst 5 %".
 QString aimName(const DesignAim& aim);
-/// "duration t₀", "hammer": what is chosen, as an axis calls it.
+/// Returns the name of a design variable for an axis, such as "duration t₀" or "hammer".
 QString choiceName(const SweepAxis& choice);
-/// Describes an aim with its sense: "largest efficiency in the worst 5 %".
+/// Returns an objective in words, such as "largest efficiency in the worst 5 %".
 QString aimWords(const DesignAim& aim);
 
-/// Requires a study that has a best design.
+/// Returns the data of the plots of a report. Requires a report with a best design.
 DesignPicture designPicture(const DesignReport& report, const DesignUnits& units);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study of designs: the band of the first aim over the choice, the Pareto set, and what is worth measuring.
+// The plots of a design study: first objective over the design variable, Pareto set and Sobol indices.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Above, the first aim over the last choice, in the band from its 5 % to its 95 % quantile, or over two
-/// choices in colours; below, the second aim over the first, and the Sobol indices. The plot above is fitted
-/// and zoomed.
+/// Plots of a design study. The upper plot shows the first objective over the last design variable, with a
+/// band between the quantiles of 5 % and 95 %. For two design variables it can be a map. The lower plots show
+/// the second objective over the first, and the Sobol indices. Only the upper plot is fitted and zoomed.
 class DesignPlot : public StudyFrame {
     Q_OBJECT
 
@@ -20,25 +20,28 @@ class DesignPlot : public StudyFrame {
     explicit DesignPlot(QCustomPlot* plot);
     ~DesignPlot() override;
 
-    /// Shows the picture; the view stays where it is unless it was fitted, or choice or units changed.
+    /// Shows the data. The present zoom is kept, unless the view was fitted, or design variable or units
+    /// changed.
     void present(const DesignPicture& picture);
     const DesignPicture& picture() const { return m_picture; }
-    /// The curves of the first aim, series by series.
+    /// Returns the curves of the first objective, one for each combination of the other design variables.
     const QVector<QCPGraph*>& graphs() const { return m_aims; }
-    /// All curves over the choice.
+    /// Returns all curves over the design variable.
     QVector<QCPGraph*> curves() const;
-    /// The value of a curve over words at the one nearest to x.
+    /// Returns the function y(x) of a curve whose x are words: its value at the word nearest to x, or NaN.
     static std::function<double(double x)> atWords(const QCPGraph& graph);
-    /// Whether colours replace the curves.
+    /// Returns whether a coloured map is shown instead of curves.
     bool isMap() const { return m_picture.map.has_value(); }
-    /// Describes a place of the map in words; empty elsewhere.
+    /// Returns a description of a place of the map; empty without a map or outside it.
     QString mapWords(QPointF place) const;
-    /// The design nearest to a click, in the coordinates of its rect; nothing where there is none near.
+    /// Returns the index of the design nearest to a click at `coordinates` of `rect`; nothing if none is
+    /// near.
     std::optional<std::uint64_t> designAt(const QCPAxisRect* rect, QPointF coordinates) const;
     KeyPlaces keyPlaces() const override;
-    /// Whether anything is shown below the first axes.
+    /// Returns whether plots are shown below the upper plot.
     bool hasRowBelow() const { return !m_picture.secondAim.isEmpty() || !m_picture.bars.isEmpty(); }
-    /// Lines of text that the Sobol indices take, one of each number and one of each output.
+    /// Returns the height of the plot of Sobol indices in lines of text: one for each input and one for each
+    /// output.
     int barLines() const;
 
   private:
@@ -68,7 +71,7 @@ class DesignPlot : public StudyFrame {
     QVector<QCPItemText*> m_barNames;
 };
 
-/// Breaks a name into lines so that so many of them have room beside each other.
+/// Returns a name broken into lines, so that `count` names fit side by side below an axis.
 QString inLines(const QString& name, qsizetype count);
 
 }  // namespace drillwave

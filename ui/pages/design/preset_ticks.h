@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammers, rods and bits to choose from, as ticks in a menu for each part.
+// Hammers, rods and bits to compare as designs: a menu of presets with tick boxes for each part.
 #pragma once
 
 #include <QWidget>
@@ -14,27 +14,33 @@ class QToolButton;
 
 namespace drillwave {
 
+/// Menus in which the user ticks the presets to be compared as designs.
 class PresetTicks : public QWidget {
     Q_OBJECT
 
   public:
     explicit PresetTicks(QWidget* parent);
 
-    /// Offers the parts that presets can replace in the scenario; ticks of presets that fit stay.
+    /// Offers the presets that can replace a part of the scenario. Ticks of presets that still fit are kept.
     void present(const Scenario& scenario);
-    /// The words of the command line, a text for each part with ticks: "hammer=medium drifter,COP 1838".
+    /// Returns the ticked presets as arguments of the command, one text for each part: "hammer=medium
+    /// drifter,COP 1838".
     std::vector<std::string> texts() const;
-    /// Ticks what the text chooses. False, and nothing changes, where it chooses no presets that are offered.
+    /// Ticks the presets in a text of the form of texts(). Returns false and changes nothing if one of them
+    /// is not offered.
     bool tick(const std::string& text);
+    /// Removes all ticks; emits no changed().
     void clear();
-    /// The keys that the ticked presets set.
+    /// Returns the parameter keys that the ticked presets set.
     std::vector<std::string> keys() const;
+    /// Returns whether a hammer is ticked.
     bool hasHammers() const;
-    /// Looks names up in all presets of the program and the user. Must not outlive this.
+    /// Returns a function that finds a preset of the program or the user by its name. It must not outlive
+    /// this object.
     PresetLookup lookup() const;
 
   signals:
-    /// texts() are other ones, by the user.
+    /// Reports that the user has changed the ticks.
     void changed();
 
   private:
@@ -42,14 +48,14 @@ class PresetTicks : public QWidget {
         PresetPart part = PresetPart::hammer;
         QToolButton* button = nullptr;
         std::vector<PartPreset> offered;
-        std::vector<std::string> ticked;  ///< names
+        std::vector<std::string> ticked;  ///< names of the ticked presets
     };
     void offer(Part& part);
     void set(Part& part, const std::string& name, bool isTicked);
     void showNames(Part& part);
 
     Scenario m_scenario;
-    PresetFile m_presets;  // of all files
+    PresetFile m_presets;  // presets of all files
     std::vector<Part> m_parts;
 };
 

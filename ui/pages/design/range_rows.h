@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ranges of several parameters, one below the other: those that are uncertain, and those that are chosen.
+// Lists of parameter ranges: for uncertain inputs, or for design variables.
 #pragma once
 
 #include <QWidget>
@@ -21,33 +21,35 @@ class DensityMark;
 class QuantityField;
 class UnitChoice;
 
-/// Use of the ranges.
+/// Use of parameter ranges: for uncertain inputs, or for design variables (`chosen`).
 enum class RangeUse { uncertain, chosen };
 
-/// One range with its distribution, or with the number of values to try. Text that is no value stays in its
-/// field, marked, and changes nothing.
+/// Row for the range of one parameter, with its distribution or with the number of values to try. Invalid
+/// text stays in its field, is marked, and changes nothing.
 class RangeRow : public QWidget {
     Q_OBJECT
 
   public:
-    /// The units must outlive it.
+    /// Creates a row. The units must outlive it.
     RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent);
 
-    /// Offers the parameters that apply to the scenario. One just chosen gets half to 1.5 times its value.
+    /// Offers the parameters that apply to the scenario. A newly chosen parameter gets the range from 0.5 to
+    /// 1.5 times its present value.
     void present(const Scenario& scenario);
     const StudyRange& range() const { return m_range; }
     void setRange(const StudyRange& range);
-    /// The words of the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
+    /// Returns the range as an argument of the command: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100
+    /// us:400 us:11".
     std::string text() const;
-    /// Sets the controls by a text as of the command. Returns false and changes nothing if they cannot show
-    /// it.
+    /// Shows the range given as an argument of the command. Returns false and changes nothing if the controls
+    /// cannot show it.
     bool setText(const std::string& text);
-    /// Returns why the text in a field is wrong, with the field's name; empty if all are right.
+    /// Returns why the text of a field is invalid, with the name of the field; empty if all fields are valid.
     QString problem() const;
     void setRemovable(bool removable);
 
   signals:
-    /// text() or problem() is another one.
+    /// Reports that text() or problem() has changed.
     void changed();
     void removed();
 
@@ -66,7 +68,7 @@ class RangeRow : public QWidget {
     StudyRange m_range;
     bool m_isBell = false;
     ChoiceBox* m_parameters;
-    QWidget* m_fields;  // another one for each parameter
+    QWidget* m_fields;  // fields of the ends; replaced for each parameter
     QuantityField* m_low = nullptr;
     QuantityField* m_high = nullptr;
     ChoiceBox* m_kind = nullptr;
@@ -76,38 +78,39 @@ class RangeRow : public QWidget {
     QToolButton* m_remove;
 };
 
-/// Rows that can be added and removed. Once a parameter does not apply to the scenario any more, ranges are
-/// proposed for all rows again.
+/// List of parameter ranges that the user can add and remove. If a parameter no longer applies to the
+/// scenario, all rows are replaced by proposed ranges.
 class RangeRows : public QWidget {
     Q_OBJECT
 
   public:
-    /// Holds at least and at most so many rows, below `words`.
+    /// Creates a list of `least` to `most` rows below the heading `words`. The units must outlive it.
     RangeRows(RangeUse use, const QString& words, std::size_t least, std::size_t most,
               const UnitChoice& units, QWidget* parent);
 
-    /// Offers what applies to the scenario, and proposes ranges the first time.
+    /// Offers the parameters that apply to the scenario. Proposes ranges at the first call.
     void present(const Scenario& scenario);
-    /// Notes that the next scenario is another document, for which ranges are proposed again.
+    /// Notes that the next scenario belongs to another document: present() then proposes ranges again.
     void forget() { m_isProposed = false; }
-    /// The texts of the rows, and those that no row can show.
+    /// Returns the ranges as arguments of the command, including those that no row can show.
     std::vector<std::string> texts() const;
-    /// Shows these instead of the rows. Texts that no row can show stay as texts, with a button to remove
-    /// each. Emits no changed().
+    /// Replaces the rows by these arguments of the command. An argument that no row can show is listed as
+    /// text with a button to remove it. Emits no changed().
     void setTexts(const std::vector<std::string>& texts);
-    /// Removes the rows about one of these keys or its rivals, and proposes none of them, until other keys
-    /// are excluded. Returns whether a row was removed; emits no changed().
+    /// Removes rows for one of these parameter keys or a key that sets the same value, and no longer proposes
+    /// these keys. The exclusion lasts until the next call. Returns whether a row was removed; emits no
+    /// changed().
     bool exclude(std::vector<std::string> keys);
-    /// The first of those of the rows.
+    /// Returns the first error in a row; empty if all rows are valid.
     QString problem() const;
     const std::vector<RangeRow*>& rows() const { return m_rows.rows(); }
 
   public slots:
-    /// Adds a row with the parameter that is usually wanted next.
+    /// Adds a row with the parameter that is proposed next.
     void add();
 
   signals:
-    /// texts() or problem() are other ones.
+    /// Reports that texts() or problem() has changed.
     void changed();
 
   private:
@@ -124,8 +127,9 @@ class RangeRows : public QWidget {
     bool m_isProposed = false;
     QVBoxLayout* m_layout;
     QToolButton* m_add;
-    RowList<RangeRow> m_rows;                               // in those
-    std::vector<std::pair<std::string, QWidget*>> m_texts;  // that no row can show, with their lines
+    RowList<RangeRow> m_rows;  // rows in m_layout
+    // Arguments that no row can show, with their widgets.
+    std::vector<std::pair<std::string, QWidget*>> m_texts;
     std::vector<std::string> m_excluded;
 };
 

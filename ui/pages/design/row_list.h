@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of controls one below the other that can be added and removed.
+// A list of rows of controls that the user can add and remove.
 #pragma once
 
 #include <QToolButton>
@@ -9,20 +9,21 @@
 
 namespace drillwave {
 
-/// The rows of a widget, which owns them and all that is given here. A `Row` is a QWidget with a signal
-/// removed() and setRemovable().
+/// Rows of a widget, which owns them as well as layout and button. A `Row` is a QWidget with a signal
+/// removed() and a function setRemovable().
 template <class Row>
 class RowList {
   public:
-    /// Holds at least and at most so many rows; new ones are inserted before the button `add`, or last if
-    /// that is in another layout.
+    /// Creates an empty list of `least` to `most` rows. New rows are inserted before the button `add`, or at
+    /// the end if the button is in another layout.
     RowList(QVBoxLayout& layout, QToolButton& add, std::size_t least, std::size_t most)
         : m_layout(layout), m_add(add), m_least(least), m_most(most) {}
 
     const std::vector<Row*>& rows() const { return m_rows; }
+    /// Returns whether the list has the largest number of rows.
     bool isFull() const { return m_rows.size() >= m_most; }
 
-    /// Calls `whenRemoved` after the row has gone by its own button.
+    /// Appends a row. Calls `whenRemoved` after the user has removed it by its button.
     template <class Told>
     void append(Row* row, Told whenRemoved) {
         m_layout.insertWidget(m_layout.indexOf(&m_add), row);
@@ -34,7 +35,7 @@ class RowList {
         row->show();
         showButtons();
     }
-    /// Requires that there is one.
+    /// Removes the last row. Requires at least one row.
     void removeLast() { remove(m_rows.back()); }
     void clear() {
         while (!m_rows.empty()) remove(m_rows.back());

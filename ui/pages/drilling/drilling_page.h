@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Drilling: many blows under a feed, and scans of them (drilling §7).
+// The page Drilling: sequences of blows with feed force, and scans of such sequences over a parameter
+// (drilling §7).
 #pragma once
 
 #include "ui/job/solved_blow.h"
@@ -20,6 +21,7 @@ class DrillingPlot;
 class DrillingTable;
 class MissingFields;
 
+/// Page that computes a sequence of many blows, and scans of such sequences over a parameter.
 class DrillingPage : public StudyPage {
     Q_OBJECT
 
@@ -29,25 +31,26 @@ class DrillingPage : public StudyPage {
     QString title() const override { return tr("Drilling"); }
     bool shows(const Scenario& scenario) const override { return hasUnits(scenario); }
     QString elsewhere() const override;
-    /// The march, and the scan where there is one.
+    /// Returns the exports of the blow sequence and, if there is one, of the scan.
     QList<PageExport> exports() const override;
     QString command() const override;
     void addTo(ReportStudies& studies) const override;
-    /// How many marches and scans were started.
+    /// Returns the number of blow sequences that were started.
     int marches() const { return m_march.started(); }
+    /// Returns the number of scans that were started.
     int scans() const { return m_scan.started(); }
     const DrillingPlot& drillingPlot() const { return *m_plot; }
-    /// The march so far; nullptr at first.
+    /// Returns the blow sequence as far as it is computed; nullptr before the first one.
     const DrillingAnswer* answer() const { return m_march.value(); }
     const DrillingScanAnswer* scanAnswer() const { return m_scan.value(); }
     const StudyActivity& scanActivity() const { return m_scan.job(); }
 
   public slots:
-    /// Starts scans with the values of the fields; stops a running scan.
+    /// Starts a scan with the values of the fields, or stops a running scan.
     void scan();
 
   signals:
-    /// The user wants to see a blow as it began; which one that is in words.
+    /// Reports that the user wants to see one blow of a sequence in detail; `what` names the blow in words.
     void blowOpened(const drillwave::MarchedQuestion& blow, const QString& what);
 
   protected:
@@ -69,8 +72,9 @@ class DrillingPage : public StudyPage {
     void startScan(const DrillingScanQuestion& question);
     void stopScan();
     void addScan(DrillingPicture& picture) const;
-    /// Returns whether the march, or the scan, is of the present scenario and complete.
+    /// Returns whether the blow sequence belongs to the present scenario and is complete.
     bool isMarchNew() const;
+    /// Returns whether the scan belongs to the present scenario and is complete.
     bool isScanNew() const;
     QByteArray scanCsv() const;
     std::string scenarioWith(const DrillingSettings& settings) const;
@@ -89,9 +93,10 @@ class DrillingPage : public StudyPage {
     QCheckBox* m_bracket = nullptr;
     DrillingTable* m_table;
     DrillingPlot* m_plot = nullptr;
-    std::shared_ptr<const DrillingAnswer> m_complete;  // the last that came to its end
-    std::shared_ptr<const DrillingAnswer> m_before;    // that of an earlier scenario
-    bool m_wantsScan = false;                          // it was stopped because it is out of sight
+    std::shared_ptr<const DrillingAnswer> m_complete;  // last sequence that was computed to its end
+    std::shared_ptr<const DrillingAnswer> m_before;    // sequence of an earlier scenario
+    // Whether a scan was stopped because the page was hidden.
+    bool m_wantsScan = false;
     StudyRunner<DrillingQuestion, DrillingAnswer> m_march;
     StudyRunner<DrillingScanQuestion, DrillingScanAnswer> m_scan;
     RunDrilling m_runMeans;

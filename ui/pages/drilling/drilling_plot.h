@@ -11,27 +11,28 @@ namespace drillwave {
 class MarchRects;
 class ScanRects;
 
-/// Shows a march, a scan below it, or only one of them. A mark in the scan shows the value that the scenario
-/// has.
+/// Plot of a blow sequence, of a scan, or of both. A mark in the scan shows the present value of the scanned
+/// parameter.
 class DrillingPlot : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit DrillingPlot(QCustomPlot* plot);
 
-    /// The view stays where it is unless it was fitted, or what it has in view is of other kinds.
+    /// Shows the data. The present zoom is kept, unless the view was fitted or axes or units are different.
     void present(const DrillingPicture& picture);
-    /// Pinned runs: mean penetrations, and where they are along the scan, which may be nowhere.
+    /// Shows pinned runs (results kept for comparison): their mean penetrations, and their places along the
+    /// scan, which may be empty.
     void showRuns(const QVector<RunMark>& means, const QVector<RunMark>& along);
-    /// Shows or hides the plots of gaps, their distribution and the energy.
+    /// Shows or hides the plots of gaps, of their distribution and of the energy.
     void setDetailed(bool isDetailed);
     bool isDetailed() const { return m_isDetailed; }
     const DrillingPicture& picture() const { return m_picture; }
     const MarchRects& march() const { return *m_march; }
     const ScanRects& scan() const { return *m_scan; }
-    /// Whether a place in that rect is one along the scan.
+    /// Returns whether the horizontal axis of `rect` is the scanned parameter.
     bool isScan(const QCPAxisRect* rect) const;
-    /// The keys go from value to value of the scan.
+    /// Returns the places for the keyboard: the values of the scan.
     KeyPlaces keyPlaces() const override;
 
   private:
@@ -42,8 +43,8 @@ class DrillingPlot : public StudyFrame {
 
     MarchRects* m_march;
     ScanRects* m_scan;
-    QCPLayoutGrid* m_front;  // rates and penetrations
-    QCPLayoutGrid* m_gaps;   // blow by blow, and over the scanned parameter
+    QCPLayoutGrid* m_front;  // grid with penetration rates and penetrations
+    QCPLayoutGrid* m_gaps;   // grid with the gaps of each blow, and over the scanned parameter
     bool m_isDetailed = true;
     DrillingPicture m_picture;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies of the page Drilling: a march of many blows, and a scan of such marches over a parameter.
+// Questions of the page Drilling: a sequence of many blows, and a scan of such sequences over a parameter.
 #pragma once
 
 #include <QPointF>
@@ -17,68 +17,77 @@
 
 namespace drillwave {
 
-/// A march, without what changes nothing of it: title and strengths.
+/// Question for one blow sequence. The scenario has no title and no strengths, which do not affect the
+/// answer.
 struct DrillingQuestion {
     Scenario scenario;
     DrillingSettings settings;
     bool operator==(const DrillingQuestion&) const = default;
 };
 
-/// Returns the question with windowSettingsOf().
+/// Returns the question for a scenario, with the number of blows of windowSettingsOf().
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
-/// e of the blow alone over the gap [d0] that it meets the rock after, along one period of it; empty where it
-/// has none.
+/// Returns the coefficient of restitution e of a single blow as points over the gap divided by its period,
+/// from 0 to 1. Empty for a drill string, which has no such period; a stop ends the computation early.
 QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop);
 
+/// Answer for one blow sequence, possibly incomplete.
 struct DrillingAnswer {
     DrillingQuestion question;
-    std::vector<Message> refusals;      ///< drillingRefusals(): then there is nothing else
-    std::vector<DrillingBlow> growing;  ///< the blows so far, until there is a result
+    std::vector<Message> refusals;      ///< errors of drillingRefusals(); if not empty, there is no result
+    std::vector<DrillingBlow> growing;  ///< blows computed so far; empty once there is a result
     std::shared_ptr<const DrillingResult> result;
-    QVector<QPointF> corOverGap;  ///< corOverPeriod()
+    QVector<QPointF> corOverGap;  ///< points of corOverPeriod(); empty until the sequence is complete
 
     const std::vector<DrillingBlow>& blows() const { return result ? result->blows : growing; }
-    /// Whether the march has come to its end.
+    /// Returns whether the sequence was computed to its end.
     bool isComplete() const { return result && result->outcome != DrillingOutcome::stopped; }
 };
 
-/// Answers one question after another and keeps the last answers, so that undo costs nothing. Use it on one
-/// thread at a time.
+/// Cache that answers one question after another and keeps the latest answers, so that undo is immediate.
+/// Must not be used on two threads at the same time.
 class DrillingCache {
   public:
+    /// Largest number of answers that are kept.
     static constexpr std::size_t keptAnswers = 32;
+    /// Returns the answer from the cache, or computes it and reports progress to `feed`.
     DrillingAnswer answer(const DrillingQuestion& question, const StudyFeed<DrillingAnswer>& feed);
 
   private:
-    std::list<DrillingAnswer> m_known;  // the latest in front
+    std::list<DrillingAnswer> m_known;  // latest first
 };
 
-/// Marches over the values of an axis. The scenario has the first value of it, so that the question is the
-/// same wherever along it one is.
+/// Question for a scan: a blow sequence at each value of a range. The scenario always has the first value of
+/// the range, so that questions with different present values are equal.
 struct DrillingScanQuestion {
     Scenario scenario;
     StudyRange range;
     DrillingSettings settings;
-    bool hasBracket = false;  ///< also under a constant force and with a strong dashpot
+    bool hasBracket = false;  ///< whether to scan also with a constant feed force and with a strong damper
     bool operator==(const DrillingScanQuestion&) const = default;
 };
 
+/// Largest number of values of a scan.
 inline constexpr std::uint64_t scanPoints = 25;
-/// The dashpot of a bracket, of the impedance of the first section.
+/// Damping of the strong damper, as a multiple of the impedance of the first section of the string.
 inline constexpr double strongDashpot = 0.5;
 
+/// Returns the question for a scan of `range`; see DrillingScanQuestion::hasBracket.
 DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyRange& range, bool hasBracket);
-/// Time of a scan on a typical computer [s].
+/// Returns the estimated time of a scan on a typical computer [s].
 double scanSeconds(const DrillingScanQuestion& question);
-/// The axis as the command takes it.
+/// Returns the scanned range as an argument of the command, with the number of values.
 std::string scanAxisText(const StudyRange& range);
 
+/// Answer for a scan, possibly incomplete.
 struct DrillingScanAnswer {
     std::vector<Message> refusals;
     std::shared_ptr<const DrillingScan> scan;
-    std::shared_ptr<const DrillingScan> constantForce, strongDamper;  ///< where they are wanted and possible
+    /// Scans for comparison; nullptr if not wanted or not possible.
+    std::shared_ptr<const DrillingScan> constantForce, strongDamper;
 };
+/// Computes the scans one after another and reports each new value to `feed`. Returns the answer.
 DrillingScanAnswer answerDrillingScan(const DrillingScanQuestion& question,
                                       const StudyFeed<DrillingScanAnswer>& feed);
 

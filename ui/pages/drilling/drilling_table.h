@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statistics of many blows, with their errors.
+// A table of the statistics of many blows, with their errors.
 #pragma once
 
 #include <QTableWidget>
@@ -11,14 +11,14 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// A row for each quantity of a blow, all of them in view.
+/// Table with a row for each quantity of a blow. It is high enough to show all rows.
 class DrillingTable : public QTableWidget {
     Q_OBJECT
 
   public:
     explicit DrillingTable(QWidget* parent = nullptr);
 
-    /// Requires statistics.
+    /// Shows the statistics of a result. Requires a result with statistics.
     void present(const DrillingResult& result, const UnitChoice& units);
     void clearNumbers();
     QSize sizeHint() const override;
@@ -27,7 +27,7 @@ class DrillingTable : public QTableWidget {
   private:
     void setText(int row, int column, const QString& text);
 
-    const std::vector<std::size_t> m_rows;  ///< places in blowQuantities
+    const std::vector<std::size_t> m_rows;  ///< indices in blowQuantities
 };
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rects of a march: gaps and penetrations above; in the middle the scatter and the sequence of the gaps,
-// and the energy.
+// The plots of a blow sequence: gaps and penetrations, distribution and succession of the gaps, and the
+// energy.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,7 +13,8 @@
 
 namespace drillwave {
 
-/// Lives as a child of the frame that fits the plot and places gaps(), penetrations() and details().
+/// Axis rects and curves of a blow sequence. The parent frame owns them; it fits the plot and places gaps(),
+/// penetrations() and details() in the layout.
 class MarchRects : public QObject {
     Q_OBJECT
 
@@ -32,16 +33,18 @@ class MarchRects : public QObject {
     QCPBars* energy() const { return m_energy; }
 
     void present(const MarchPicture& picture, const BlowPoints& before, const DrillingShown& units);
-    /// Mean penetrations of pinned runs, at the end of the blows.
+    /// Shows the mean penetrations of pinned runs (results kept for comparison) at the right end of the
+    /// penetrations.
     void presentRuns(const QVector<RunMark>& means);
     const QVector<RunMark>& runMarks() const { return m_runs->marks(); }
-    /// The number of the blow at that place, where the rect is one of blows and has it.
+    /// Returns the number of the blow (from 1) at x in `rect`. Nothing if `rect` is not a plot over blows, or
+    /// has no such blow.
     std::optional<long> blowAt(const QCPAxisRect* rect, double x) const;
     void setStyle(const PlotStyle& style);
     void fit();
 
   private:
-    /// A number of every blow.
+    /// Plot of one quantity of every blow.
     struct Series {
         QCPAxisRect* rect;
         QCPGraph *now, *before;

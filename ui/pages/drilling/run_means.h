@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statistics of many blows of a pinned run, laid over those of the scenario.
+// Means over many blows of a pinned run (a result kept for comparison).
 #pragma once
 
 #include <optional>
@@ -10,18 +10,19 @@
 
 namespace drillwave {
 
-/// Means of a run in SI.
+/// Means over the blow sequence of a pinned run, in SI units.
 struct RunMeans {
-    double penetration = 0;  ///< of a blow [m]
-    double rate = 0;         ///< of penetration [m/s]
+    double penetration = 0;  ///< mean penetration of a blow [m]
+    double rate = 0;         ///< mean penetration rate [m/s]
 };
 
 using RunDrilling = RunStudies<DrillingQuestion, RunMeans>;
 
-/// Returns the question with as many cells as a scan.
+/// Returns the question for the blow sequence of a run, with the time step of a scan, which is coarser.
 DrillingQuestion runQuestion(const Scenario& scenario);
 
-/// Returns nothing if the scenario cannot drill, or the machine is pushed back.
+/// Returns the means of a blow sequence. Nothing if the scenario is refused, or if the machine is pushed back
+/// so that the motion is not bounded.
 std::optional<RunMeans> runMeans(const DrillingQuestion& question, const std::stop_token& stop);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rects of a scan of many blows: penetration rate with its band and the contact share, and the gaps.
+// The plots of a scan of many blows: penetration rate with its error band and contact share, and the gaps.
 #pragma once
 
 #include <qcustomplot.h>
@@ -9,7 +9,8 @@
 
 namespace drillwave {
 
-/// Lives as a child of the frame that fits the plot and places rates() and gaps().
+/// Axis rects and curves of a scan. The parent frame owns them; it fits the plot and places rates() and
+/// gaps() in the layout.
 class ScanRects : public QObject {
     Q_OBJECT
 
@@ -23,16 +24,16 @@ class ScanRects : public QObject {
     QCPGraph* gapDots() const { return m_dots; }
     QCPGraph* constantForce() const { return m_constantForce; }
     QCPGraph* strongDamper() const { return m_strongDamper; }
-    /// The texts at the lines: "f I₀", ….
+    /// Returns the texts at the lines of notable feed forces, such as "f I₀".
     QStringList marks() const;
 
-    /// `isOld`: of an earlier scenario, faintly.
+    /// Shows a scan. With `isOld` it is drawn faintly, because it belongs to an earlier scenario.
     void present(const ScanPicture& picture, const DrillingShown& units, bool isOld);
     void setStyle(const PlotStyle& style);
     void fit();
-    /// Places the texts so that they can be read; call it once the plot is laid out.
+    /// Places the texts at the lines so that they do not overlap. Call this after the layout of the plot.
     void placeMarks();
-    /// Place of the text of a mark, from the top of the rect [px].
+    /// Returns the distance of the text of a mark from the top of its axis rect [px].
     double markTop(int index) const {
         return m_marks[index].words->position->pixelPosition().y() - m_rates->top();
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Columns of a record that are gauges, and where these are on the rod or string.
+// Choice of the columns of a record that hold gauge signals, and of the positions of the gauges on the rod or
+// string.
 #pragma once
 
 #include <QWidget>
@@ -18,24 +19,24 @@ class ChoiceBox;
 class QuantityField;
 class UnitChoice;
 
-/// A row for the gauge and one for a second gauge along the rod.
+/// Row of controls for the gauge, and one for a second gauge along the rod.
 class GaugeFields : public QWidget {
     Q_OBJECT
 
   public:
     explicit GaugeFields(QWidget* parent = nullptr);
 
-    /// The columns of another record; what was chosen stays where there are columns of that name.
+    /// Offers the columns of a record. A chosen column is kept if the record has a column of the same name.
     void setColumns(const std::vector<TableColumn>& columns);
-    /// Names the sections that the gauges are on.
+    /// Shows on which section of the scenario each gauge is.
     void present(const Scenario& scenario);
-    /// The gauges that are chosen; a distance that is not given is 0.
+    /// Returns the chosen gauges with column and distance from the bit face [m]; 0 if no distance is entered.
     std::vector<GaugeChoice> gauges() const;
-    /// Sets distances from the bit face [m], those of gauges() in their order, and tells nobody.
+    /// Sets the distances from the bit face [m], in the order of gauges(). Emits no changed().
     void setDistances(const std::vector<double>& distances);
 
   signals:
-    /// gauges() are others.
+    /// Reports that gauges() has changed.
     void changed();
 
   private:
@@ -51,7 +52,7 @@ class GaugeFields : public QWidget {
     void showRows();
 
     std::array<Row, 2> m_rows;
-    std::vector<QString> m_columns;  // words of the command for columns of numbers
+    std::vector<QString> m_columns;  // columns of numbers, as the command names them
     Scenario m_scenario;
 };
 

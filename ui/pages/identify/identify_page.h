@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Identify: which rock have records of strain gauges seen, and how sure is that?
+// The page Identify: properties of the rock from records of strain gauges, and their confidence intervals.
 #pragma once
 
 #include "core/signal/signal_reading.h"
@@ -20,44 +20,45 @@ class KnownFields;
 class RecordList;
 class SectionBox;
 
-/// A strip with the records, their gauges and what is known about them; below it the answer in a sentence,
-/// the record with the model on it, what the model leaves over, and the rock; beside these the values with
-/// their intervals. Several records have a list, of which one is on show. The line of the arrival can be
-/// dragged: it moves the gauges along the rod.
+/// Page that identifies the rock from records of strain gauges. At the top are the records, their gauges and
+/// the known tolerances. Below are the answer, the record with the model, their difference and the rock;
+/// beside them the values with their intervals. Several records are listed; one of them is shown. The line of
+/// the arrival time can be dragged, which moves the gauges along the rod.
 class IdentifyPage : public StudyPage {
     Q_OBJECT
 
   public:
-    /// The document must outlive it.
+    /// Creates the page. The document must outlive it.
     explicit IdentifyPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Identify"); }
     QList<PageExport> exports() const override;
     QString command() const override;
 
-    /// Takes records from files, in their order along the hole, instead of those before. All tables are read
-    /// with these settings.
+    /// Replaces the records by those in the files, in their order along the hole. All tables are read with
+    /// the same settings.
     void openRecords(const QStringList& paths, const SignalOptions& settings = {});
     void openRecord(const QString& path, const SignalOptions& settings = {}) {
         openRecords({path}, settings);
     }
-    /// Adds files to the list, whose tables are read like that of the first; those that are in it are read
-    /// again. Requires that there is a record.
+    /// Adds files to the list; their tables are read with the settings of the present records. Files that are
+    /// already in the list are read again. Requires at least one record.
     void addRecords(const QStringList& paths);
     bool hasRecords() const { return !m_paths.isEmpty(); }
-    /// How many identifications were started.
+    /// Returns the number of identifications that were started.
     int started() const { return m_asked.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
     GaugeFields& gaugeFields() const { return *m_gauges; }
-    /// The answer that is shown; nullptr before the first, and where nothing is asked.
+    /// Returns the answer that is shown; nullptr before the first one and if no question is asked.
     IdentifiedRecordPtr answer() const { return m_shown; }
 
   signals:
-    /// The user wants to choose records, or further ones.
+    /// Reports that the user wants to choose records.
     void recordWanted();
+    /// Reports that the user wants to add further records.
     void moreRecordsWanted();
-    /// The user wants Design with this table of draws, whose rock is in the scenario now; `source` names the
-    /// records.
+    /// Reports that the user wants to open the page Design with draws (rows of values that the records
+    /// allow). The identified rock is already in the scenario; `source` names the records.
     void drawsWanted(const QString& source, const QByteArray& table);
 
   protected:
@@ -91,7 +92,8 @@ class IdentifyPage : public StudyPage {
     QStringList m_paths;
     int m_opened = 0;
     SignalOptions m_settings;
-    QString m_chosen;  // row of the list that the user has chosen, see rowName(); empty: that of the answer
+    // Row of the list that the user has chosen, see rowName(). If empty, the row of the answer is shown.
+    QString m_chosen;
     QLabel* m_name = nullptr;
     QPushButton* m_more = nullptr;
     GaugeFields* m_gauges;
@@ -108,7 +110,7 @@ class IdentifyPage : public StudyPage {
     IdentifiedRecordPtr m_shown;
     ShownUnits m_shownUnits;
     StudyRunner<RecordQuestion, IdentifiedRecordPtr> m_asked{
-        identifiedRecord};  // goes first: its thread works
+        identifiedRecord};  // destroyed first, because its thread uses other members
 };
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer of an identification beside its plots: values with their intervals, and what limits them.
+// The answer of an identification beside its plots: values with their intervals, and the tolerances that
+// limit them.
 #pragma once
 
 #include <QScrollArea>
@@ -14,24 +15,27 @@ class QTableWidget;
 
 namespace drillwave {
 
+/// Panel with the identified values of the rock, and buttons to use them.
 class IdentifyPanel : public QScrollArea {
     Q_OBJECT
 
   public:
     explicit IdentifyPanel(QWidget* parent = nullptr);
 
-    /// Shows the answer of a record that is not refused, and the next blow of several; a rejected one greyed
-    /// and without intervals.
+    /// Shows the answer for one record, which must not be refused, and the advice for the next blow. Values
+    /// of a rejected fit are grey and have no intervals.
     void present(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
     void clear();
 
   signals:
-    /// The user wants the rock in the scenario, or a run with it pinned.
+    /// Reports that the user wants the identified rock in the scenario.
     void useWanted();
+    /// Reports that the user wants to pin a run (a result kept for comparison) with the identified rock.
     void pinWanted();
-    /// The user wants Design with the draws of the answer.
+    /// Reports that the user wants to open the page Design with the draws of the answer (rows of values that
+    /// it allows).
     void designWanted();
-    /// The user wants to type a tolerance, by its key of --known.
+    /// Reports that the user wants to type a tolerance. `key` is its key in the option `--known`.
     void toleranceWanted(const QString& key);
 
   protected:
@@ -50,7 +54,7 @@ class IdentifyPanel : public QScrollArea {
     QPushButton* m_use;
     QPushButton* m_pin;
     QPushButton* m_design;
-    std::vector<std::string> m_keys;  // of --known, of the rows of m_limits
+    std::vector<std::string> m_keys;  // keys of `--known` for the rows of m_limits
 };
 
 }  // namespace drillwave

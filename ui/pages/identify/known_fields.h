@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tolerances of what a record does not show: assumed until they are typed.
+// Fields for the tolerances of quantities that a record does not show. Empty fields use assumed tolerances.
 #pragma once
 
 #include <QWidget>
@@ -16,19 +16,19 @@ class FlowLayout;
 class QuantityField;
 struct AssumedTolerance;
 
-/// A field for the amplifier, the place of the gauges and each size of gauge's section and of the sections
-/// towards the bit. An empty field shows what is assumed.
+/// Fields for tolerances (95 %): of the amplifier, of the gauge positions, and of the dimensions of the
+/// sections from the gauge to the bit. An empty field shows the assumed tolerance.
 class KnownFields : public QWidget {
     Q_OBJECT
 
   public:
     explicit KnownFields(QWidget* parent = nullptr);
 
-    /// Shows the fields for a gauge there; what was typed stays with its key.
+    /// Shows the fields for a gauge at this place. Typed tolerances are kept by their keys.
     void present(const Scenario& scenario, const GaugePlace& place);
-    /// Returns the tolerances typed, of the fields that are shown.
+    /// Returns the tolerances that the user has typed, for the fields that are shown.
     std::vector<KnownTolerance> known() const;
-    /// Puts the cursor into a field; false where there is none of that key.
+    /// Puts the focus into the field of a tolerance. Returns false if there is no field with this key.
     bool goTo(const std::string& key);
 
   signals:
@@ -43,7 +43,7 @@ class KnownFields : public QWidget {
 
     FlowLayout* m_layout;
     std::vector<Field> m_fields;
-    std::map<std::string, double> m_typed;  // by key
+    std::map<std::string, double> m_typed;  // typed tolerances in SI or as a share, by key
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question of the page Identify about records, and its answer, computed away from the window's thread.
+// Question of the page Identify about records, and its answer, computed outside the window's thread.
 #pragma once
 
 #include <QString>
@@ -15,44 +15,49 @@
 
 namespace drillwave {
 
-/// Records in files, where their gauges are, and what is known about both.
+/// Question for an identification: records in files, their gauges, and known tolerances.
 struct RecordQuestion {
-    Scenario scenario;       ///< without what does not matter
-    QStringList paths;       ///< in their order along the hole
-    int opened = 0;          ///< how often files were opened: they may be others by now
-    SignalOptions settings;  ///< by which the tables are read
+    Scenario scenario;  ///< scenario without the parts that do not affect the answer
+    QStringList paths;  ///< paths of the files, in their order along the hole
+    /// Number of times that files were opened, because their contents may have changed.
+    int opened = 0;
+    SignalOptions settings;  ///< settings for reading the tables
     std::vector<GaugeChoice> gauges;
     LawChoice law = LawChoice::automatic;
     DispersionChoice dispersion = DispersionChoice::fit;
+    /// Whether the rock is a specimen between two equal long bars.
     bool barBehind = false;
+    /// Whether every blow in a record is evaluated as a record of its own.
     bool allBlows = false;
     std::vector<KnownTolerance> known;
     bool operator==(const RecordQuestion&) const = default;
 };
 
-/// An answer with the question that it answers.
+/// Answer of an identification with its question.
 struct IdentifiedRecord {
     RecordQuestion question;
     IdentifyReport report;
-    bool isPartial = false;  ///< records or laws are still to come
+    bool isPartial = false;  ///< whether records or rock laws remain to be computed
 };
 using IdentifiedRecordPtr = std::shared_ptr<const IdentifiedRecord>;
 
-/// Takes out of a scenario what does not matter to the answer.
+/// Returns the scenario without the parts that do not affect the identification: drill data, and the rock
+/// unless `law` is LawChoice::file.
 Scenario scenarioForRecord(Scenario scenario, LawChoice law);
 
-/// Returns what the user still has to give, in a sentence; empty where the question can be asked.
+/// Returns a sentence that says which input is missing; empty if the question is complete.
 QString missingIn(const RecordQuestion& question);
 
-/// Names of the files as answers have them: without folders, unless two would be called the same.
+/// Returns the file names as used in answers: without folders, unless two names would be equal.
 QStringList recordNames(const QStringList& paths);
 
-/// Reads the records and identifies the rock. Throws std::runtime_error with a sentence where a record cannot
-/// be read or a tolerance is wrong.
+/// Returns the rock identified from the records. Throws std::runtime_error with a sentence if a record cannot
+/// be read or a tolerance is invalid.
 IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
                                      const StudyFeed<IdentifiedRecordPtr>& feed);
 
-/// The words of the command that gives the same answer, from its name on, without FILE.
+/// Returns the arguments of the command that gives the same answer: "identify", then its options, without the
+/// scenario file.
 QStringList identifyWords(const RecordQuestion& question);
 
 }  // namespace drillwave

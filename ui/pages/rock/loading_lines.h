@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loading lines of a law with corners, named on the path of a blow.
+// The loading lines of a rock law with corners, named on the force–penetration path of a blow.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,20 +13,21 @@
 
 namespace drillwave {
 
-/// Marks the corners that a blow has passed, and names the following lines by their slopes as multiples of k.
-/// Lives as a child of the plot.
+/// Marks of the corners of the loading curve that a blow has passed. The following lines are labelled with
+/// their slopes as multiples of the stiffness k. The plot owns the object.
 class LoadingLines : public QObject {
     Q_OBJECT
 
   public:
     explicit LoadingLines(QCPAxisRect* rect);
 
-    /// Shows the lines after the first, which has its own name; too many lines are marked without names.
+    /// Shows the lines after the first one, which has its own label. If there are too many, they have marks
+    /// but no labels.
     void present(const QVector<RockLine>& lines, const QLocale& locale);
-    /// Names along their lines, at any zoom.
+    /// Places the labels along their lines in the present view.
     void place();
     void setStyle(const PlotStyle& style);
-    /// The names, "0.35 k".
+    /// Returns the labels, such as "0.35 k".
     QStringList texts() const;
 
   private:
@@ -37,7 +38,7 @@ class LoadingLines : public QObject {
     PlotStyle m_style = PlotStyle::forPaper();
 };
 
-/// Degrees, clockwise, by which text follows a line between two pixels.
+/// Returns the angle [degrees, clockwise] at which text follows the line from one pixel to another.
 double rotationAlong(const QPointF& from, const QPointF& to);
 
 }  // namespace drillwave

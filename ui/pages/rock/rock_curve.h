@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The path of a blow in the force–penetration plane and the numbers that mark it.
+// The path of a blow in the force–penetration plane, and its characteristic numbers.
 #pragma once
 
 #include <QPointF>
@@ -16,38 +16,43 @@ class QCPDataContainer;
 
 namespace drillwave {
 
-/// A part of the loading curve that the blow has gone along.
+/// Straight line of the loading curve that a blow has followed.
 struct RockLine {
-    QPointF from, to;  ///< penetration, force
-    double slope = 1;  ///< of the stiffness k
+    QPointF from, to;  ///< ends of the line: penetration as x, force as y, in the units shown
+    double slope = 1;  ///< slope as a multiple of the stiffness k
     bool operator==(const RockLine&) const = default;
 };
 
-/// All in the units of `units`; built away from the window's thread, never changed once built.
+/// Force–penetration path of a blow, in the units of `units`. It is computed outside the window's thread and
+/// never changed.
 struct RockCurve {
     using Path = QSharedPointer<QCPDataContainer<QCPCurveData>>;
 
     ShownUnits units;
-    Path path;  ///< penetration, force; the parameter t is the global time
-    /// The path as drawn and filled, with a limited number of points.
+    Path path;  ///< force over penetration; the curve parameter is the global time
+    /// Path as drawn and filled, with a limited number of points.
     Path outline;
-    double peakForce = 0;                          ///< Fm
-    double maxPenetration = 0;                     ///< Um
-    double residualPenetration = 0;                ///< Ur
-    double loading = 0;                            ///< k
-    double unloading = 0;                          ///< k/γ
-    QVector<RockLine> lines = {};                  ///< up to the peak; one without corners
-    double energy = 0;                             ///< left in the rock: the enclosed area
-    double energyShare = 0;                        ///< of the hammer work
-    bool ofHammerEnergy = false;                   ///< of a hammer: the share is that of its energy E0
-    std::vector<RunOverlay<RockCurve>> runs = {};  ///< laid over it
+    double peakForce = 0;            ///< largest impact force Fm, in units.force
+    double maxPenetration = 0;       ///< largest penetration Um, in units.penetration
+    double residualPenetration = 0;  ///< residual penetration Ur, in units.penetration
+    double loading = 0;              ///< stiffness k in primary loading, in units.stiffness
+    double unloading = 0;            ///< stiffness k/γ in unloading, in units.stiffness
+    /// Lines up to the largest force; a single one for a law without corners.
+    QVector<RockLine> lines = {};
+    double energy = 0;       ///< energy left in the rock (the enclosed area), in units.energy
+    double energyShare = 0;  ///< energy left in the rock as a share of the hammer work, 0 … 1
+    /// Whether energyShare refers to the hammer energy E0 instead.
+    bool ofHammerEnergy = false;
+    std::vector<RunOverlay<RockCurve>> runs = {};  ///< paths of pinned runs (results kept for comparison)
 };
 
-/// Returns the path of a solved blow, empty without histories. Penetration follows from the force only by
-/// ContactLaw::penetration(); while bit and rock are apart, it is the remaining penetration.
+/// Returns the path of a solved blow; empty if it was solved without time histories. Penetration is computed
+/// from the force by ContactLaw::penetration(). While bit and rock are apart, it is the remaining
+/// penetration.
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
-/// Returns penetration and force at a global time in shown units; the ends of the path before and after it.
+/// Returns penetration and force at a global time, in the units shown. Before and after the path it returns
+/// the ends of the path.
 QPointF rockPoint(const RockCurve& curve, double time);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rock under the blow: force against penetration (paper, Fig. 1).
+// The page Rock: impact force against penetration during the blow (paper, Fig. 1).
 #pragma once
 
 #include "ui/job/observation.h"
@@ -15,7 +15,7 @@ class RockPage : public PlotPage {
     Q_OBJECT
 
   public:
-    /// The observation must outlive the page.
+    /// Creates the page. `observation` (observed section and time of all pages) must outlive it.
     explicit RockPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Rock"); }

@@ -12,23 +12,25 @@ namespace drillwave {
 
 class LoadingLines;
 
-/// Draws the path of a blow with its area, slopes and extremes named: fitted, the whole path is in view.
+/// Plot of the force–penetration path of a blow, with its area, slopes and extremes labelled. Fitting brings
+/// the whole path into view.
 class RockPlot : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit RockPlot(QCustomPlot* plot);
 
-    /// Shows the curve; the view stays where it is unless it was fitted or the units changed.
+    /// Shows the path of a blow. The present zoom is kept, unless the view was fitted or the units changed.
     void present(const RockCurve& curve);
-    /// Shows the path of another blow faintly; nullptr removes it.
+    /// Shows the path of an earlier blow faintly; nullptr removes it.
     void setGhost(const RockCurve* before);
-    /// Marks a point of the path, in shown units, on the overlay layer; replots nothing.
+    /// Marks a point of the path, in the units shown, on the overlay layer; empty removes the mark. Does not
+    /// replot.
     void setPoint(const std::optional<QPointF>& point);
     QCPCurve* path() const { return m_path; }
-    /// Names curve and axes.
+    /// Names curve and axes in the present language.
     void name();
-    /// Curves of pinned runs.
+    /// Returns the curves of the pinned runs (results kept for comparison).
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:
@@ -54,8 +56,8 @@ class RockPlot : public StudyFrame {
     QCPItemLine* m_toForceAxis;
     QCPItemLine* m_toPenetrationAxis;
     RockCurve m_curve;
-    QSizeF m_ghostSize;         // largest penetration and force of the ghost
-    QStringList m_peakNumbers;  // their texts
+    QSizeF m_ghostSize;         // largest penetration and force of the earlier blow
+    QStringList m_peakNumbers;  // texts of m_peakName
 };
 
 }  // namespace drillwave

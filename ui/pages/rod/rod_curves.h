@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest stresses along rod or drill string as ready plot data, built away from the window's thread.
+// The largest stresses along rod or drill string as data of a plot, computed outside the window's thread.
 #pragma once
 
 #include <QByteArray>
@@ -19,44 +19,48 @@
 
 namespace drillwave {
 
-/// Never changed once built; shown stresses are positive in tension.
+/// Largest stresses along rod or drill string; never changed once built. Shown stresses are positive in
+/// tension.
 struct RodCurves {
     ShownUnits units;
-    RodEnvelope envelope;                        ///< dimensionless
-    std::array<GraphData, loads.size()> curves;  ///< position in the rod, stress
+    RodEnvelope envelope;                        ///< largest forces; dimensionless
+    std::array<GraphData, loads.size()> curves;  ///< stress over position, for each load
+    /// Strengths of a uniform rod, in the unit of the stresses shown.
     std::optional<double> yieldStrength, fatigueStrength;
-    double strengthFactor = 0;                     ///< from Pa to stresses as shown
-    std::optional<StringRod> string = {};          ///< of a drill string, which has strengths of its own
-    std::vector<RunOverlay<RodCurves>> runs = {};  ///< laid over them
+    double strengthFactor = 0;  ///< factor from Pa to stresses as shown
+    /// Sections of a drill string, which have their own strengths; empty for a uniform rod.
+    std::optional<StringRod> string = {};
+    std::vector<RunOverlay<RodCurves>> runs = {};  ///< curves of pinned runs (results kept for comparison)
 
     const GraphData& curve(Load line) const { return curves[static_cast<std::size_t>(line)]; }
     const EnvelopeLine& forces(Load line) const { return envelope[line]; }
-    /// The lines that are there: a string may not be followed beyond the blow.
+    /// Returns the loads that have curves. The loads of the residual waves are missing if a string was not
+    /// computed beyond the blow.
     std::span<const Load> lines() const {
         const bool hasAfter = !string || !envelope.tensionAfter.empty();
         return std::span(loads).first(hasAfter ? loads.size() : 2);
     }
-    /// The largest at a place, in lengths of rod or string.
+    /// Returns the largest force of a load at x/L; for a string it is a stress and L is the string's length.
     RodForce forceAt(Load line, double section) const;
-    /// Where rod or string begins, in the same lengths.
+    /// Returns x/L of the rear end of rod, or of hammer and string; negative for a hammer.
     double rear() const { return string ? string->rear() : 0; }
     const RodForce& largest(Load line) const { return envelope.largest[line]; }
-    /// Returns the stress as shown.
+    /// Returns the stress of a force in the unit shown, positive in tension.
     double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
-    /// Returns the shown strength of a section of a string; `strength` in Pa.
+    /// Returns a strength of a string's section in the unit shown; `strength` is in Pa.
     std::optional<double> shownStrength(const std::optional<double>& strength) const {
         return strength ? std::optional(*strength * strengthFactor) : std::nullopt;
     }
     double position(const RodForce& force) const { return force.section * units.length.factor; }
 };
 
-/// Returns no lines for strings whose waves were not kept; requires the histories of rods. A stop ends the
-/// work early, with lines that are too low.
+/// Returns the largest stresses of a blow. They are empty for strings whose waves were not kept. Rods must
+/// have time histories. A stop ends the work early, with stresses that are too small.
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
 
-/// Returns position, stress and time of each line, side by side, in the units shown.
+/// Returns position, stress and time for each load in columns side by side, in the units shown.
 QByteArray rodCsv(const RodCurves& curves, char separator);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rod or string under the blow: the largest stresses at every section, where and when they occur.
+// The page Rod: the largest stresses at every section of rod or string, with place and time.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ class RodPage : public PlotPage {
     Q_OBJECT
 
   public:
-    /// The observation must outlive the page.
+    /// Creates the page. `observation` (observed section and time of all pages) must outlive it.
     explicit RodPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Rod"); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest stresses along rod or string: the same drawing code for the page and for files.
+// The plot of the largest stresses along rod or string; the same code draws the page and files.
 #pragma once
 
 #include <array>
@@ -11,29 +11,29 @@
 
 namespace drillwave {
 
-/// Largest tension above and largest compression below zero over the position in the rod, during the blow
-/// (solid) and of the residual waves (dashed), with the strengths of the rod and a mark at each extreme. A
-/// string has its hammer at negative positions, a line where sections meet, and the strengths of each.
-/// Fitted, all curves are in view, and the strengths that are not far from them. A cursor marks a position
-/// and, at a chosen time, the stress there and then.
+/// Plot of the largest tension (above zero) and compression (below zero) over the position. Solid curves are
+/// for the blow, dashed ones for the residual waves; the strengths and each extreme are marked. For drill
+/// strings the hammer is at negative positions, joints have lines, and each section its strengths. Fitting
+/// brings into view all curves, and strengths not far from them. A cursor marks a position and the stress
+/// there at a chosen time.
 class RodPlot : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit RodPlot(QCustomPlot* plot);
 
-    /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
+    /// Shows the curves. The present zoom is kept, unless the view was fitted or the units changed.
     void present(const RodCurves& curves);
-    /// Shows the curves of another blow faintly, in no legend; nullptr removes them.
+    /// Shows the curves of an earlier blow faintly and without legend entries; nullptr removes them.
     void setGhost(const RodCurves* before);
 
-    /// Returns the extreme that is marked near a point of the plot, or the largest stress at that position by
-    /// the nearest curve. Nothing beside the rod.
+    /// Returns the marked extreme near a point (coordinates of the axes), else the largest stress at its
+    /// position from the nearest curve. Nothing outside the rod.
     std::optional<RodForce> forceAt(QPointF coordinates) const;
-    /// Along the curves, to the extremes that are marked.
+    /// Returns the places for the keyboard: along the curves, with the marked extremes as targets.
     KeyPlaces keyPlaces() const override;
     QCPGraph* graph(Load line) const { return m_graphs[static_cast<std::size_t>(line)]; }
-    /// Curves of pinned runs: compression to the bit and tension back from it.
+    /// Returns the curves of pinned runs: compression towards the bit and tension back from it.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:
@@ -64,10 +64,10 @@ class RodPlot : public StudyFrame {
     std::array<Mark, loads.size()> m_marks;
     std::array<StrengthLines, 2> m_strengths{StrengthLines(StrengthLines::Kind::yield),
                                              StrengthLines(StrengthLines::Kind::fatigue)};
-    QVector<QCPItemStraightLine*> m_joints;  // of a string
+    QVector<QCPItemStraightLine*> m_joints;  // lines at the joints of a string
     QVector<QCPGraph*> m_ghosts;
     QCPLayoutGrid* m_header = nullptr;
-    QCPLegend* m_runLegend = nullptr;  // in the header while there are runs
+    QCPLegend* m_runLegend = nullptr;  // in m_header while runs are shown
     RunPaths* m_runs = nullptr;
     RodCurves m_curves;
 };

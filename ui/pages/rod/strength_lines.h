@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A strength of rod or string in the plot of the largest stresses, with its name.
+// The lines of one strength of rod or string in the plot of the largest stresses, with their label.
 #pragma once
 
 #include <qcustomplot.h>
@@ -15,30 +15,34 @@
 
 namespace drillwave {
 
-/// For rods a line across the plot, in tension and for the yield strength in compression as well; for drill
-/// strings steps over neighbouring sections with the same strength.
+/// Lines of one strength in the plot of the largest stresses. For uniform rods they are straight lines: in
+/// tension, and for the yield strength also in compression. For drill strings they are steps over
+/// neighbouring sections with equal strength.
 class StrengthLines {
   public:
     enum class Kind { yield, fatigue };
     using StressText = std::function<QString(double shown)>;
 
     explicit StrengthLines(Kind kind) : m_kind(kind) {}
-    /// Once, the lines first: the name is over them.
+    /// Adds the lines of the strength to an axis rect. Call this once, before addName(), so that the label is
+    /// above the lines.
     void addLines(QCPAxisRect* rect);
+    /// Sets the text item that shows the label of the lines. Call this once, after addLines().
     void addName(QCPItemText* name);
 
     void clear();
-    /// The steps of a string whose waves are kept.
+    /// Shows the steps of a drill string; nothing if its waves were not kept.
     void showSteps(const RodCurves& curves);
-    /// The name with the strength, or that there are several, and of a rod the lines.
+    /// Shows the label: the strength, or that several strengths differ. Shows also the lines of a uniform
+    /// rod.
     void showName(const RodCurves& curves, const StressText& stress);
     void setStyle(const PlotStyle& style);
 
-    /// Whether it is a strength of compression, too.
+    /// Returns whether the strength applies to compression as well as tension.
     bool isOfBoth() const { return m_kind == Kind::yield; }
-    /// The name with possible places along its line; without any if it is not shown.
+    /// Returns the label with its possible places along the line; without places if it is hidden.
     PlacedLabel label(const RodCurves& curves) const;
-    /// All strengths as shown.
+    /// Returns all strengths in the unit shown.
     std::vector<double> values(const RodCurves& curves) const;
 
   private:

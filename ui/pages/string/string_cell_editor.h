@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Editor of the cells in the table of sections: numbers in a field like those of the form.
+// Editor for cells of the table of sections: numbers are typed in a field as in the input form.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -10,18 +10,19 @@ class Document;
 class QuantityField;
 class StringModel;
 
-/// Wrong text is marked with its reason while it is typed, and never taken.
+/// Delegate that edits cells of the table of sections. Invalid text is marked with its reason while it is
+/// typed, and is never applied.
 class StringCellEditor : public QStyledItemDelegate {
     Q_OBJECT
 
   public:
-    /// Document and model must outlive it.
+    /// Creates the delegate. Document and model must outlive it.
     StringCellEditor(const Document& document, StringModel& model, QObject* parent = nullptr);
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
     void setEditorData(QWidget* editor, const QModelIndex& index) const override;
-    /// Wide enough for a text that cannot be taken and its mark, whatever the column.
+    /// Makes the editor wide enough for invalid text and its mark, even in a narrow column.
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammer and string to scale, coloured by the largest stresses of each section.
+// A drawing of hammer and string to scale, coloured by the largest stresses of each section.
 #pragma once
 
 #include <QWidget>
@@ -10,25 +10,27 @@
 
 namespace drillwave {
 
-/// Lengths run from the rear of the hammer to the rock; diameters are exaggerated by a factor that the
-/// drawing shows. The upper half of a section has the colour of its largest tension, the lower half that of
-/// its largest compression. A click, and the keys Left, Right, Home and End, choose a section.
+/// Drawing of hammer and drill string, from the rear of the hammer to the rock. Diameters are exaggerated by
+/// a factor that the drawing states. The upper half of a section has the colour of its largest tension, the
+/// lower half that of its largest compression. A click, or the keys Left, Right, Home and End, selects a
+/// section.
 class StringDrawing : public QWidget {
     Q_OBJECT
 
   public:
-    /// Model and units must outlive it.
+    /// Creates the drawing. Model and units must outlive it.
     StringDrawing(const StringModel& model, const UnitChoice& units, QWidget* parent = nullptr);
 
-    /// The row whose sections are marked; −1 for none.
+    /// Marks the sections of a row of the table (from 0); −1 marks none.
     void setRow(int row);
-    /// Returns the section of the chain below a point; nothing beside hammer and string.
+    /// Returns the index of the section at a point [px], counted from 0 at the rear of the hammer. Nothing
+    /// outside hammer and string.
     std::optional<std::size_t> sectionAt(QPointF point) const;
-    /// Returns the rect of a section of the chain.
+    /// Returns the rectangle [px] of a section given by its index, counted from 0 at the rear of the hammer.
     QRectF sectionRect(std::size_t section) const;
-    /// Describes a section: its name, impedance, and largest stresses with place and time.
+    /// Returns a text for a section: its name, impedance, and largest stresses with place and time.
     QString textOf(std::size_t section) const;
-    /// Returns the factor of diameters over lengths; 0 if there is nothing to draw.
+    /// Returns the scale of diameters divided by the scale of lengths; 0 if nothing is drawn.
     double exaggeration() const;
 
     QSize sizeHint() const override;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Actions on the sections that are selected in the table: add, duplicate, remove, move, repeat. Each is one
-// step of the document's history.
+// Actions on the selected sections in the table: add, duplicate, remove, move, repeat. Each is one undo step.
 #pragma once
 
 #include <QAction>
@@ -20,36 +19,38 @@ class StringEdits : public QObject {
     Q_OBJECT
 
   public:
-    /// Document, model and table must outlive it; the actions are the table's, too.
+    /// Creates the actions and adds them to the table. Document, model and table must outlive the object.
     StringEdits(Document& document, StringModel& model, QTableView& table);
 
-    /// The actions in the order of a bar.
+    /// Returns the actions in the order of a tool bar.
     const QList<QAction*>& actions() const { return m_actions; }
-    /// Menu of sections to add: presets, and the sections of the example strings.
+    /// Returns the menu of sections to add: presets, and the sections of the example strings.
     QMenu* addMenu() const { return m_addMenu; }
-    /// The presets that can replace the selected sections.
+    /// Returns the menu of presets that can replace the selected sections.
     QMenu* replaceMenu() const { return m_replaceMenu; }
-    /// Adds sections after the selected one, or after its repeat if it is the last of one; at the end if none
-    /// is selected. Requires at least one section.
+    /// Adds sections after the selected one. After the last section of a repeat they are added after the
+    /// whole repeat; without a selection, at the end. Requires at least one section.
     void add(const std::vector<Section>& sections);
-    /// Adds sections at their end of a string: adapters at the shank, bits at the rock.
+    /// Adds sections at the end of the string where they belong: adapters at the shank, bits at the rock.
     void addAt(StringEnd end, const std::vector<Section>& sections);
-    /// Replaces the hammer.
+    /// Replaces the hammer by a preset.
     void useHammer(const SectionPreset& piston);
     /// Replaces the selected sections. Requires at least one section.
     void replace(const std::vector<Section>& sections);
     void duplicate();
     void remove();
     void move(MoveTo direction);
-    /// Moves a row past those between.
+    /// Moves row `from` to row `to` (from 0) past the rows between. Emits refused() if it would leave the
+    /// hammer or the string.
     void moveRow(int from, int to);
-    /// Makes a repeat of the selected rows, or leads to the number of theirs.
+    /// Makes a repeat of the selected rows, or opens the cell with the number of repeats if they are one
+    /// already.
     void repeat();
-    /// Selects the row of a spot.
+    /// Selects the row of a section given by its position in the file.
     void select(const SectionSpot& spot);
 
   signals:
-    /// Why an edit was not made; empty when one was.
+    /// Reports why an edit was refused; empty after a successful edit.
     void refused(const QString& reason);
 
   private:
@@ -59,16 +60,17 @@ class StringEdits : public QObject {
     void fillAddMenu();
     void fillReplaceMenu();
     void addPresets();
-    /// A submenu of that title.
+    /// Adds a submenu with this title and returns it.
     static QMenu* newMenu(QMenu& menu, const QString& title);
-    /// Calls `then` with the sections of a rod that is chosen.
+    /// Adds a submenu of rod presets that calls `then` with the section of the chosen rod. `length` [m] is
+    /// used for presets without a length.
     void addRods(QMenu& menu, const std::function<void(Section)>& then, std::optional<double> length = {});
     void addPieces(QMenu& menu, SectionPresetKind kind,
                    const std::function<void(const SectionPreset&)>& then);
     void addExamples();
     void addChoice(QMenu& menu, const QString& text, const QString& toolTip,
                    const std::function<void()>& then);
-    /// An action that adds sections, at an end of the string where one is given.
+    /// Returns a function that adds the sections: at `end` of the string, or after the selection without it.
     std::function<void()> adding(std::vector<Section> sections, std::optional<StringEnd> end = {});
     void offer();
     std::vector<SectionSpot> selected() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of the sections: a row for each as in a file, with numbers to be edited and the results of the
-// blow.
+// The table of the sections: a row for each section as in the file, with editable numbers and the results of
+// the blow.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Shows the document's string. Every edit is one step of its history; invalid values stay out of it.
+/// Table model of the sections of the document's drill string. Every edit is one undo step; invalid values
+/// are refused.
 class StringModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -30,37 +31,39 @@ class StringModel : public QAbstractTableModel {
         tension,
         reflected,
         strengthShare,
-        presetName,  // shown where a section is from a preset
-        occasional,  // from here on the other numbers of a section, which few have
+        presetName,  // shown if a section is from a preset
+        occasional,  // first of the numbers that few sections have
     };
 
-    /// The column of that number of a section, "area".
+    /// Returns the column of a number of a section, given by its key such as "area".
     static int columnOf(std::string_view field);
 
-    /// Returns the parameter whose units show numbers of that key, "bore", for any section.
+    /// Returns a parameter with this key, such as "bore", which gives the unit of the column.
     static KeptParameter ofColumn(std::string_view field);
 
-    /// The document must outlive the model.
+    /// Creates the model. The document must outlive it.
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
-    /// Whether it is a column of numbers that few sections have, and whether one of these has it.
+    /// Returns whether a column is for numbers that few sections have, or for presets.
     static bool isOccasional(int column) { return column >= presetName; }
+    /// Returns whether any section has a value in a column that few sections use.
     bool isUsed(int column) const;
 
-    /// The blow whose results the last columns show; nullptr before the first.
+    /// Shows the results of a blow in the last columns; nullptr before the first blow.
     void present(const SolvedBlowPtr& blow);
 
     const std::vector<StringRow>& rows() const { return m_rows; }
     const std::vector<ChainSection>& chain() const { return m_chain; }
     const std::optional<StringResults>& results() const { return m_results; }
     const SolvedBlowPtr& blow() const { return m_blow; }
-    /// The number that a cell is; nullptr where it is a word, a result, or nothing of that section.
+    /// Returns the parameter that a cell shows; nullptr if the cell is a word, a result, or not applicable.
     KeptParameter parameterAt(const QModelIndex& index) const;
-    /// Stress, place and time of a peak as the results are shown: "362.2 MPa at 0.12 m, 3.28 ms".
+    /// Returns stress, place and time of a peak in the units shown: "362.2 MPa at 0.12 m from its rear end,
+    /// 3.28 ms".
     QString peakText(const RowPeak& peak) const;
-    /// The place of a row in keys: "3", "H1" in the hammer.
+    /// Returns the number of a row's section as used in keys: "3", or "H1" in the hammer.
     QString placeText(int row) const;
-    /// Returns the row of a spot; −1 if there is none.
+    /// Returns the row of a section given by its position in the file; −1 if there is none.
     int rowOf(const SectionSpot& spot) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -68,11 +71,12 @@ class StringModel : public QAbstractTableModel {
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Takes a number in SI, or a name; nothing takes a number away that may be missing.
+    /// Sets a number (in SI) or a name. An invalid QVariant clears an optional number. Returns whether the
+    /// value was accepted.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
   signals:
-    /// Why a cell did not take its text; empty when one has.
+    /// Reports why a cell refused its text; empty after an accepted one.
     void refused(const QString& reason);
 
   private:
@@ -89,7 +93,7 @@ class StringModel : public QAbstractTableModel {
 
     Document& m_document;
     SolvedBlowPtr m_blow;
-    DrillString m_shown;  // what the rows are of
+    DrillString m_shown;  // drill string that the rows show
     std::vector<StringRow> m_rows;
     std::vector<ChainSection> m_chain;
     std::optional<StringResults> m_results;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammer and string: drawn to scale with the stresses of the blow, and as a table to be edited.
+// The page String: hammer and drill string drawn to scale with the stresses of the blow, and as an editable
+// table.
 #pragma once
 
 #include "core/model/section_field.h"
@@ -20,19 +21,19 @@ class StringPage : public Page {
     Q_OBJECT
 
   public:
-    /// The document must outlive the page.
+    /// Creates the page. The document must outlive it.
     explicit StringPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("String"); }
     bool shows(const Scenario& scenario) const override { return sectionCount(scenario.drillString) > 0; }
-    /// The blow has it all.
+    /// Returns no function: the page needs only the blow itself.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override {}
     QList<PageExport> exports() const override;
     void setCurrent(bool /*current*/) override {}
 
-    /// Selects the first of the sections and the number that are meant.
+    /// Selects the cell of a number of a section; for several sections, that of the first one.
     void goTo(const SectionAddress& address);
 
     StringDrawing* drawing() const { return m_drawing; }
@@ -41,7 +42,7 @@ class StringPage : public Page {
     StringEdits* edits() const { return m_edits; }
 
   signals:
-    /// The user wants the value of that number for a given result.
+    /// Reports that the user wants to know which value of this parameter gives a chosen result.
     void goalRequested(const QString& key);
 
   protected:
@@ -63,7 +64,7 @@ class StringPage : public Page {
     StringModel* m_model;
     StringDrawing* m_drawing;
     QTableView* m_table;
-    QToolButton* m_allColumns = nullptr;  // also those that no section uses
+    QToolButton* m_allColumns = nullptr;  // also shows columns that no section uses
     StringEdits* m_edits;
     QLabel* m_words;
     QString m_refusal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of a hammer and a string in the order of a file, with what the blow does to each.
+// The sections of hammer and string in the order of the file, with the results of the blow for each.
 #pragma once
 
 #include <QString>
@@ -12,58 +12,63 @@
 
 namespace drillwave {
 
-/// A section as in a file. A section in a repeat is listed once for all its places.
+/// Section as listed in the file. A section in a repeat is listed once for all its copies.
 struct StringRow {
     SectionSpot spot;
     Section section;
-    std::uint64_t place = 1;  ///< the first one in its hammer or string
-    /// The repeat that contains the section.
+    std::uint64_t place = 1;  ///< number of the section in its hammer or string (from 1), for its first copy
+    /// Repeat (group of sections that occurs several times) that contains the section.
     struct Repeat {
         int times = 1;
-        std::size_t index = 0, size = 1;  ///< which of the sections of the repeat
+        /// Index of the section in the repeat, and number of sections in it.
+        std::size_t index = 0, size = 1;
         bool operator==(const Repeat&) const = default;
     };
     std::optional<Repeat> repeat = {};
-    QString words = {};                    ///< of the row: "2nd to 4th rod"
-    std::vector<QString> placeWords = {};  ///< of each of its places: "2nd rod"
+    QString words = {};                    ///< name of the row for sentences, such as "2nd to 4th rod"
+    std::vector<QString> placeWords = {};  ///< name of each copy of the section, such as "2nd rod"
 
-    /// "adapter", else "section 3", "hammer 1".
+    /// Returns the name of the section, such as "adapter"; without a name, "section 3" or "hammer 1".
     QString name() const;
-    /// Returns how sentences call the section at one of its places: "hammer 1", "3rd rod".
+    /// Returns the name for sentences of one copy of the section, such as "3rd rod". `itsPlace` is its number
+    /// in hammer or string (from 1).
     const QString& nameAt(std::uint64_t itsPlace) const;
 };
+/// Returns the sections of hammer and string in the order of the file.
 std::vector<StringRow> stringRows(const DrillString& drillString);
 
-/// A section where it is in the chain of hammer and string, repeats written out.
+/// Section in the row of all sections from hammer to bit, with repeats written out.
 struct ChainSection {
-    std::size_t row = 0;      ///< of stringRows()
-    std::uint64_t place = 1;  ///< in its hammer or string
-    double start = 0;         ///< of its rear end from that of the hammer [m]
+    std::size_t row = 0;      ///< index in stringRows()
+    std::uint64_t place = 1;  ///< number of the section in its hammer or string (from 1)
+    double start = 0;         ///< distance of its rear end from the rear of the hammer [m]
 };
-/// Returns all sections from the rear of the hammer to the bit: those of sectionStresses().
+/// Returns all sections from the rear of the hammer to the bit, in the order of sectionStresses(). `rows` is
+/// the result of stringRows().
 std::vector<ChainSection> chainSections(const DrillString& drillString, const std::vector<StringRow>& rows);
 
-/// The largest of one kind over all the places of a row.
+/// Largest stress (or reflected energy) of one kind over all copies of a section.
 struct RowPeak {
-    double size = 0;            ///< stress [Pa], or share of the energy of the hammer
-    double place = 0;           ///< from its rear end [m]
-    double time = 0;            ///< [s]
-    std::uint64_t section = 1;  ///< the place in its hammer or string where it is that large
+    double size = 0;            ///< stress [Pa], or share of the hammer energy (0 … 1)
+    double place = 0;           ///< distance from the rear end of the section [m]
+    double time = 0;            ///< time of the peak [s]
+    std::uint64_t section = 1;  ///< number of the copy with the peak, in its hammer or string
 };
+/// Results of a blow for one row of the table.
 struct RowResult {
     RowPeak compression, tension, compressionAfter, tensionAfter;
-    std::optional<RowPeak> reflected;  ///< by its far joint, in the string
-    std::optional<StrengthUse> use;    ///< the largest over all places
-    std::uint64_t useSection = 1;      ///< the place of that
+    std::optional<RowPeak> reflected;  ///< energy reflected at the section's front joint; empty in the hammer
+    std::optional<StrengthUse> use;    ///< largest stress as a share of the strength
+    std::uint64_t useSection = 1;      ///< number of the copy that `use` belongs to
 };
 
-/// Results of a solved blow on that string: by row, and by section of the chain.
+/// Results of a solved blow for the rows of the table, and for all sections from hammer to bit.
 struct StringResults {
     std::vector<RowResult> rows;
     std::vector<SectionStress> sections;
-    double largest = 0;  ///< stress of all of them [Pa]
+    double largest = 0;  ///< largest stress of all sections [Pa]
 };
-/// Returns nothing if the blow is unsolved, or of a string with other sections.
+/// Returns the results of a blow; nothing if it is not solved or belongs to a string with other sections.
 std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::vector<StringRow>& rows,
                                            const std::vector<ChainSection>& chain);
 

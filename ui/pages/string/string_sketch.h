@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hammer and string to scale, for paper.
+// A drawing of hammer and string to scale, for paper.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,16 +13,17 @@
 
 namespace drillwave {
 
-/// A drill string to draw, with the units of the axes for values in SI.
+/// Drill string to draw, with the units of the axes: shown value = SI value · factor.
 struct SketchedString {
     DrillString drillString;
-    ShownUnit length;  ///< along the string
-    ShownUnit across;  ///< of diameters
+    ShownUnit length;  ///< unit of lengths along the string
+    ShownUnit across;  ///< unit of diameters
 };
 
-/// Draws the sections of a hammer and a string along their common axis: lengths and diameters each to a scale
-/// of its own, the bore dashed, the hammer darker and below 0, its face a thick line, the rock at the right.
-/// Sections carry their place and, where there is room, their name. Lives as a child of the plot.
+/// Drawing of the sections of hammer and string along their axis, with different scales for lengths and
+/// diameters. The bore is dashed; the hammer is darker and at negative positions, its face a thick line; the
+/// rock is at the right. Sections have their number and, where there is space, their name. The plot owns the
+/// object.
 class StringSketch : public QObject {
     Q_OBJECT
 
@@ -34,10 +35,11 @@ class StringSketch : public QObject {
 
   private:
     struct Piece {
-        double rear = 0, front = 0;     ///< from the face of the hammer, as shown
-        double diameter = 0, bore = 0;  ///< as shown, the diameter where it is largest
+        /// Ends of the section, measured from the hammer's face, in the unit shown.
+        double rear = 0, front = 0;
+        double diameter = 0, bore = 0;  ///< in the unit shown; `diameter` is the largest one
         double rearDiameter = 0, frontDiameter = 0;
-        int place = 1;  ///< in the hammer or the string
+        int place = 1;  ///< number of the section in hammer or string (from 1)
         QString name;
         bool isHammer = false;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of a study's answer below its figure.
+// The table of a study's answer, below its figure.
 #pragma once
 
 #include <QTableWidget>
@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// Numbers that are only read, with titles of columns and rows.
+/// Read-only table of numbers, with titles of columns and rows.
 class AnswerTable : public QTableWidget {
     Q_OBJECT
 

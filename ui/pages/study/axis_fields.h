@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Controls of one axis of a study: parameter, start, end and steps.
+// Controls for one axis of a study: parameter, ends of its range, and linear or logarithmic steps.
 #pragma once
 
 #include <QWidget>
@@ -17,29 +17,29 @@ class ChoiceBox;
 class QuantityField;
 class UnitChoice;
 
-/// A box of the parameters that apply to the scenario, fields for both ends, and linear or logarithmic. Text
-/// that is no value, and ends that are equal, stay in the fields, marked, and change nothing.
+/// Controls for the range of a parameter: a list of the parameters of the scenario, fields for both ends, and
+/// linear or logarithmic. Invalid text and equal ends stay in the fields, are marked, and change nothing.
 class AxisFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// `words` is the label ("vary"). The first key of `preferred` that applies to a scenario is selected
-    /// until the user selects one. The units must outlive it.
+    /// Creates the controls with the label `words`, such as "vary". Until the user selects a parameter, the
+    /// first key of `preferred` that applies to the scenario is selected. The units must outlive the object.
     AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
                QWidget* parent = nullptr, StudyOf of = StudyOf::oneBlow);
 
-    /// Offers what applies to the scenario; takes a first choice, with a range around its value, or another
-    /// one where the last does not apply any more. Tells changed() where the range has changed.
+    /// Offers the parameters of the scenario. At first, and if the selected parameter no longer applies, it
+    /// selects another one with a range around its value. Emits changed() if the range has changed.
     void present(const Scenario& scenario);
-    /// Without a parameter before the first scenario.
+    /// Returns the range; before the first scenario it has no parameter.
     const StudyRange& range() const { return m_range; }
-    /// Shows that range, and tells changed() where it is another one.
+    /// Shows a range. Emits changed() if it differs from the present one.
     void setRange(const StudyRange& range);
-    /// Whether the controls say a range that can be used.
+    /// Returns whether the controls describe a valid range.
     bool isValid() const;
 
   signals:
-    /// range() is another one.
+    /// Reports that range() has changed.
     void changed();
 
   private:
@@ -57,7 +57,7 @@ class AxisFields : public QWidget {
     Scenario m_scenario;
     StudyRange m_range;
     ChoiceBox* m_parameters;
-    QWidget* m_startPart;  // where the fields are, another one for each parameter
+    QWidget* m_startPart;  // holder of the start field, which is replaced for each parameter
     QWidget* m_stopPart;
     QuantityField* m_start = nullptr;
     QuantityField* m_stop = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line that does what a page of the window does.
+// The command line that gives the same result as a page of the window.
 #pragma once
 
 #include <QString>
@@ -9,11 +9,11 @@
 
 namespace drillwave {
 
-/// The command for a POSIX shell: "drillwave NAME FILE WORDS". A scenario that no file holds as it is goes
-/// along as a here-document, so that the command always studies what the window shows.
+/// Returns the command for a POSIX shell: "drillwave NAME FILE WORDS". A scenario with unsaved changes or
+/// without a file is included as a here-document. The command therefore always studies what the window shows.
 QString commandText(const Document& document, const QString& name, const QStringList& words);
 
-/// A word as a shell takes it whole: quoted where it needs to be.
+/// Returns a word quoted for a POSIX shell if necessary.
 QString shellWord(const QString& word);
 
 }  // namespace drillwave

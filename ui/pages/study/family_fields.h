@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A second parameter and the values it takes: one curve each.
+// Controls for a second parameter of a study and its values, each of which gives one curve.
 #pragma once
 
 #include <QWidget>
@@ -14,28 +14,30 @@ namespace drillwave {
 class ChoiceBox;
 class UnitChoice;
 
-/// A box with the parameters that apply, or none, and a line for values, "0.01; 0.1; 1" or "3 m; 12 ft". Text
-/// that is no list of values stays, marked with the reason, and changes nothing.
+/// Controls for a family of curves: a list of parameters (or none) and a field for their values. Values are
+/// typed as "0.01; 0.1; 1" or "3 m; 12 ft". Invalid text stays, is marked with its reason, and changes
+/// nothing.
 class FamilyFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// Most values of a family, so that curves can be distinguished.
+    /// Largest number of values, so that the curves can be distinguished.
     static constexpr std::size_t mostValues = 12;
 
-    /// Begins with these values of the first of these keys that applies; in SI. The units must outlive it.
+    /// Creates the controls with the label `words`. At first the first family of `preferred` (values in SI)
+    /// whose parameter applies is shown. The units must outlive the object.
     FamilyFields(const QString& words, std::vector<StudyFamily> preferred, const UnitChoice& units,
                  QWidget* parent = nullptr);
 
-    /// Offers what applies to the scenario. Tells changed() where the family has changed.
+    /// Offers the parameters of the scenario. Emits changed() if the family has changed.
     void present(const Scenario& scenario);
     const StudyFamily& family() const { return m_family; }
     void setFamily(const StudyFamily& family);
-    /// Why the text is no list of values; empty when it is.
+    /// Returns why the text is not a list of values; empty if it is.
     const QString& problem() const { return m_problem; }
 
   signals:
-    /// family() is another one.
+    /// Reports that family() has changed.
     void changed();
 
   private:
@@ -47,7 +49,7 @@ class FamilyFields : public QWidget {
     const UnitChoice& m_units;
     Scenario m_scenario;
     StudyFamily m_family;
-    bool m_chosen = false;  // the user's, or the first
+    bool m_chosen = false;  // whether the parameter was chosen, by the user or as the first one
     QString m_problem;
     ChoiceBox* m_parameters;
     QLineEdit* m_values;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of any study that is a value.
+// A page for any study that is described by a Study value.
 #pragma once
 
 #include "core/report/study.h"
@@ -15,24 +15,26 @@ class ChoiceBox;
 class MissingFields;
 class OptionFields;
 
-/// Controls of the study's options, its sentences and its figure, with the answers for pinned runs laid
-/// over it. A click takes over a value of an axis with a target. Its object name is that of the study.
+/// Page of a study: controls for its options, its sentences and its figure, with the results of pinned runs
+/// drawn over it. A click on the figure can set a parameter. The object name of the page is that of the
+/// study.
 class FigurePage : public StudyPage {
     Q_OBJECT
 
   public:
-    /// Study and document must outlive it.
+    /// Creates the page. Study and document must outlive it.
     FigurePage(const Study& study, Document& document, QWidget* parent = nullptr);
 
     QString title() const override;
     bool shows(const Scenario& scenario) const override { return m_study.whyNot(scenario).isEmpty(); }
     QString elsewhere() const override;
     bool leadsElsewhere() const override { return m_study.isElsewhereOverGap; }
-    /// How many studies were started, and how many of runs.
+    /// Returns the number of studies that were started for the present scenario.
     int studies() const { return m_asked.started(); }
+    /// Returns the number of studies that were started for pinned runs.
     int runStudies() const { return m_ofRuns.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
-    /// The answer that is shown; nullptr before the first.
+    /// Returns the answer that is shown; nullptr before the first one.
     StudyAnswerPtr answer() const { return m_shown.answer; }
 
   protected:
@@ -66,12 +68,12 @@ class FigurePage : public StudyPage {
     void moveHeld(double y);
 
     const Study& m_study;
-    ChoiceBox* m_view = nullptr;  // none where there is one thing to see
+    ChoiceBox* m_view = nullptr;  // nullptr if the study has a single view
     OptionFields* m_options;
     FigureFrame* m_frame = nullptr;
-    MissingFields* m_missing = nullptr;  // none where nothing is asked for
-    AnswerTable* m_table = nullptr;      // none where the study has no table
-    // A line that is dragged: the value that it sets, and y where it was taken hold of.
+    MissingFields* m_missing = nullptr;  // nullptr if the study needs no further values
+    AnswerTable* m_table = nullptr;      // nullptr if the study has no table
+    // Line that the user drags: the value that it sets, and y where the drag began.
     struct Held {
         int gesture = 0;
         double value = 0;
@@ -79,10 +81,11 @@ class FigurePage : public StudyPage {
     };
     Held m_held;
     Shown m_shown;
-    std::shared_ptr<const RunAnswers::Answers> m_shownAnswers;  // of runs, as they are drawn
+    std::shared_ptr<const RunAnswers::Answers> m_shownAnswers;  // answers of pinned runs as drawn
     RunListPtr m_shownRuns;
-    StudyRunner<StudyQuestion, StudyAnswerPtr> m_asked;  // goes first: its thread works
-    RunAnswers m_ofRuns;                                 // the same
+    // Destroyed first, because their threads use other members.
+    StudyRunner<StudyQuestion, StudyAnswerPtr> m_asked;
+    RunAnswers m_ofRuns;  // answers for pinned runs
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of controls that goes on in the next line where the window is narrow.
+// A row of controls that continues in further lines if the window is narrow.
 #pragma once
 
 #include <QLayout>
@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Items side by side at their preferred sizes, in as many lines as the width asks for. An item that is wider
-/// than a line has a line of its own, in which one that flows itself goes on below.
+/// Layout that places items side by side at their preferred sizes, in as many lines as necessary. An item
+/// wider than a line gets its own line, in which its contents may wrap.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ class FlowLayout : public QLayout {
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return arrange({0, 0, width, 0}, Moving::no); }
     QSize minimumSize() const override;
-    /// All in one line.
+    /// Returns the size of all items in a single line.
     QSize sizeHint() const override;
     void setGeometry(const QRect& area) override;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields for values that a study needs and the scenario lacks.
+// Fields for values that a study needs and the scenario does not have.
 #pragma once
 
 #include <QWidget>
@@ -16,19 +16,20 @@ namespace drillwave {
 class QuantityField;
 class UnitChoice;
 
-/// A field for each of some optional parameters, shown while the scenario might have it and does not.
+/// Fields for optional parameters. A field is shown while its parameter applies to the scenario but has no
+/// value.
 class MissingFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// The units must outlive it.
+    /// Creates a field for each key. The units must outlive the object.
     MissingFields(const std::vector<std::string_view>& keys, const UnitChoice& units,
                   QWidget* parent = nullptr);
 
     void present(const Scenario& scenario);
 
   signals:
-    /// The user has entered a value (SI) to the end.
+    /// Reports that the user has entered a value (in SI) for a parameter.
     void entered(const drillwave::KeptParameter& parameter, double si);
 
   private:

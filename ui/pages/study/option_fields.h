@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The controls of a study's options, and the words of a command line that say the same.
+// The controls of a study's options, and their values as arguments of the command.
 #pragma once
 
 #include <QHash>
@@ -16,29 +16,29 @@ class ChoiceBox;
 class QuantityField;
 class UnitChoice;
 
-/// One control for each option that has one, by the kind of its control. Text that is no value, or that the
-/// study refuses, stays in its field, marked with the reason, and changes nothing. Lives as a child of the
-/// page.
+/// Controls for the options of a study. Invalid text, or text that the study refuses, stays in its field, is
+/// marked with the reason, and changes nothing. The page owns the object.
 class OptionFields : public QObject {
     Q_OBJECT
 
   public:
-    /// Study and units must outlive it.
+    /// Creates the controls. Study and units must outlive the object.
     OptionFields(const Study& study, const UnitChoice& units, QWidget* page);
 
-    /// The controls in their order, for a row that wraps.
+    /// Returns the controls in their order, for a row that wraps.
     const QList<QWidget*>& widgets() const { return m_widgets; }
-    /// Offers what applies to the scenario; proposes new values where its form is another one.
+    /// Offers the choices of the scenario. Proposes new values if the form of the scenario (uniform rod,
+    /// drill string, dimensionless) has changed.
     void present(const Scenario& scenario);
-    /// The options as the controls give them, for the scenario shown.
+    /// Returns the options that the controls describe, for the present scenario.
     StudyWords words() const;
 
   signals:
-    /// words() are others.
+    /// Reports that words() has changed.
     void changed();
 
   private:
-    /// A number with a unit: its value is in SI, or a mere number where the scenario has no units.
+    /// Option with a number and a unit. The value is in SI, or dimensionless for scenarios without units.
     struct Quantified {
         const StudyOption* option;
         const QuantityControl* control;

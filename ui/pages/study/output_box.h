@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which result a study looks at.
+// A list to choose the result that a study evaluates.
 #pragma once
 
 #include "core/blow/outputs.h"
@@ -7,33 +7,36 @@
 
 namespace drillwave {
 
-/// Which outputs a study can have: thrust_margin takes a study of all gaps for every value.
+/// Outputs that a study offers: all, or without those that need a study of all gaps for every value, such as
+/// thrust_margin (`ofOneBlow`).
 enum class OfferedOutputs { all, ofOneBlow };
 
-/// The outputs that a scenario has; e at first, of a drill string the efficiency.
+/// List of the outputs of a scenario. Selected at first: the coefficient of restitution, or the efficiency
+/// for a drill string.
 class OutputBox : public ChoiceBox {
     Q_OBJECT
 
   public:
     explicit OutputBox(QWidget* parent = nullptr, OfferedOutputs offered = OfferedOutputs::all);
 
-    /// Offers what the scenario has; what is chosen stays where it has that, and is the first one otherwise.
+    /// Offers the outputs of the scenario. The user's choice is kept if the scenario has it; otherwise the
+    /// default is selected.
     void present(const Scenario& scenario);
     const Output& output() const;
-    /// As if the user had chosen it. Requires that the scenario has it.
+    /// Selects an output as if the user had chosen it. Requires that the scenario has it.
     void setOutput(const Output& output);
 
   signals:
-    /// output() is another one.
+    /// Reports that output() has changed.
     void changed();
 
   private:
     OfferedOutputs m_offered;
     QString m_shown;
-    bool m_isChosen = false;  // by the user, or by setOutput()
+    bool m_isChosen = false;  // whether the output was chosen by the user or by setOutput()
 };
 
-/// "peak force", "COR e": as a box or an axis calls it.
+/// Returns the name of an output for lists and axes, such as "peak force" or "COR e".
 QString outputName(const Output& output);
 
 }  // namespace drillwave

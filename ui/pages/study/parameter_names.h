@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters in a box to choose from.
+// Names of parameters, and lists to choose a parameter from.
 #pragma once
 
 #include <QString>
@@ -10,20 +10,21 @@ class QComboBox;
 
 namespace drillwave {
 
-/// "stiffness k", as a box or an axis calls it.
+/// Returns the name of a parameter for lists and axes, such as "stiffness k".
 QString parameterName(const Parameter& parameter);
 
-/// Subject of a study: one blow, which parameters of many blows do not change, or many blows.
+/// Subject of a study: one blow, or many blows. Studies of one blow do not offer parameters that affect only
+/// many blows.
 enum class StudyOf { oneBlow, manyBlows };
 
-/// Fills the box with the parameters that apply to the scenario, keys as data, behind what it has without a
-/// parameter; what is chosen stays chosen where it still applies. Tells nobody.
+/// Fills a list with the parameters that apply to the scenario; the item data are their keys. Items without a
+/// key stay at the top, and the selected parameter stays selected if it still applies. Emits no signals.
 void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of = StudyOf::oneBlow);
 
-/// Returns the selected parameter, or none.
+/// Returns the selected parameter; nullptr if none is selected.
 KeptParameter chosenParameter(const QComboBox& box);
 
-/// Chooses a parameter, or none. Tells nobody.
+/// Selects a parameter, or none for nullptr. Emits no signals.
 void chooseParameter(QComboBox& box, const KeptParameter& parameter);
 
 }  // namespace drillwave

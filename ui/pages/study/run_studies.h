@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies of the pinned runs, computed beside that of the scenario.
+// Studies of the pinned runs (results kept for comparison), computed in parallel with the study of the
+// scenario.
 #pragma once
 
 #include <algorithm>
@@ -14,28 +15,30 @@
 
 namespace drillwave {
 
-/// The curve of one run, with the question that it answers, which is a value with ==.
+/// Curve of one pinned run with the question that it answers.
 template <class Question, class Curve>
 struct RunAnswer {
     Question question;
-    std::optional<Curve> curve;  ///< nothing where there is none
+    std::optional<Curve> curve;  ///< the curve; empty if the run has none
 };
 
 template <class Question, class Curve>
 using RunAnswers = std::vector<std::shared_ptr<const RunAnswer<Question, Curve>>>;
 
-/// Answers questions one after the other, and keeps the answers for the next time. Copies share what they
-/// know; called on one thread at a time.
+/// Function object that answers questions one after another and keeps the answers for the next call. Copies
+/// share the kept answers; it must be called on one thread at a time.
 template <class Question, class Curve>
 class RunCurveFinder {
   public:
     using Answers = RunAnswers<Question, Curve>;
-    /// Nothing where there is no curve, or after a stop. Holds nothing of the window.
+    /// Function that computes a curve. Returns nothing if there is no curve or after a stop; it must not
+    /// refer to the window.
     using Find = std::function<std::optional<Curve>(const Question&, const std::stop_token&)>;
 
     explicit RunCurveFinder(Find find) : m_find(std::move(find)) {}
 
-    /// Known answers come first. Questions that are no longer asked are forgotten.
+    /// Returns the answers: known ones first, then new ones. Forgets answers to questions that are no longer
+    /// asked.
     Answers operator()(const std::vector<Question>& questions, const StudyFeed<Answers>& feed) {
         Answers found;
         std::vector<Question> open;
@@ -64,8 +67,8 @@ class RunCurveFinder {
     std::shared_ptr<Answers> m_known = std::make_shared<Answers>();
 };
 
-/// The curves of the runs on a page: on one thread, beside the study of the scenario, which is not kept
-/// waiting by them.
+/// Curves of the pinned runs on a page. They are computed on their own thread, so that the study of the
+/// scenario does not wait for them.
 template <class Question, class Curve>
 class RunStudies {
   public:
@@ -74,7 +77,7 @@ class RunStudies {
 
     explicit RunStudies(typename Finder::Find find) : m_study(Finder(std::move(find))) {}
 
-    /// One for each run; runs with the same question share the answer.
+    /// Asks the question of each run. Runs with the same question share the answer.
     void ask(const std::vector<Question>& ofRuns) {
         std::vector<Question> questions;
         for (const Question& question : ofRuns)
@@ -84,9 +87,9 @@ class RunStudies {
         const bool hasFailed = m_study.job().state() == StudyState::failed && m_study.question() == questions;
         if (!isNothing && !hasFailed) m_study.ask(std::move(questions));
     }
-    /// Another one whenever there is news; nullptr at first.
+    /// Returns the latest answers, as a new object after each change; nullptr at first.
     const std::shared_ptr<const Answers>& answers() const { return m_study.job().value(); }
-    /// nullptr where there is no curve, or not yet.
+    /// Returns the curve for a question; nullptr if there is none, or none yet.
     const Curve* find(const Question& question) const {
         if (!answers()) return nullptr;
         const auto found =
@@ -95,7 +98,7 @@ class RunStudies {
     }
     StudyActivity& activity() { return m_study.job(); }
     const StudyActivity& activity() const { return m_study.job(); }
-    /// How many times there was something to be found.
+    /// Returns the number of times that a computation was started.
     int started() const { return m_study.started(); }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Common part of the pages of studies: when they compute, their sentences, and what they export.
+// Common part of the pages of studies: when they compute, their sentences, and their exports.
 #pragma once
 
 #include <QBoxLayout>
@@ -16,22 +16,24 @@ class ScrolledLabel;
 class SectionBox;
 class StaleVeil;
 
-/// A page around one plot of a study of the scenario that is being edited. The answer comes first, in bold,
-/// then further sentences, the controls in a box that folds, the plot and its details. A study that may have
-/// changed is asked for while the page can be seen, or as soon as it can; a page that goes out of sight stops
-/// its study. Sentence, plot and what stands beside and below them are veiled where they are of an earlier
-/// input for more than a moment, and hidden where they are of another scenario.
+/// Page around the plot of a study of the present scenario.
 ///
-/// A page implements ask() (hand its question to its job, whose question is compared with the last),
-/// present(), csv() and commandWords(), and calls arrange() and watch() as it is made.
+/// From the top it has the answer in bold, further sentences, the controls in a box that folds, the plot and
+/// details. A study is requested when it may have changed, as soon as the page is visible; hiding the page
+/// stops it. Outdated sentences, plot and details are greyed out after a moment. They are hidden if they
+/// belong to another document.
+///
+/// A derived class implements ask(), present(), csv() and commandWords(), and calls arrange() and watch() in
+/// its constructor. ask() passes the present question to the page's StudyRunner, which ignores a question
+/// equal to the last one.
 class StudyPage : public PlotPage {
     Q_OBJECT
 
   public:
-    /// The document must outlive the page.
+    /// Creates the page. The document must outlive it.
     explicit StudyPage(Document& document, QWidget* parent = nullptr);
 
-    /// A study is no part of the blow.
+    /// Returns no function: the study is computed separately from the blow.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void setRuns(const RunListPtr& runs) override;
@@ -39,72 +41,79 @@ class StudyPage : public PlotPage {
     QList<PageExport> exports() const override;
     StudyActivity* activity() const override { return m_activity; }
 
-    /// The command that writes the same CSV as exports(), see commandText(). Empty where there is none now.
+    /// Returns the command that writes the same CSV as exports(), see commandText(). Empty if there is none
+    /// now.
     virtual QString command() const;
 
   public slots:
     virtual void copyCommand();
 
   protected:
-    /// Asks the page's job for what the controls say of the scenario. Called only while it can be seen.
+    /// Asks for the study that the controls describe. Called only while the page is visible.
     virtual void ask() = 0;
-    /// Shows what the job has, in the units of blow(), and where the present scenario is. Called whenever one
-    /// of them has changed; blow() is nullptr before the first, and may be unsolved.
+    /// Shows the latest answer of the study in the units of blow(), and the place of the present scenario.
+    /// Called after any of them has changed. blow() is nullptr before the first blow, and may be unsolved.
     virtual void present() = 0;
     /// Returns why the shown study cannot be exported now; empty if it can.
     virtual QString obstacle() const;
-    /// The file that the command of command() writes, of the finished study.
+    /// Returns the CSV of the finished study, as written by command().
     virtual QByteArray csv() const = 0;
-    /// Name and words of the command, in front of "-o": {"gap", "--gap-mean", "1 mm"}. Empty where there is
-    /// none.
+    /// Returns name and arguments of the command without "-o", such as {"gap", "--gap-mean", "1 mm"}. Empty
+    /// if there is none.
     virtual QStringList commandWords() const = 0;
 
     QString answerText() const override;
 
-    /// Builds the page: answer, controls in a row that wraps, plot with `beside` at its right. Returns the
-    /// plot. Call it once.
+    /// Builds the page: answer, controls in a row that wraps, and the plot with `beside` at its right.
+    /// Returns the plot. Call it once.
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
-    /// On a page narrower than `width` [px], `beside` is above the plot; otherwise it has a third of the
-    /// width.
+    /// Places `beside` above the plot if the page is narrower than `width` [px]. On a wider page it has a
+    /// third of the width.
     void stackBelow(int width);
+    /// Group that a widget belongs to; only widgets of the answer are greyed out with it.
     enum class PartOf { question, answer };
-    /// Adds a widget between the sentences and the controls, in view even while the controls are folded.
+    /// Adds a widget between the sentences and the controls, visible even while the controls are folded.
     void addAbove(QWidget* widget, PartOf part);
-    /// Adds a widget below the plot as a part of the answer.
+    /// Adds a widget below the plot as part of the answer.
     void addBelow(QWidget* table);
-    /// Box of the controls.
+    /// Returns the box of the controls.
     SectionBox& settingsBox() const { return *m_settings; }
-    /// The page's job. Once.
+    /// Sets the study that gives the page's answer. Call it once.
     void watch(StudyActivity& activity);
-    /// Jobs beside it: present() is called when one has news, and out of sight they are stopped, to
-    /// be asked again by present().
+    /// Adds a further study of the page. Its news cause present(), and hiding the page stops it until
+    /// present() asks for it again.
     void watchBeside(StudyActivity& activity);
-    /// The question may be another one: ask() now, or as soon as the page can be seen.
+    /// Requests a new question: calls ask() now, or as soon as the page is visible.
     void requestUpdate();
-    /// Shows the answer in bold and further sentences below it. A problem of the study replaces both.
+    /// Shows the answer in bold and further sentences below it. An error of the study replaces both.
     void say(const QString& answer, const QString& more = {});
-    /// The same with the first sentence as the answer.
+    /// Shows the first sentence as the answer, and the others below it.
     void say(const QStringList& sentences);
-    /// Shows the reason instead of the curves, and as the answer.
+    /// Shows the reason why there is no result, instead of the curves and as the answer.
     void showNothing(const QString& why);
-    /// The same where nothing is asked any more: no answer is on its way.
+    /// Shows the reason why no study is requested. The answer is no longer greyed out as outdated.
     void showNothingAsked(const QString& why);
-    /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
+    /// Sets parameters of the scenario as one undo step, like a click in the plot. Shows the reason if this
+    /// is impossible.
     void load(const std::vector<ParameterValue>& values);
-    /// Pins the scenario with those values, which stays as it is; says why not.
+    /// Requests a pinned run for the scenario with these values; the scenario itself is unchanged. Shows the
+    /// reason if this is impossible.
     void pin(const std::vector<ParameterValue>& values);
-    /// The same with a whole scenario; `step` names the step.
+    /// Replaces the scenario as one undo step with the name `step`. Shows the reason if this is impossible.
     void load(const Scenario& scenario, const QString& step);
-    /// The same with its text, byte for byte.
+    /// Replaces the scenario and its text, byte for byte, as one undo step with the name `step`. Shows the
+    /// reason if this is impossible.
     void load(const ScenarioDocument& contents, const QString& step);
+    /// Requests a pinned run (a result kept for comparison) for a scenario. Shows the reason if this is
+    /// impossible.
     void pin(const Scenario& scenario);
-    /// The one or the other, by Shift.
+    /// Calls pin() if `modifiers` contains Shift, else load().
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
     Document& document() const { return m_document; }
     const Scenario& scenario() const { return m_document.scenario(); }
     const SolvedBlowPtr& blow() const { return m_blow; }
-    /// The pinned runs; those that are solved and shown are laid over the plot.
+    /// Returns the pinned runs. Runs that are solved and shown are drawn over the plot.
     const RunList& runs() const { return *m_runs; }
     const RunListPtr& runList() const { return m_runs; }
 
@@ -127,20 +136,20 @@ class StudyPage : public PlotPage {
     RunListPtr m_runs = std::make_shared<const RunList>();
     StudyActivity* m_activity = nullptr;
     QVector<StudyActivity*> m_beside;
-    bool m_due = true;           // something has changed while the page could not be seen
-    bool m_inputCurrent = true;  // the blow on show answers the present input
+    bool m_due = true;           // whether the input has changed while the page was hidden
+    bool m_inputCurrent = true;  // whether the blow shown belongs to the present input
     ScrolledLabel* m_words = nullptr;
     SectionBox* m_settings = nullptr;
-    QBoxLayout* m_center = nullptr;  // the plot and what stands beside it
+    QBoxLayout* m_center = nullptr;  // the plot and the widget beside it
     int m_stackBelow = 0;            // width [px]
     QString m_sentence;
     QString m_more;
-    QString m_refusal;         // why a value could not be taken over
-    QList<QWidget*> m_answer;  // what stands beside and below the plot
+    QString m_refusal;         // reason why a value could not be taken into the scenario
+    QList<QWidget*> m_answer;  // widgets beside and below the plot
     StaleVeil* m_veil = nullptr;
-    bool m_isForeign = false;  // the answer is of another scenario
+    bool m_isForeign = false;  // whether the answer belongs to another document
     QTimer m_late;
-    std::uint64_t m_answers = 0;  // of the job, when it was looked at last
+    std::uint64_t m_answers = 0;  // number of answers of the study when last checked
 };
 
 }  // namespace drillwave

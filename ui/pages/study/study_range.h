@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Range of a study: a parameter from start to end, or over a list of values.
+// Range of a study: a parameter from start to end, or with a list of values.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// A parameter from `start` to `stop` (SI), in even steps or in even ratios.
+/// Parameter from `start` to `stop` (in SI), in equal steps or, if `logarithmic`, in equal ratios.
 struct StudyRange {
     KeptParameter parameter = {};
     double start = 0;
@@ -19,37 +19,37 @@ struct StudyRange {
     bool logarithmic = false;
     bool operator==(const StudyRange&) const = default;
 
-    /// Returns the words of the command line, "bit_rock.stiffness=10 MN/m:10000 MN/m", which read back as the
-    /// same doubles; the suffix ":log" or a count is in tail().
+    /// Returns the range as an argument of the command, such as "bit_rock.stiffness=10 MN/m:10000 MN/m",
+    /// without tail() and a number of values. Reading it gives the same doubles.
     std::string text() const;
-    /// ":log", or nothing.
+    /// Returns ":log" for a logarithmic range, else an empty text.
     std::string tail() const { return logarithmic ? ":log" : ""; }
-    /// Returns the number of values of a study that takes at most `most` (≥ 2); for whole numbers, as many as
-    /// are whole numbers.
+    /// Returns the number of values of a study with at most `most` (≥ 2) values. For a parameter of whole
+    /// numbers, at most the whole numbers in the range.
     std::uint64_t pointsWithin(std::uint64_t most) const;
 };
 
-/// In four digits, as one types it.
+/// Returns a number rounded to four significant digits, as a user would type it.
 double readable(double shown);
 
-/// The nearest value with one significant digit in the unit that the parameter is shown in.
+/// Returns the value nearest to `si` (in SI) that has one significant digit in the unit of the parameter.
 double readableNear(const Parameter& parameter, double si);
 
-/// A range around the value that a parameter has in the scenario, with ends that are easily read and inside
-/// its hard range. Requires applies().
+/// Returns a range around the value of a parameter in the scenario. Its ends are round numbers within the
+/// allowed range. Requires a parameter that applies to the scenario.
 StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario);
 
-/// The same of a study of many blows: no thrust below their mean reaction f I0, which pushes the machine
-/// back.
+/// Returns the range of rangeAround() for a study of many blows. Feed forces start at their least useful
+/// value, the mean reaction f I0 less the weight, below which the machine is pushed back.
 StudyRange rangeOfManyBlows(const Parameter& parameter, const Scenario& scenario);
 
-/// A parameter with each of some values (SI).
+/// Parameter with a list of values (in SI).
 struct StudyFamily {
-    KeptParameter parameter = {};  ///< or none
+    KeptParameter parameter = {};  ///< parameter; nullptr for none
     std::vector<double> values;
     bool operator==(const StudyFamily&) const = default;
 
-    /// As on the command line, "gamma=0.01,0.1,1"; empty for none.
+    /// Returns the family as an argument of the command, such as "gamma=0.01,0.1,1"; empty for none.
     std::string text() const;
 };
 

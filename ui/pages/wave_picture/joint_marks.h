@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints of the sections of a drill string in its picture, and the names of the sections.
+// Joints and names of the sections of a drill string in the x–t picture of its waves.
 #pragma once
 
 #include <QRectF>
@@ -9,13 +9,14 @@
 
 namespace drillwave {
 
-/// A thin line at every joint, a stronger one between hammer and string, thick while they touch. The names of
-/// sections are above the picture, those of short ones upright inside of it, if there is room.
+/// Lines and names in the x–t picture of a drill string. Every joint has a thin line. The line between hammer
+/// and string is stronger, and thick while they touch. Names are above the picture; names of short sections
+/// are upright within it, if there is space.
 class JointMarksItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    /// A name as drawn, centred in the visible part of its section.
+    /// Name of a section as drawn, centred in the visible part of its section.
     struct Name {
         QString text;
         QRectF box;
@@ -26,16 +27,16 @@ class JointMarksItem : public WavePictureItem {
 
     void setBlow(const SolvedBlowPtr& blow) override;
     void setStyle(const PlotStyle& style) override;
-    /// The names in view that have room, the longest section first.
+    /// Returns the section names in view for which there is space, the longest section first.
     QVector<Name> names() const;
-    /// Places of the lines in view [px from the left].
+    /// Returns the positions of the lines at the joints in view [px from the left].
     QVector<double> lines() const;
 
   protected:
     void draw(QCPPainter* painter) override;
 
   private:
-    /// A stretch with one name, in x/L.
+    /// Part of the picture with one name; its ends are in x/L.
     struct Named {
         QString text;
         double rear, front;

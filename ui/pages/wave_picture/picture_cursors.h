@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of section and time in an x–t picture, to be dragged.
+// The draggable lines of section and time in an x–t picture of the waves.
 #pragma once
 
 #include <qcustomplot.h>
@@ -12,25 +12,30 @@
 
 namespace drillwave {
 
-/// A vertical line at the section x/L and a horizontal one at the time cursor, on the layer that is redrawn
-/// without the picture. The mouse drags them; Ctrl with the arrow keys moves them while the plot has focus.
+/// Vertical line at the observed section x/L and horizontal line at the time cursor. They are on a layer that
+/// is redrawn without the picture. The user drags them, or moves them by Ctrl with the arrow keys while the
+/// plot has the focus.
 class PictureCursors : public QObject {
     Q_OBJECT
 
   public:
-    /// Both must outlive the cursors.
+    /// Creates the lines. Plot and picture must outlive them.
     PictureCursors(QCustomPlot* plot, WavePicturePlot* picture);
 
+    /// Moves the vertical line to x/L.
     void setSection(double xi);
-    /// Global time t/t0.
+    /// Moves the horizontal line to the global time t/t0.
     void setTime(double t);
     void setStyle(const PlotStyle& style);
-    /// Places of the lines [px].
+    /// Returns the position of the vertical line [px from the left].
     double sectionPixel() const;
+    /// Returns the position of the horizontal line [px from the top].
     double timePixel() const;
 
   signals:
+    /// Reports that the user has moved the vertical line to x/L.
     void sectionMoved(double xi);
+    /// Reports that the user has moved the horizontal line to the time t/t0.
     void timeMoved(double t);
 
   protected:
@@ -59,7 +64,7 @@ class PictureCursors : public QObject {
     double m_section = 0.5;
     double m_time = 0;
     Line m_dragged = Line::none;
-    bool m_ownsCursor = false;  // the mouse pointer shows that a line can be dragged
+    bool m_ownsCursor = false;  // whether the pointer has the shape for dragging
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Play, pause, scrub and speed: the controls that move the time cursor.
+// Controls that move the time cursor: play, pause, slider and speed.
 #pragma once
 
 #include <QElapsedTimer>
@@ -15,32 +15,32 @@ class QToolButton;
 
 namespace drillwave {
 
-/// Plays a span of time at a chosen speed, as long as it can be seen. Its owner follows its times, and sets
-/// the place of the cursor.
+/// Bar that plays a time span at a chosen speed while it is visible. Its owner follows timeChosen() and
+/// reports the time back by setTime().
 class PlayBar : public QWidget {
     Q_OBJECT
 
   public:
     explicit PlayBar(QWidget* parent = nullptr);
 
-    /// Sets the span to play and scrub, t/t0; `secondsPerUnit` is t0 [s], 0 where there is none.
+    /// Sets the time span to play [t0]. `secondsPerUnit` is t0 [s], or 0 for a dimensionless scenario.
     void setSpan(const TimeSpan& span, double secondsPerUnit);
-    /// Sets the place of the time cursor, t/t0.
+    /// Sets the position of the time cursor [t0].
     void setTime(double t);
-    /// Sets the time in words.
+    /// Sets the text of the present time.
     void setTimeText(const QString& text);
     bool isPlaying() const { return m_timer.isActive(); }
-    /// Starts at the cursor, at the beginning when the cursor is not before the end of the span.
+    /// Starts playing at the cursor, or at the beginning of the span if the cursor is at its end.
     void play();
     void pause();
     void toggle();
 
-    /// Duration of the span while it is played [s].
+    /// Returns how long playing the whole span takes [s].
     double secondsForSpan() const;
     bool loops() const;
 
   signals:
-    /// Wanted by the user or by playing, t/t0.
+    /// Reports that the user or playing has moved the time cursor to t [t0].
     void timeChosen(double t);
     void playingChanged(bool playing);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force or velocity along the rod at one instant, of the blow and of pinned runs.
+// Curves of force or velocity along the rod at one instant, for the blow and for pinned runs.
 #pragma once
 
 #include <QPointF>
@@ -12,33 +12,34 @@
 
 namespace drillwave {
 
-/// The field along the time cursor's line as curves, because curves can be laid over each other and
-/// colours cannot. There for a drill string, and while runs are laid over the page; in line with the
-/// rod below. Place and time are those of the blow on show: a longer rod ends outside, a shorter one
-/// inside.
+/// Widget with curves of force or velocity along the rod at the time cursor; unlike colours, curves can be
+/// drawn over each other. It is visible for a drill string, and if pinned runs are shown. It is aligned with
+/// the drawing of the rod below. Position and time scales are those of the present blow, so that the curve of
+/// a longer rod ends outside.
 class RodProfile : public QWidget {
     Q_OBJECT
 
   public:
-    /// One curve, as shown.
+    /// Curve of one blow, in the units shown.
     struct Line {
-        int number = -1;  ///< of the run; -1 for the blow itself
+        int number = -1;  ///< number of the pinned run; −1 for the present blow
         QString title;
-        QVector<QPointF> points;  ///< place in the rod, value; as far as both rods go
+        QVector<QPointF> points;  ///< value over position, within both rods
     };
 
     explicit RodProfile(QWidget* parent = nullptr);
 
-    /// A blow with a picture, or nullptr for none.
+    /// Shows a blow, which must have a wave picture; nullptr for none.
     void setBlow(const SolvedBlowPtr& blow);
-    /// Global time t/t0 of the blow.
+    /// Sets the global time of the present blow [t0].
     void setTime(double t);
     /// Sets the ends of the rod [px from the left].
     void setRodEnds(int left, int right);
 
-    /// The blow, and the runs that are laid over it; none without runs.
+    /// Returns the curves of the present blow and of the pinned runs shown; empty while the widget is hidden.
     const QVector<Line>& lines() const { return m_lines; }
-    /// The values of all lines at a place in the rod x/L, by name; of those that go that far.
+    /// Returns a text with the values of all curves at x/L, with their names. Curves that do not reach x/L
+    /// are left out.
     QString readout(double xi) const;
 
     QSize sizeHint() const override;
@@ -63,7 +64,7 @@ class RodProfile : public QWidget {
     SolvedBlowPtr m_blow;
     double m_time = 0;
     int m_left = 64, m_right = -1;
-    double m_limit = 1;  // of all lines at all times, as shown
+    double m_limit = 1;  // largest magnitude of all curves at all times, in the unit shown
     QVector<Line> m_lines;
 };
 

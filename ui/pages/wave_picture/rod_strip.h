@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rod itself at one instant, coloured by its stress.
+// A drawing of the rod at one instant, coloured by its stress.
 #pragma once
 
 #include <QWidget>
@@ -10,25 +10,26 @@
 
 namespace drillwave {
 
-/// Hammer, rod, bit and rock from left to right, the rod in the colours of the picture above, and the state
-/// of the bit in words. A drill string has all its sections, their heights as their diameters; where the
-/// picture shows forces each has the colour of its stress, of which the largest one of the blow has the
-/// colour of the end of the scale. Redrawn for every step of a playing blow: a fraction of a millisecond.
+/// Drawing of hammer, rod, bit and rock at one instant, with the colours of the wave picture above it. The
+/// state of the bit is shown in words. A drill string shows all its sections, with heights proportional to
+/// their diameters. If the picture shows forces, the sections have the colours of their stresses. The largest
+/// stress of the blow has the end colour of the scale. Redrawing takes a fraction of a millisecond, because
+/// it happens at every step of playing.
 class RodStrip : public QWidget {
     Q_OBJECT
 
   public:
     explicit RodStrip(QWidget* parent = nullptr);
 
-    /// A blow with a picture, or nullptr for an empty strip.
+    /// Shows a blow, which must have a wave picture; nullptr for an empty strip.
     void setBlow(const SolvedBlowPtr& blow);
-    /// Global time t/t0.
+    /// Sets the global time [t0].
     void setTime(double t);
     double time() const { return m_time; }
-    /// Sets the ends of the rod [px from the left], to be in line with a picture above.
+    /// Sets the ends of the rod [px from the left], to align it with the picture above.
     void setRodEnds(int left, int right);
-    /// "t = 0.52 ms: contact, penetration 0.8 mm, force 120 kN; stress −45 … 12 MPa", or the
-    /// velocity where the picture shows that.
+    /// Returns the state at this time in words, such as "t = 0.52 ms: contact, penetration 0.8 mm, force 120
+    /// kN; stress −45 … 12 MPa". The last part is the velocity if the picture shows velocities.
     QString stateText() const;
 
     QSize sizeHint() const override;
@@ -57,7 +58,7 @@ class RodStrip : public QWidget {
     double m_time = 0;
     int m_left = 64, m_right = -1;
     std::vector<float>
-        m_values;  // of the field of the picture, in a string of the stress, at the pixels of the rod
+        m_values;  // values at the pixels of the rod: the field of the picture, or the stress in a string
 };
 
 }  // namespace drillwave

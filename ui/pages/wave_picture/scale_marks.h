@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks on the colour bar of the wave picture: the extremes in view, and whether the colours end before them.
+// Marks on the colour bar of the wave picture: the extremes in view, and whether they exceed the scale.
 #pragma once
 
 #include "ui/pages/wave_picture/wave_picture_items.h"
 
 namespace drillwave {
 
-/// Lines across the bar at the least and the largest value in view; an arrow head beyond each end of the bar
-/// where there are values that have the colour of that end but are larger.
+/// Lines across the colour bar at the smallest and largest value in view. An arrow head beyond an end of the
+/// bar shows that values in view exceed the scale there.
 class ScaleMarksItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    /// The bar must outlive the item.
+    /// Creates the marks. The bar must outlive them.
     ScaleMarksItem(QCustomPlot* plot, const QCPColorScale* bar);
 
   protected:

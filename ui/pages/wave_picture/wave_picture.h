@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The x–t picture of one blow as ready data, built away from the window's thread.
+// The x–t picture of the waves of one blow as data, computed outside the window's thread.
 #pragma once
 
 #include <QLocale>
@@ -14,88 +14,93 @@
 
 namespace drillwave {
 
-/// A part of a picture: ξ = x/L and times t/t0.
+/// Part of a wave picture: positions ξ = x/L and times [t0].
 struct PictureWindow {
     double xiBegin = 0, xiEnd = 1;
     TimeSpan time;
     bool operator==(const PictureWindow&) const = default;
 };
 
-/// Contents of a picture, at the pixels of its screen.
+/// Contents that a wave picture must have: field, part and resolution.
 struct WavePictureNeed {
     WaveQuantity field = WaveQuantity::force;
-    std::optional<PictureWindow> window;  ///< all that is of interest when there is none
-    int columns = 0, rows = 0;            ///< device pixels
+    std::optional<PictureWindow> window;  ///< part to show; empty for the whole span of interest
+    int columns = 0, rows = 0;            ///< resolution in device pixels
     bool operator==(const WavePictureNeed&) const = default;
 };
 
-/// Units of what a picture shows; position in x/L or metres.
+/// Units of the quantities in a wave picture; the position is in x/L or metres.
 struct PictureUnits {
     ShownUnit position;
     ShownUnit time;
     ShownUnit force;
-    ShownUnit velocity;  ///< of the particles; shown = (value in F0/Z)·factor
-    ShownUnit stress;    ///< N/A, or N/F0 where there is no cross-section
+    ShownUnit velocity;  ///< particle velocity: shown value = (value in F0/Z) · factor
+    ShownUnit stress;    ///< stress N/A; N/F0 if there is no cross-section
     bool operator==(const PictureUnits&) const = default;
 
     const ShownUnit& of(WaveQuantity field) const { return field == WaveQuantity::force ? force : velocity; }
 };
 
-/// `units` gives times and forces; what else there is follows from the blow, whose waves can be read.
+/// Returns the units of a wave picture. `units` gives those of time and force; the others follow from the
+/// blow, whose waves must be readable.
 PictureUnits pictureUnits(const Blow& blow, const ShownUnits& units);
 
-/// Upper limits of the waves of a run, known beforehand: the waves are looked up when they are drawn.
+/// Upper limits of the waves of a pinned run. The waves themselves are computed when they are drawn.
 struct RunWaves {
-    double largestForce = 0;     ///< magnitude [F0] in the time of interest
-    double largestVelocity = 0;  ///< [F0/Z]
+    double largestForce = 0;     ///< largest force magnitude [F0] in the time span of interest
+    double largestVelocity = 0;  ///< largest particle velocity [F0/Z] in the time span of interest
 
     double largest(WaveQuantity field) const {
         return field == WaveQuantity::force ? largestForce : largestVelocity;
     }
 };
 
-/// Same requirements as wavePicture().
+/// Returns the upper limits of the waves of a blow. Requires a blow whose waves can be read, see BlowWaves.
 RunWaves runWaves(const Blow& blow);
 
-/// Data beside the picture of a drill string.
+/// Additional data of the wave picture of a drill string.
 struct StringPicture {
-    StringRod rod;                              ///< its sections
-    double end = 0;                             ///< until when it was followed [t0]
-    double largestStress = 1;                   ///< magnitude [F0/A of the rod]
-    std::vector<ContactInterval> faceContacts;  ///< of hammer and string
+    StringRod rod;                              ///< sections of hammer and string
+    double end = 0;                             ///< time until which the waves were computed [t0]
+    double largestStress = 1;                   ///< largest stress magnitude of the blow [F0/A of the rod]
+    std::vector<ContactInterval> faceContacts;  ///< times of contact between hammer and string [t0]
 };
 
-/// Never changed once made; dimensionless but for `units`.
+/// Wave picture of a blow; never changed once made. All numbers are dimensionless except those of `units`.
 struct WavePicture {
-    WavePictureNeed need;  ///< that it meets
+    WavePictureNeed need;  ///< requirement that the picture fulfils
     PictureUnits units;
     WaveRaster raster;
-    double rear = 0;  ///< where the picture begins: the struck end, or the rear of the hammer of a string
-    TimeSpan interesting;  ///< BlowWaves::interesting()
-    double limit = 1;      ///< largest magnitude of the field in that time; the colours end there
-    float least = 0;       ///< of the field in the raster
+    double rear = 0;       ///< x/L where the picture begins: 0, or the rear of a string's hammer
+    TimeSpan interesting;  ///< time span of interest [t0], BlowWaves::interesting()
+    /// Largest magnitude of the field in that span [F0 or F0/Z], where the colour scale ends.
+    double limit = 1;
+    /// Smallest value in the raster [F0 or F0/Z], or 0 if all are positive.
+    float least = 0;
+    /// Largest value in the raster [F0 or F0/Z], or 0 if all are negative.
     float largest = 0;
-    std::vector<double> fronts;  ///< BlowWaves::fronts()
-    std::vector<ContactInterval> contacts;
-    std::optional<StringPicture> string = {};     ///< of a drill string
-    std::vector<RunOverlay<RunWaves>> runs = {};  ///< whose waves are drawn below it
+    std::vector<double> fronts;                   ///< starts of the wave fronts [t0], BlowWaves::fronts()
+    std::vector<ContactInterval> contacts;        ///< times of contact between bit and rock [t0]
+    std::optional<StringPicture> string = {};     ///< data of a drill string; empty for a uniform rod
+    std::vector<RunOverlay<RunWaves>> runs = {};  ///< pinned runs whose waves are drawn below the picture
 
-    /// The whole span of interest.
+    /// Returns the part with all positions and the time span of interest.
     PictureWindow whole() const { return {rear, 1, interesting}; }
 };
 
-/// Whether there are values in view beyond the colours, below or above: they look like those at the ends.
+/// Returns whether values in view are below the colour scale; they have the colour of its lower end.
 bool isClippedBelow(const WavePicture& picture);
+/// Returns whether values in view are above the colour scale; they have the colour of its upper end.
 bool isClippedAbove(const WavePicture& picture);
 
-/// Formats a time with enough digits to distinguish the instants of a span: "10000005.3 t₀", four at least.
+/// Returns a time with enough digits to distinguish the instants of a span, at least four: "10000005.3 t₀".
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale);
 
-/// A raster has no more cells than this: larger needs are met more coarsely.
+/// Largest number of cells of a raster. A picture that needs more has a coarser raster.
 inline constexpr int mostPictureCells = 4'000'000;
 
-/// Requires a blow whose waves can be read, see BlowWaves. The colours go as far as the forces that its
-/// summary has.
+/// Returns the wave picture of a blow. The colour scale ends at the largest force or velocity of the blow.
+/// Requires a blow whose waves can be read, see BlowWaves.
 WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePictureNeed& need);
 
 }  // namespace drillwave

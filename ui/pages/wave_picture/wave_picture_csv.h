@@ -10,10 +10,10 @@
 
 namespace drillwave {
 
-/// Returns one row for each place and time: position, time, field, in the units of the picture, under
-/// `names`; 101 places evenly over the part of rod, or hammer and string, in the window, ends included, at
-/// each of 201 times (for a string none later than it was followed). Exact at every one of them; at a jump
-/// the value after it. `separator` as in plotCsv(). Requires a blow with a picture.
+/// Returns a table with one row for each position and time: position, time and field, in the units of the
+/// picture, with the titles `names`. It has 101 equally spaced positions in the window, ends included, at
+/// each of 201 times. For a drill string, no time is later than the end of its computation. Values are exact;
+/// at a jump it is the value after it. `separator` is as for plotCsv(). Requires a blow with a wave picture.
 QByteArray wavePictureCsv(const SolvedBlow& blow, WaveQuantity field, const PictureWindow& window,
                           const QStringList& names, char separator);
 

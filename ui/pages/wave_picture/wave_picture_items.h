@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Items of an x–t picture: the coloured field, the fronts of the blow, the times of contact.
+// Items of an x–t picture of waves: the coloured field, the wave fronts, the times of contact.
 #pragma once
 
 #include <qcustomplot.h>
@@ -13,31 +13,31 @@
 
 namespace drillwave {
 
-/// An item drawn from a blow with a picture over the axes of a plot, position to the right and time upward.
-/// Clips itself to the axes, because not every format can.
+/// Item of a wave picture, with position to the right and time upwards. It clips itself to the axes, because
+/// some file formats do not clip.
 class WavePictureItem : public QCPAbstractItem {
     Q_OBJECT
 
   public:
     explicit WavePictureItem(QCustomPlot* plot) : QCPAbstractItem(plot) { setSelectable(false); }
 
-    /// A blow with a picture, or nullptr for none.
+    /// Sets the blow, which must have a wave picture; nullptr for none.
     virtual void setBlow(const SolvedBlowPtr& blow) { m_blow = blow; }
     virtual void setStyle(const PlotStyle& style) { m_style = style; }
     double selectTest(const QPointF&, bool, QVariant* = nullptr) const override { return -1; }
 
   protected:
     const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
-    /// The view of the axes, in x/L and t/t0.
+    /// Returns the view of the axes in x/L and t/t0.
     RasterGrid view() const;
-    /// A place in the plot [px].
+    /// Returns the pixel of a point given by x/L and t/t0.
     QPointF pixel(double xi, double t) const;
 
     SolvedBlowPtr m_blow;
     PlotStyle m_style;
 };
 
-/// The field in colours. For a file it is computed again at the resolution of the file.
+/// Field of a wave picture in colours. For a file it is computed again with the resolution of the file.
 class WaveFieldItem : public WavePictureItem {
     Q_OBJECT
 
@@ -57,8 +57,8 @@ class WaveFieldItem : public WavePictureItem {
     QImage m_image;
 };
 
-/// Thin lines x = ±ct + … from every beginning, jump and end of the hammer force, reflected for ever; the
-/// first waves are named as in the paper's Fig. 2.
+/// Lines of the wave fronts, x = ±ct + …, from every start, jump and end of the hammer force, with all their
+/// reflections. The first waves are named as in the paper's Fig. 2.
 class WaveFrontsItem : public WavePictureItem {
     Q_OBJECT
 
@@ -74,12 +74,12 @@ class WaveFrontsItem : public WavePictureItem {
     void drawName(QCPPainter& painter, const FrontRun& run) const;
 };
 
-/// Bars at the bit's end of the picture while bit and rock touch, ticks at the other events.
+/// Bars at the bit's end of a wave picture that show when bit and rock touch, with ticks at other events.
 class ContactBarsItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    static constexpr int width = 46;  ///< of the room beside the axes [px]
+    static constexpr int width = 46;  ///< width of the space for the bars beside the axes [px]
 
     explicit ContactBarsItem(QCustomPlot* plot) : WavePictureItem(plot) { setClipToAxisRect(false); }
 

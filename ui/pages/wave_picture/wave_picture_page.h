@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves over position and time in one picture, and the rod or drill string playing through it (paper,
-// Fig. 2).
+// The page Wave picture: waves over position and time, and the rod or drill string at a moving instant
+// (paper, Fig. 2).
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ class WavePicturePage : public PlotPage {
     Q_OBJECT
 
   public:
-    /// The observation must outlive the page.
+    /// Creates the page. `observation` (observed section and time of all pages) must outlive it.
     explicit WavePicturePage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Wave picture"); }
@@ -66,7 +66,7 @@ class WavePicturePage : public PlotPage {
     RodStrip* m_strip;
     PlayBar* m_playBar;
     RunListPtr m_runs = std::make_shared<const RunList>();
-    std::optional<QPointF> m_pointer;  // over the plot
+    std::optional<QPointF> m_pointer;  // position of the mouse pointer over the plot
 };
 
 }  // namespace drillwave

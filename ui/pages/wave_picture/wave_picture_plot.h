@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The x–t picture of a blow with axes and colour bar: the same drawing code for the page and for files.
+// The x–t picture of the waves of a blow with axes and colour bar; the same code draws the page and files.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-/// Position in the rod to the right, time upward, force or particle velocity as colour. Fitted, the whole
-/// rod, or hammer and string, is in view over all the time of interest.
+/// Plot with position to the right, time upwards, and force or particle velocity as colour. Fitting shows the
+/// whole rod, or hammer and string, over the time span of interest.
 class WavePicturePlot : public StudyFrame {
     Q_OBJECT
 
@@ -21,35 +21,36 @@ class WavePicturePlot : public StudyFrame {
 
     /// Returns the picture needed to show the present view at the present size.
     WavePictureNeed need() const;
-    /// Shows a blow that comes with a picture; the view stays where it is unless it was fitted.
+    /// Shows a blow, which must have a wave picture. The present zoom is kept, unless the view was fitted.
     void present(const SolvedBlowPtr& blow);
-    /// The blow on show, or nullptr.
+    /// Returns the blow that is shown; nullptr if there is none.
     const SolvedBlowPtr& shown() const { return m_blow; }
-    /// Its picture, or nullptr.
+    /// Returns the wave picture of the blow that is shown; nullptr if there is none.
     const WavePicture* picture() const { return m_blow ? m_blow->page<WavePicture>() : nullptr; }
 
     void setField(WaveQuantity field);
     WaveQuantity field() const { return m_field; }
     void setFrontsShown(bool shown);
-    /// The joints of a string, none of a rod.
+    /// Returns the joints and names of a drill string; without any for a uniform rod.
     const JointMarksItem& joints() const { return *m_joints; }
     bool frontsShown() const { return m_fronts->visible(); }
 
-    /// The times in view, t/t0.
+    /// Returns the time span in view [t0].
     TimeSpan timeInView() const { return m_window.time; }
-    /// The field over the part in view; see wavePictureCsv(). Empty while nothing is on show.
+    /// Returns the field over the part in view as a table; see wavePictureCsv(). Empty if nothing is shown.
     QByteArray csv(char separator) const;
-    /// Names the axes.
+    /// Names the axes in the present language.
     void name();
-    /// The extremes in view and where the colours end, in words; empty while nothing is on show.
+    /// Returns a text with the extremes in view and the end of the colour scale; empty if nothing is shown.
     QString rangeText() const;
-    /// The place below a point of the plot and the field there, in words; of a string the section and all
-    /// that there is. Empty outside of the picture.
+    /// Returns a text with position, time and field at a point of the plot; for a drill string with section,
+    /// force, stress and velocity. Empty outside the picture.
     QString readout(const QPointF& pixel) const;
 
   signals:
-    /// The picture on show does not match need() any more.
+    /// Reports that the picture shown no longer fulfils need().
     void needChanged();
+    /// Reports that the part in view has changed.
     void viewChanged();
 
   private:
@@ -74,7 +75,7 @@ class WavePicturePlot : public StudyFrame {
     SolvedBlowPtr m_blow;
     WaveQuantity m_field = WaveQuantity::force;
     PictureWindow m_window;
-    std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet
+    std::optional<WavePictureNeed> m_announced;  // need of the last needChanged() that is not yet answered
     bool m_checking = false;
 };
 
