@@ -32,8 +32,8 @@ double quantityArgument(const std::string& option, const std::string& word, Quan
 /// than 100 levels.
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);
 
-/// Returns the axis as it is recorded beside the results: its column header, its values as typed in `word`,
-/// and their number.
+/// Returns the axis as the record of a study stores it: its column header, its values as typed in `word`, and
+/// their number.
 RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word);
 
 }  // namespace drillwave

@@ -42,8 +42,8 @@ class Drawing {
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    /// Returns a figure of the paper as the bytes of a file in one of the pictureFormats, with English words
-    /// as in the paper; empty if it could not be drawn.
+    /// Returns a figure of the paper as the bytes of a file in one of the pictureFormats; empty if it could
+    /// not be drawn. Its words are English, as in the paper.
     virtual std::string figure(const Figure& figure, std::string_view format) const = 0;
 
     /// Returns the pictures blow.*, rock.*, wave_picture.* and rod.* of one blow, each in every format.

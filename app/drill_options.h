@@ -29,11 +29,12 @@ std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::o
 /// Throws CommandError (invalid scenario) with one line for each problem; does nothing if there are none.
 void refuseDrill(const std::vector<Message>& problems, const std::string& path);
 
-/// Returns the work that --work-limit permits: the number of cells (time steps) times the number of nodes.
+/// Returns the largest work that --work-limit permits for many blows: time steps (cells) times nodes of the
+/// grid along the rod.
 double permittedDrillWork(const Arguments& arguments);
 
-/// Throws CommandError (unsolved or failed) if `work` exceeds what --work-limit permits. The work is the
-/// number of cells (time steps) times the number of nodes.
+/// Throws CommandError (unsolved or failed) if `work` exceeds what --work-limit permits. Work is measured in
+/// time steps (cells) times nodes (ends of sections).
 void checkDrillWork(double work, const Arguments& arguments);
 
 /// Prints on stderr the parameters of the scenario that have no effect on many blows.

@@ -13,16 +13,17 @@
 
 namespace drillwave {
 
-/// Throws CommandError (unwritable output) if the CSV file or the record beside it cannot be written. Call it
-/// before any computation.
+/// Throws CommandError (unwritable output) if the CSV file, or the record that describes it (FILE.csv.yaml),
+/// cannot be written. Call it before any computation.
 void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite);
 
-/// Returns the record of the rows: command, scenario and number of rows. Its axes and outputs are left empty.
+/// Returns the record (RowRecord) that describes how the rows were computed: command, scenario and number of
+/// rows. Its axes and outputs are left empty.
 RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows);
 
-/// Returns the file with the record, "blows.csv.yaml" for "blows.csv". Adds the size and checksum of `rows`,
-/// the contents of `file`.
+/// Returns the file that describes how the rows were computed, "blows.csv.yaml" for "blows.csv". It includes
+/// the size and checksum of `rows`, the contents of `file`.
 NamedFile drillRecordBeside(const std::string& file, RowRecord record, std::string_view rows);
 
 }  // namespace drillwave

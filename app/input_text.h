@@ -19,8 +19,9 @@ bool isStandardInput(const std::string& path);
 /// Returns the name of an input in messages: the path, or "standard input".
 std::string inputName(const std::string& path);
 
-/// Returns at most the first `most` bytes of a file, of standard input ("-") or of a pipe, or the reason why
-/// it cannot be read. If standard input is a terminal, asks for input on stderr in the language of `style`.
+/// Returns at most the first `most` bytes of a file, of standard input ("-") or of a pipe. On failure it
+/// returns the reason instead. If standard input is a terminal, asks for input on stderr in the language of
+/// `style`.
 FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style);
 
 /// Input that is read twice, once to check its rows and once to solve them. Input from a pipe is copied to a

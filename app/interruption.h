@@ -32,9 +32,9 @@ class HeldInterruptions {
     HeldInterruptions& operator=(const HeldInterruptions&) = delete;
 };
 
-/// Handler of SIGINT, SIGTERM and SIGHUP while an object exists: the first signal requests a stop instead of
-/// ending the program, and a second one ends the program at once. If no thread can be started, the first
-/// signal ends it. Only one object may exist at a time.
+/// Handler of SIGINT, SIGTERM and SIGHUP for the lifetime of an object. The first signal requests a stop
+/// instead of ending the program; a second one ends the program at once. If no thread can be started, the
+/// first signal ends it. Only one object may exist at a time.
 class Interruption {
   public:
     Interruption();

@@ -52,8 +52,8 @@ void checkStandardOutput();
 /// not contain it.
 void checkName(const std::string& path);
 
-/// Throws CommandError (unwritable output) if the path cannot be the name of a file, or if a file exists
-/// there and `overwrite` does not allow replacing it.
+/// Throws CommandError (unwritable output) if `path` cannot be the name of a file, or if the file exists and
+/// `overwrite` does not allow replacing it.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
 /// Throws CommandError (unwritable output) if a file, or an existing file that belongs to it, may not be

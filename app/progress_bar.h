@@ -26,8 +26,8 @@ struct ProgressOutput {
 };
 
 /// Progress display of computations that last over a second. A terminal shows "[####    ] 41 %  520000/s  3 s
-/// left". Elsewhere, as in the log of a job, it prints lines "41 % done, 30 s left" at intervals: the first
-/// after a second if more than ten seconds are left.
+/// left". Elsewhere, as in the log of a job, lines "41 % done, 30 s left" appear at intervals. The first one
+/// appears after a second if more than ten seconds are left.
 class ProgressBar {
   public:
     /// Starts the display for `total` units of work. `unit` is their name, such as "points"; empty if they
@@ -70,8 +70,8 @@ class ShareBar {
     ProgressBar m_bar;
 };
 
-/// Display of the elapsed time for work of unknown length that lasts over a second. If stderr is a terminal
-/// it shows "solving for 3 s; Ctrl-C ends it"; elsewhere it prints a line "solving for 15 s" every 15 s.
+/// Display of the elapsed time for work of unknown length that lasts over a second. A terminal shows "solving
+/// for 3 s; Ctrl-C ends it". If stderr is not a terminal, a line "solving for 15 s" is printed every 15 s.
 class ElapsedTime {
   public:
     explicit ElapsedTime(const ReadingStyle& style);

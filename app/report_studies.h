@@ -22,9 +22,9 @@ OptionSpec reportStudiesSpec();
 /// Studies to include in the report on a scenario, with the settings of the scenario file.
 class ReportStudyPlan {
   public:
-    /// Reads and checks the studies of --with; `path` names the scenario in messages. Throws CommandError:
-    /// usage for an unknown study; invalid scenario if the file's settings are missing or wrong for a study;
-    /// unsolved if many blows would take too much work.
+    /// Reads and checks the studies of --with; `path` names the scenario in messages. Throws CommandError
+    /// (usage) for an unknown study. Throws CommandError (invalid scenario) if the file's settings are
+    /// missing or wrong for a study. Throws CommandError (unsolved) if many blows would take too much work.
     ReportStudyPlan(const Arguments& arguments, const ScenarioDocument& document, std::string path);
 
     /// Returns the results of the studies. Throws CommandError: unsolved; interrupted.

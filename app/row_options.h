@@ -98,17 +98,17 @@ Message reasonWithHint(const Message& reason, const Arguments& arguments, const 
 /// and others).
 std::string commandText(std::string_view command, const Arguments& arguments);
 
-/// Returns the record of a run of `command` that writes these columns. The caller adds its axes or cases.
-/// Throws ScenarioError if the scenario is too large for a file.
+/// Returns the record (FILE.csv.yaml) that describes how rows with these columns are computed by `command`.
+/// The caller adds its axes or cases. Throws ScenarioError if the scenario is too large for a file.
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
                    std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows);
 
-/// Checks that the rows, and the record beside a file of rows, can be written. Call it before any
-/// computation. Throws CommandError: usage if an input would be overwritten; unwritable output.
+/// Checks that the file of rows and the record that describes it (FILE.csv.yaml) can be written. Call it
+/// before any computation. Throws CommandError: usage if an input would be overwritten; unwritable output.
 void checkRows(const RowOptions& options, const Arguments& arguments, const ScenarioDocument& document);
 
-/// Puts the file of rows in place together with its record and the files in `beside`, such as pictures.
-/// Throws CommandError: unwritable output; interrupted.
+/// Writes the file of rows together with the record that describes it (FILE.csv.yaml) and the files in
+/// `beside`, such as pictures: all or none. Throws CommandError: unwritable output; interrupted.
 void commitRows(OutputFile& rows, const RowOptions& options, RowRecord record, std::vector<NamedFile> beside,
                 const Interruption& interruption);
 

@@ -61,8 +61,9 @@ void printRemark(const Message& remark, const ReadingStyle& style);
 /// Call it before work that such a value may prolong.
 void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
-/// Returns the scenario of a file, of a result, of standard input ("-"), or of a built-in example if there is
-/// no file of that name. Applies no options. Throws CommandError with every error in the file.
+/// Returns the scenario of a file, of a result, of standard input ("-") or of a built-in example. A file goes
+/// first if an example has the same name. Applies no options. Throws CommandError with every error in the
+/// file.
 ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& style = plainStyle());
 
 /// Returns the bytes of the file that `path` names, or of the built-in example: the first step of

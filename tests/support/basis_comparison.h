@@ -57,9 +57,9 @@ class BasisComparison {
     long mostSeriesPieces = 50'000;
     Detail detail = Detail::cor;
 
-    /// Returns the solutions in closed form and in series. The series in long double is added if `withTruth`,
-    /// or if the two contradict each other; the lattice of 1000 segments if `withLattice` and the closed form
-    /// succeeds.
+    /// Returns the solutions in closed form and in series. Series in long double are added if `withTruth`, or
+    /// if the two contradict each other. The lattice of 1000 segments is added if `withLattice` and the
+    /// closed form succeeds.
     BasisFinding compare(const Scene& scene, bool withTruth, bool withLattice) {
         const Problem problem = problemOf(scene);
         BasisFinding finding{.scene = scene, .isSuited = suitsExponentials(problem)};

@@ -10,9 +10,10 @@
 
 namespace drillwave::test {
 
-/// Random blows of every pulse shape, each determined by its number. βτ is 0.2 … 1e6, in half of them on rods
-/// shorter than the pulse. γ is 0.05 … 1, often above 0.7, nearly 1, or 1. Gaps are often whole numbers or
-/// nearly so, exponential pulses often have β near their decay rate, and some blows have grazing contacts.
+/// Random blows of every pulse shape, each determined by its number. The product βτ is 0.2 … 1e6, in half of
+/// them on rods shorter than the pulse. The elasticity γ is 0.05 … 1, often above 0.7, nearly 1, or 1. Gaps
+/// are often whole numbers or nearly so. Exponential pulses often have β near their decay rate, and some
+/// blows have grazing contacts.
 class BasisScenes {
   public:
     /// Starts a sequence of blows, of which each `seed` gives another; `only` restricts it to one pulse

@@ -14,8 +14,8 @@ struct NamedScene {
     Scene scene;
 };
 
-/// Returns the named blows, and for each pulse shape those with β 0.5 and 5 and γ 0.1 and 1 (τ 10, δ 0),
-/// named "half_sine 5 0.1".
+/// Returns blows with names. Each pulse shape also occurs with β 0.5 and 5 and γ 0.1 and 1 (τ 10, δ 0), named
+/// "half_sine 5 0.1".
 inline std::vector<NamedScene> benchScenes() {
     using enum PulseShape;
     std::vector<NamedScene> scenes{

@@ -105,8 +105,8 @@ inline std::vector<NetworkCase> networkCases() {
     return cases;
 }
 
-/// Returns a random problem: one to three sections of hammer, up to seven of string, round trips in multiples
-/// of 0.05 t0, and every optional feature in some cases.
+/// Returns a random problem with one to three sections of hammer and up to seven of string. Round trips are
+/// multiples of 0.05 t0, and optional features occur at random.
 inline Problem randomNetwork(Chance& chance) {
     Problem problem = struck();
     const double cell = 0.05;

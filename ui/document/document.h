@@ -52,8 +52,8 @@ class Document : public QObject {
     const UnitChoice& units() const { return m_units; }
     /// Returns the path of the scenario file, to which saving writes; empty if there is none.
     const QString& path() const { return m_path; }
-    /// Returns the path of the file from which the scenario was read, even if it is a result, to which saving
-    /// does not write; empty if there is none.
+    /// Returns the path of the file from which the scenario was read; empty if there is none. It may be a
+    /// result, to which saving does not write.
     const QString& origin() const { return m_origin; }
     /// Returns a path to suggest for saving: path(), or else a scenario file next to origin().
     QString suggestedPath() const;

@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// Writes a file completely or not at all. Returns the reason on failure, one line that begins with the path,
-/// or with `name` if the path means nothing to users; else an empty text.
+/// Writes a file completely or not at all. Returns the reason on failure, else an empty text. The reason is
+/// one line that begins with the path, or with `name` if the path means nothing to users.
 QString writeWholeFile(const QString& path, const QByteArray& bytes, const QString& name = {});
 
 /// Writes a file completely or not at all. Returns the reason on failure without the path, else an empty

@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Returns a path to suggest for an export: in the folder of the last export, or else of the scenario, with
-/// the scenario's name and `ending`, such as "_report.html".
+/// Returns a path to suggest for an export, in the folder of the last export or else of the scenario. The
+/// name is that of the scenario with `ending`, such as "_report.html".
 QString exportSuggestion(const Document& document, const QString& ending);
 
 /// Stores the folder that the next export suggests: the folder of `path`, or `path` if it is a folder.

@@ -21,9 +21,9 @@ QString figureText(const std::string& text);
 void layOutPanels(QCustomPlot& plot, const std::vector<FigurePanel>& panels, const PlotStyle& style,
                   const QLocale& locale);
 
-/// Returns a picture of the panels, one below the other, as the bytes of a file in one of the plotFormats();
-/// empty if it could not be drawn. It is 160 mm wide, on white, with numbers in the C locale. Requires a
-/// QApplication (any platform, also offscreen).
+/// Returns the panels, one below the other, as the bytes of a picture in one of the plotFormats(). Empty if
+/// it could not be drawn. It is 160 mm wide, on white, with numbers in the C locale. Requires a QApplication
+/// (any platform, also offscreen).
 QByteArray drawFigure(const Figure& figure, const QString& format);
 
 /// Returns pictures of the panels, one below the other, 160 mm wide and on white; see renderPictures().

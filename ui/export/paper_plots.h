@@ -71,8 +71,8 @@ PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
                         const std::vector<MeasuredSignal>& measured = {});
 /// Returns the first signal that was measured inside the rod or string; nullptr if there is none.
 const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured);
-/// Returns the position x/L, 0 … 1, at which blowPaperPlot() shows the waves: that of firstInside(), else the
-/// middle of the rod or of the string's longest section.
+/// Returns the position x/L, 0 … 1, at which blowPaperPlot() shows the waves. It is that of firstInside(),
+/// else the middle of the rod or of the string's longest section.
 double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured);
 /// Returns the plot of force on the rock over penetration.
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});

@@ -12,13 +12,13 @@
 
 namespace drillwave {
 
-/// Returns the plots of a blow, each in every format; see renderPictures():
-/// - blow.*: waves, impact force, impulse and momentum, 180 × 240 mm
-/// - rock.*: force over penetration, 120 × 90 mm
-/// - wave_picture.*: force over position and time, 180 × 110 mm
-/// - rod.*: largest stresses along rod or string, 180 × 110 mm
-/// Requires a blow solved with Detail::histories, for drill strings with its waves kept. A stop ends the work
-/// between two pictures.
+/// Returns the plots of a blow, each in every format; see renderPictures().
+/// The file blow.* has waves, impact force, impulse and momentum (180 × 240 mm).
+/// The file rock.* has force over penetration (120 × 90 mm).
+/// The file wave_picture.* has force over position and time (180 × 110 mm).
+/// The file rod.* has the largest stresses along rod or string (180 × 110 mm).
+/// Requires a blow solved with Detail::histories, for drill strings with its waves stored. A stop ends the
+/// work between two pictures.
 Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
                        const std::stop_token& stop = {}, const PaperReader& reader = {});
 

@@ -19,9 +19,9 @@ RunList withMargins(const RunList& runs, const std::stop_token& stop);
 /// of the window. Empty if no run is solved.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
 
-/// Returns a table of the deviations between measured signals and the solved blow, over the time span of the
-/// report's plot and in the units of the window. Empty without signals. Requires a scenario with units and a
-/// blow with histories.
+/// Returns a table of the deviations between measured signals and the solved blow; empty without signals.
+/// They cover the time span of the report's plot and are in the units of the window. Requires a scenario with
+/// units and a blow with histories.
 ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
                            const UnitChoice& units);
 

@@ -41,8 +41,8 @@ class IndexingBox : public QObject {
     ChoiceBox* m_box;
 };
 
-// Form rows of drill strings that are no numbers: a summary with a link to the sections, and whether the
-// hammer strikes again during a blow.
+// Form rows of drill strings without numbers: a summary with a link to the sections, and a choice whether the
+// hammer may strike again.
 
 /// Rows of drill strings, in the grids of two sections of the form.
 class StringSection : public QObject {

@@ -25,8 +25,8 @@ class Worker : public QObject {
     /// Function that runs in the worker's thread and must not throw. On `stop` it may end early.
     using Task = std::function<Delivery(const std::stop_token& stop)>;
 
-    /// Priority of the worker's thread. With `background`, the thread and those started by its tasks have a
-    /// nice value higher by 5 on Linux, so that the window's thread goes first.
+    /// Priority of the worker's thread. With `background`, the window's thread goes first: on Linux the nice
+    /// value of the thread and of threads started by its tasks is higher by 5.
     enum class Urgency { answer, background };
 
     explicit Worker(Urgency urgency = Urgency::answer, QObject* parent = nullptr);

@@ -31,8 +31,8 @@ class Questions {
     /// Asks for a file of another kind than a scenario and returns its path; empty if the user cancels.
     virtual QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                                  const QString& filter) = 0;
-    /// Asks for one or several files and returns their paths, sorted by name with numbers in numerical order
-    /// (2 before 10); empty if the user cancels.
+    /// Asks for one or several files and returns their paths; empty if the user cancels. They are sorted by
+    /// name with numbers in numerical order (2 before 10).
     virtual QStringList filesToImport(QWidget* parent, const QString& title, const QString& folder,
                                       const QString& filter) = 0;
     /// Asks for a path to save a scenario to, confirms overwriting, and returns the path; empty if the user
@@ -63,8 +63,8 @@ class Questions {
 };
 
 /// Questions asked by dialogs. On a platform without a screen every question is answered by "cancel" or
-/// "later", except that a window may always be closed, which discards unsaved changes. Messages are printed
-/// to stderr.
+/// "later". The window may still be closed there, which discards unsaved changes. Messages are printed to
+/// stderr.
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;

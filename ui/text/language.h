@@ -57,8 +57,8 @@ const Language& spokenLanguage();
 
 // Sentences and tables of the core library in the language, number format and units of the window.
 
-/// Style of sentences: words in the language of the window, numbers as in numberText(), values in SI or US
-/// units or in units chosen for single kinds.
+/// Style of sentences: words in the language of the window and numbers as in numberText(). Values are in SI
+/// or US units, or in units chosen for single kinds.
 class LocalStyle : public ReadingStyle {
   public:
     /// Makes a style. A dimensionless `system` counts as SI, because sentences have no dimensionless values.

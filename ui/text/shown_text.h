@@ -49,8 +49,8 @@ QString shownSymbol(std::string_view symbol);
 
 // Texts from the tables of the core library in the language of the window.
 
-/// Returns a label, meaning or title from a table of the core library in the language of the window;
-/// unchanged if there is no translation. tests/support/core_texts.h lists the texts that have one.
+/// Returns a label, meaning or title from a table of the core library in the language of the window. Returns
+/// it unchanged if there is no translation. The list of translated texts is in tests/support/core_texts.h.
 QString coreText(std::string_view text);
 
 /// Returns the translated name of an enumerator: "half sine" for `half_sine`.

@@ -55,8 +55,8 @@ struct UnitKindRow {
 std::span<const UnitKindRow> unitKinds();
 const UnitKindRow& rowOf(UnitKind kind);
 
-/// Returns the unit in which a value of magnitude `size` (SI) is best read: the largest of which the size is
-/// at least one (in US units ten), else the smallest. A dimensionless `system` counts as SI.
+/// Returns the unit in which a value of magnitude `size` (SI) is best read. It is the largest unit that gives
+/// a number of at least one (in US units ten), else the smallest. A dimensionless `system` counts as SI.
 const Unit& handyUnit(UnitKind kind, double size, UnitSystem system);
 
 /// Returns the kind of quantity of a parameter; nothing for a ratio.

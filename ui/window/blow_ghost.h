@@ -13,8 +13,8 @@ class Document;
 class PageTabs;
 class ScenarioPanel;
 
-/// Object that shows the previous blow: during a drag the blow from before the drag, and after choosing a
-/// preset the blow from before it, until the next change.
+/// Object that shows the previous blow. During a drag it is the blow from before the drag. After choosing a
+/// preset it is the blow from before the preset, until the next change.
 class BlowGhost : public QObject {
     Q_OBJECT
 
