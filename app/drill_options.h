@@ -29,8 +29,8 @@ std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::o
 /// Throws CommandError (invalid scenario) with one line for each problem; does nothing if there are none.
 void refuseDrill(const std::vector<Message>& problems, const std::string& path);
 
-/// Returns the largest work that --work-limit permits for many blows: time steps (cells) times nodes of the
-/// grid along the rod.
+/// Returns the largest work that --work-limit permits for many blows: time steps (cells) times nodes (ends of
+/// sections).
 double permittedDrillWork(const Arguments& arguments);
 
 /// Throws CommandError (unsolved or failed) if `work` exceeds what --work-limit permits. Work is measured in

@@ -28,7 +28,7 @@ class FileWatch : public QObject {
   public:
     enum class State { same, changed, missing };
 
-    /// The document must outlive the watch.
+    /// Starts watching the document's file. The document must outlive this object.
     explicit FileWatch(const Document& document, QObject* parent = nullptr);
 
     /// Returns how the file compares with the document now; `same` if the document has no file.
@@ -75,7 +75,7 @@ class TableWatch : public QObject {
 
     enum class State { changed, missing };
 
-    /// The document must outlive the watch.
+    /// Starts watching the file of the hammer force. The document must outlive this object.
     explicit TableWatch(const Document& document, QObject* parent = nullptr);
 
     /// Compares the file with the points in the document. Emits differs() once for each change since they

@@ -31,7 +31,8 @@ inline constexpr char16_t andWords[] = u"(?:and|und|och)";
 /// "§4.2" and by "table", and "rod.length: length L" by "rod.length".
 bool isHeading(const QString& shown, const QString& meant);
 
-/// Property of a widget whose value is the place in the manual, "window §2", that describes everything in it.
+/// Name of the widget property that contains the place in the manual, "window §2", which describes everything
+/// inside the widget.
 inline constexpr char helpTopicProperty[] = "helpTopic";
 
 /// Returns the place that describes the parameter with this key; the chapter is empty for other keys.

@@ -37,8 +37,8 @@ std::string translatedPattern(const std::string& pattern);
 /// Returns a message of the core library in the language of the window.
 QString translated(const Message& message);
 /// Returns messages of the core library in the language of the window, as a list.
-/// Returns messages of the core library in the language of the window, as a list.
 QStringList translatedEach(const std::vector<Message>& sentences);
+/// Returns messages of the core library in the language of the window, joined by blanks.
 QString translatedAll(const std::vector<Message>& sentences);
 
 /// Returns the errors of a file or of values in the language of the window, one per line.
