@@ -59,7 +59,7 @@ struct RowOptions {
     /// Largest work of one row [wave pieces, the unit of work of the exact solver].
     long workLimit = defaultWorkLimit;
 
-    /// Returns the output columns for scenarios of the same form as `scenario`.
+    /// Returns the output columns; with `--outputs all`, all those that are available for `scenario`.
     std::vector<OutputColumn> columnsFor(const Scenario& scenario) const;
 };
 

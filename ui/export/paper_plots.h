@@ -83,7 +83,7 @@ PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const Pape
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
 /// Returns the picture of the force in the rod over position and time.
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// Returns the plot of a study's figure about a scenario.
+/// Returns the plot of a figure that a study has made for a scenario.
 PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario,
                           const PaperReader& reader = {});
 /// Returns the plot of many blows in sequence, or of the reason why there is nothing to show. A stop leaves

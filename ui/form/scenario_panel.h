@@ -24,7 +24,7 @@ class ChoiceBox;
 
 // Form row for whether the bit meets new rock with every blow, which is a choice of words, not a number.
 
-/// Row for the choice of rock indexing, in the grid of a section.
+/// Row in a section's grid, with the choice whether the bit meets new rock with every blow (indexing).
 class IndexingBox : public QObject {
     Q_OBJECT
 

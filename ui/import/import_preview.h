@@ -99,7 +99,7 @@ class ImportPlot : public StudyFrame {
     /// Shows a preview. `shift` is the time in the record at which the signal's own time starts [s]; `axis`
     /// is the label of the force axis.
     void present(const ImportPreview& preview, double shift, const QString& axis);
-    /// Returns the times of the record between which the plot shows it [s].
+    /// Returns the first and the last time of the record that are visible in the plot [s].
     RecordSpan visibleTimes() const;
 
   protected:
