@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of a command line sorted into options and operands.
+// Sorts the words of a command line into options ("--set x=1") and operands (words that are not options).
 #pragma once
 
 #include <optional>
@@ -13,66 +13,73 @@
 
 namespace drillwave {
 
-/// One option of a command, "--set KEY=VALUE" or "-j N".
+/// Description of one option of a command, such as "--set KEY=VALUE" or "-j N".
 struct OptionSpec {
-    std::string_view name;   ///< "set", or a single letter
-    std::string_view value;  ///< what it takes, for the help; empty for a switch
-    std::string_view help;   ///< one line
-    enum class Times { once, repeated, list } times = Times::once;  ///< list: takes all KEY=… words after it
-    std::string_view sets = {};  ///< the key of a scenario that it is short for: "drill.blows" of --blows
+    std::string_view name;   ///< name without dashes: "set", or a single letter
+    std::string_view value;  ///< placeholder of its value in the help, "KEY=VALUE"; empty for a switch
+    std::string_view help;   ///< description in the help, one line
+    /// How often the option may appear. A `list` option also takes all words with an equals sign that follow
+    /// it.
+    enum class Times { once, repeated, list } times = Times::once;
+    /// Scenario key that the option sets, for example "drill.blows" for --blows; empty if it sets none.
+    std::string_view sets = {};
 
-    /// Whether it has two dashes: words, and the axes x and y.
+    /// Returns true if the option is written with two dashes, as are words and the axes x and y.
     bool isLong() const;
-    /// "--set" or "-j".
+    /// Returns the option as it is typed, with its dashes: "--set" or "-j".
     std::string text() const;
 };
 
-/// The parsed words of one command.
+/// Options and operands of one command, parsed from its words.
 class Arguments {
   public:
-    /// Reads "--name value", "--name=value", "-j 4", "-j4"; "--" ends the options. Throws CommandError
-    /// (usage) with one line that names the offending word and the nearest option.
+    /// Parses the words of a command; `options` describes the options it accepts. Accepts "--name value",
+    /// "--name=value", "-j 4" and "-j4"; the word "--" ends the options. Throws CommandError (usage) with one
+    /// line that names the wrong word and the most similar option.
     static Arguments parse(std::span<const std::string> words, std::span<const OptionSpec> options);
 
     bool has(std::string_view option) const;
     std::optional<std::string> value(std::string_view option) const;
     std::vector<std::string> values(std::string_view option) const;
-    /// The options that are short for a key: the key and the option, in the order given.
+    /// Returns the options that set a scenario key, as pairs of key and option name, in the order given.
     const std::vector<std::pair<std::string_view, std::string_view>>& shorts() const { return m_shorts; }
-    /// The language of the command's output.
+    /// Returns the language in which the command writes its output.
     const Language& language() const { return *m_language; }
     const ReadingStyle& style() const { return styleOf(*m_language); }
     void speak(const Language& language) { m_language = &language; }
-    /// Replaces the value of an option that is given once.
+    /// Replaces the value of an option that may be given only once.
     void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
 
-    /// Returns the words of an option that takes a list with commas, each once; none without the option. For
-    /// a word that is not known, throws CommandError (usage) with `pattern` about list, word and known words.
+    /// Returns the words of an option whose value is a list separated by commas, each word once; empty
+    /// without the option. Throws CommandError (usage) for a word that is not in `known`. `pattern` is its
+    /// message, whose placeholders stand for the list, the wrong word and the known words.
     std::vector<std::string> listed(std::string_view option, std::span<const std::string_view> known,
                                     const char* pattern) const;
 
-    /// Throws CommandError (usage) where --json and -o - would both print to standard output.
+    /// Throws CommandError (usage) if both --json and "-o -" are given, since both print to standard output.
     void checkOnePrinted() const;
 
-    /// The words again as a shell takes them, operands first, without the options named.
+    /// Returns the command line as a shell accepts it, quoted where necessary, operands first. Leaves out the
+    /// options named in `without`.
     std::string shellText(std::span<const std::string_view> without) const;
-    /// Returns the text of only the options.
+    /// Returns only the options as a shell accepts them, leaving out the options named in `without`.
     std::string optionsText(std::span<const std::string_view> without) const;
 
-    /// Returns the whole number given to an option, or `fallback`. Throws CommandError (usage) when it is
-    /// none or out of range.
+    /// Returns the whole number given to an option, or `fallback` without the option. Throws CommandError
+    /// (usage) if the value is not a whole number from `low` to `high`.
     long number(std::string_view option, long fallback, long low, long high) const;
 
   private:
-    std::vector<std::pair<std::string_view, std::string>> m_options;  // names of specs, in the order given
-    std::vector<std::string_view> m_switches;                         // of these, the ones without a value
+    // Pairs of option name (OptionSpec::name) and value, in the order given.
+    std::vector<std::pair<std::string_view, std::string>> m_options;
+    std::vector<std::string_view> m_switches;  // names of the given options that take no value
     std::vector<std::pair<std::string_view, std::string_view>> m_shorts;
     std::vector<std::string> m_operands;
     const Language* m_language = &languages[0];
 };
 
-/// The words of a line as a shell would split it: what Arguments::shellText() put together.
+/// Splits a line into words as a shell does; the inverse of Arguments::shellText().
 std::vector<std::string> shellWords(std::string_view line);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An axis of a study as a word of the command line.
+// Reads an axis of a study (a parameter with its values) from a word of the command line.
 #pragma once
 
 #include <string>
@@ -11,25 +11,29 @@
 
 namespace drillwave {
 
-/// Returns the axis given by `word` after --`option`, see parseAxis(). Throws CommandError: usage; invalid
-/// scenario for a value that the parameter cannot take.
+/// Returns the axis that `word` describes, in the syntax of parseAxis(); `option` is the option's name for
+/// messages. Throws CommandError: invalid scenario for a value that the parameter cannot take, usage for any
+/// other mistake.
 SweepAxis axisArgument(const std::string& option, const std::string& word);
 
-/// Returns the range given by `word`, see parseRange(), or from STOP up to START where that is lower; throws
-/// as axisArgument().
+/// Returns the range that `word` describes, in the syntax of parseRange(), with its two ends swapped if the
+/// first is higher. Throws CommandError: invalid scenario for a value that the parameter cannot take, else
+/// usage.
 SweepAxis rangeArgument(const std::string& option, const std::string& word);
 
-/// "--vary beta=1,2", for messages.
+/// Returns option and word as typed, for messages: "--vary beta=1,2".
 std::string quotedAxis(const std::string& option, const std::string& word);
 
-/// Returns the number after --`option`, in SI for a quantity, which may have a unit. Throws CommandError
-/// (usage).
+/// Returns the number in `word`, in SI. `word` may include a unit of `quantity`; without one it is in SI.
+/// `option` is the option's name for messages. Throws CommandError (usage) for any other text.
 double quantityArgument(const std::string& option, const std::string& word, Quantity quantity);
 
-/// Returns the values of every --level. Throws CommandError (usage) also for more than mostLevels.
+/// Returns the values of all --level options, in SI. Throws CommandError (usage) for a wrong value or more
+/// than 100 levels.
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);
 
-/// Returns the record of an axis as it was given.
+/// Returns the axis as the record of a study stores it: its column header, its values as typed in `word`, and
+/// their number.
 RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subcommands of the program.
+// Subcommands of the program, such as `run`, `sweep` and `map`.
 #pragma once
 
 #include <functional>
@@ -13,20 +13,21 @@
 
 namespace drillwave {
 
-/// One subcommand: its arguments and its function.
+/// Description of one subcommand: its arguments, its help and the function that runs it.
 struct Command {
     std::string_view name;
-    std::string_view operands;  ///< for the help, "FILE CASES.csv"
-    std::string_view summary;   ///< one line
-    std::string_view details;   ///< further lines of its help, may be empty
-    /// Further text from tables, after the details; nullptr for none.
+    std::string_view operands;  ///< operands in the help, "FILE CASES.csv"
+    std::string_view summary;   ///< summary in the list of commands, one line
+    std::string_view details;   ///< further lines of the help; may be empty
+    /// Returns help that is generated from tables and printed after `details`; nullptr for none.
     std::string (*furtherHelp)(const ReadingStyle&) = nullptr;
     std::vector<OptionSpec> options;
     std::size_t leastOperands;
     std::size_t mostOperands;
-    /// Whether these arguments ask for pictures.
+    /// Returns true if these arguments request pictures, so that `run` needs a Drawing.
     bool (*draws)(const Arguments&);
-    /// Does the work; there is a drawing where the arguments ask for one. Throws CommandError.
+    /// Runs the command and returns the exit code. `drawing` is nullptr unless the arguments request
+    /// pictures. Throws CommandError.
     std::function<ExitCode(const Arguments&, const Drawing* drawing)> run;
 };
 
@@ -51,10 +52,11 @@ const Command& presetsCommand();
 /// Returns all commands, in the order of the help.
 std::span<const Command* const> commands();
 
-/// The one of that name, or none.
+/// Returns the command of that name, or nullptr if there is none.
 const Command* findCommand(std::string_view name);
 
-/// Parses the words after the subcommand and checks the number of operands.
+/// Returns the parsed words that follow the subcommand. Throws CommandError (usage) for wrong options or a
+/// wrong number of operands.
 Arguments parseArguments(const Command& command, std::span<const std::string> words,
                          const Language& language = languages[0]);
 

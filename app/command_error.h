@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Early end of a command: an exit code and the lines with the reasons.
+// Exception that ends a command early: an exit code and the lines with the reasons.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Exit codes of the program (commands §6).
+/// Exit codes of the program, listed in §6 of the manual's chapter on commands.
 enum class ExitCode : int {
     done = 0,
     internalError = 1,
@@ -23,16 +23,16 @@ enum class ExitCode : int {
     interrupted = 130,
 };
 
-/// Thrown by commands, caught in main(), which prints it to stderr.
+/// Exception thrown by commands; main() catches it, prints its lines to stderr and exits with its code.
 class CommandError : public std::runtime_error {
   public:
-    /// Takes one line, printed after the name of the command.
+    /// Makes an error with one line, which is printed after the name of the command.
     CommandError(ExitCode code, const Message& line)
         : std::runtime_error(line.text()), m_code(code), m_messages{line}, m_isLocated(false) {}
-    /// Beginning of the lines of a report.
+    /// Beginning of each line of an error with several lines.
     enum class Begin {
-        withPlace,   ///< "file:line:column: …", printed as they are
-        withOption,  ///< "--set x: …", printed after the name of the command
+        withPlace,   ///< a position, "file:line:column: …"; lines are printed unchanged
+        withOption,  ///< an option, "--set x: …"; lines are printed after the name of the command
     };
     CommandError(ExitCode code, std::vector<Message> problems, Begin begin = Begin::withPlace)
         : std::runtime_error("problems in the input"),
@@ -42,7 +42,7 @@ class CommandError : public std::runtime_error {
 
     ExitCode code() const { return m_code; }
     const std::vector<Message>& messages() const { return m_messages; }
-    /// Returns the lines in English.
+    /// Returns the lines of the error in English.
     std::vector<std::string> lines() const {
         std::vector<std::string> lines;
         for (const Message& message : m_messages) lines.push_back(message.text());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options of `design`, read from their words.
+// Options of the command `design`, converted to a design study.
 #pragma once
 
 #include <string>
@@ -14,22 +14,23 @@
 
 namespace drillwave {
 
-/// Lines on what is wrong, of all options together.
+/// Collector of errors in the options of `design`, so that they are reported together.
 class DesignFaults {
   public:
     void add(ExitCode code, const Message& line) { m_faults.emplace_back(code, line); }
-    /// Throws CommandError with all of them, where there are any; the code is that of the least number.
+    /// Throws CommandError with all lines if there are any. Its exit code is the smallest one that was added.
     void check() const;
 
   private:
     std::vector<std::pair<ExitCode, Message>> m_faults;
 };
 
-/// Whether an operand is a further word of --aim, and not FILE: "min:thrust@q95".
+/// Returns true if an operand is another word of --aim, such as "min:thrust@q95", rather than a file name.
 bool isAimWord(const std::string& word);
 
-/// Reads all options on top of a scenario. The set-up of the file stands for each option that is not given;
-/// --draws also replaces its uncertain inputs. Adds errors to the faults.
+/// Returns the design study given by the options. `base` is the scenario, and `setup` (from the scenario
+/// file) replaces each option that is not given, except that --draws also replaces its uncertain inputs. Adds
+/// errors to `faults`.
 DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, const DesignSetup& setup,
                           DesignFaults& faults);
 

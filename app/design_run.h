@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A design study that is run by a command.
+// Execution of a design study by a command.
 #pragma once
 
 #include <string>
@@ -10,15 +10,16 @@
 
 namespace drillwave {
 
-/// Threads, and how progress and problems are shown.
+/// Settings for running a design study: threads, and the name and style used in messages.
 struct DesignRun {
     int jobs = 1;
-    std::string path;  ///< of the scenario, for messages
+    std::string path;  ///< name of the scenario in messages
     const ReadingStyle& style;
 };
 
-/// Runs a study with a progress bar; the findings have a robust best. Throws CommandError: interrupted;
-/// unsolved if no design has statistics or none meets the limits.
+/// Returns the findings of a design study, which include a design that is best for uncertain rock. Shows a
+/// progress bar. Throws CommandError: interrupted; unsolved if no design has statistics or no design meets
+/// the limits.
 DesignFindings findDesigns(const DesignStudy& study, const DesignRun& run, const Interruption& interruption);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures that commands write.
+// Interface by which commands draw pictures without depending on Qt.
 #pragma once
 
 #include <memory>
@@ -26,15 +26,15 @@ struct MapReport;
 struct SweepRows;
 class StudyAnswer;
 
-/// Result of a study. One that can be drawn has its line here, and its drawStudy() in
+/// Pointer to the result of a study that can be drawn. Each type listed here has a drawStudy() in
 /// ui/export/study_pictures.h.
 using StudyValue =
     std::variant<const CurveReport*, const DesignReport*, const DrillingReport*, const DrillingScanReport*,
                  const IdentifyReport*, const MapReport*, const StudyAnswer*, const SweepRows*>;
 
-/// Draws in the language of the command, numbers too; its means belong to another program (desktop.h). All
-/// functions throw CommandError (unwritable output) if something could not be drawn, and return not all
-/// pictures after a stop.
+/// Draws pictures with words and numbers in the language of the command. The implementation is in another
+/// program, see desktop.h. All functions throw CommandError (unwritable output) if drawing fails. After a
+/// stop they return only the pictures drawn so far.
 class Drawing {
   public:
     Drawing() = default;
@@ -42,18 +42,20 @@ class Drawing {
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    /// A figure of the paper, in its language, in one of the pictureFormats; empty where it could not be
-    /// drawn.
+    /// Returns a figure of the paper as the bytes of a file in one of the pictureFormats; empty if it could
+    /// not be drawn. Its words are English, as in the paper.
     virtual std::string figure(const Figure& figure, std::string_view format) const = 0;
 
-    /// blow.*, rock.*, wave_picture.* and rod.* of a blow solved with Detail::histories, in each format.
+    /// Returns the pictures blow.*, rock.*, wave_picture.* and rod.* of one blow, each in every format.
+    /// Requires a blow solved with Detail::histories.
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
 
-    /// The report on a blow that was solved, "html" and "pdf".
+    /// Returns the report on a solved blow in the formats of the order, "html" and "pdf".
     virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const = 0;
 
-    /// The picture of a study in each format, as its page in the window shows it at first.
+    /// Returns the picture of a study in each format of the order, with the first view that its page in the
+    /// window shows.
     virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options of `drill`, read from their words, and the messages before anything is marched.
+// Options of the command `drill` (many blows in sequence), and the checks before the computation starts.
 #pragma once
 
 #include <optional>
@@ -14,26 +14,30 @@
 
 namespace drillwave {
 
-/// Returns SI unless --dimensionless. All functions here throw CommandError (usage) for a wrong option.
+/// Returns the units of the output: SI, or dimensionless with --dimensionless. Like all functions of this
+/// file, it throws CommandError (usage) for a wrong option.
 OutputUnits drillUnits(const Arguments& arguments);
 
-/// --cells; `usual` without it.
+/// Returns the number of cells (time steps) per t0 given by --cells, or `usual` without the option.
 int drillCells(const Arguments& arguments, int usual);
 
-/// --histories A:B, of blows from 1 to those of the settings; nothing without it.
+/// Returns the blows A to B of --histories A:B, whose histories are written; nothing without the option.
+/// Blows are numbered from 1 to settings.blows. `out` is the value of -o, which must be a folder.
 std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::optional<std::string>& out,
                                         const DrillingSettings& settings);
 
-/// Throws CommandError (invalid scenario) with a line for each problem where there are any.
+/// Throws CommandError (invalid scenario) with one line for each problem; does nothing if there are none.
 void refuseDrill(const std::vector<Message>& problems, const std::string& path);
 
-/// Cells times nodes that --work-limit permits.
+/// Returns the largest work that --work-limit permits for many blows: time steps (cells) times nodes (ends of
+/// sections).
 double permittedDrillWork(const Arguments& arguments);
 
-/// Throws CommandError (unsolved or failed) where it takes more cells times nodes than --work-limit permits.
+/// Throws CommandError (unsolved or failed) if `work` exceeds what --work-limit permits. Work is measured in
+/// time steps (cells) times nodes (ends of sections).
 void checkDrillWork(double work, const Arguments& arguments);
 
-/// Prints on stderr which parts of the scenario have no effect here.
+/// Prints on stderr the parameters of the scenario that have no effect on many blows.
 void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
 }  // namespace drillwave

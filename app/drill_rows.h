@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of rows that `drill` writes, and the record beside it.
+// Files that `drill` writes: a CSV file with one row per blow or value, and a record that describes it.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,17 @@
 
 namespace drillwave {
 
-/// Checks before any computation whether a file of rows can be written, with a record beside it. Throws
-/// CommandError (unwritable output).
+/// Throws CommandError (unwritable output) if the CSV file, or the record that describes it (FILE.csv.yaml),
+/// cannot be written. Call it before any computation.
 void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite);
 
-/// Returns the record of the rows and of how to get them, without axes and outputs.
+/// Returns the record (RowRecord) that describes how the rows were computed: command, scenario and number of
+/// rows. Its axes and outputs are left empty.
 RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows);
 
-/// "blows.csv.yaml" with that in it, of a file with these rows.
+/// Returns the file that describes how the rows were computed, "blows.csv.yaml" for "blows.csv". It includes
+/// the size and checksum of `rows`, the contents of `file`.
 NamedFile drillRecordBeside(const std::string& file, RowRecord record, std::string_view rows);
 
 }  // namespace drillwave

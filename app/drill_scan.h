@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `drill --scan`: many blows over the values of a parameter.
+// The command `drill --scan`: sequences of blows for each value of a parameter.
 #pragma once
 
 #include <string>
@@ -11,7 +11,9 @@
 
 namespace drillwave {
 
-/// Marches, writes and prints a scan of a file whose short options are set already. Throws CommandError.
+/// Computes a sequence of blows for each value of the scanned parameter, writes and prints the results, and
+/// returns the exit code. Options that set scenario keys must be applied to `document` already. Throws
+/// CommandError.
 ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& document, const std::string& path,
                       const Drawing* drawing);
 

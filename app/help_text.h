@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text of --help.
+// Texts of --help.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace drillwave {
 
-/// Meaning of the exit codes, separated by commas (commands §6).
+/// Meanings of the exit codes, separated by commas; listed in §6 of the manual's chapter on commands.
 inline constexpr std::string_view exitCodesHelp =
     "0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
     "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted";
 
-/// Help of the command `help`, and its topics.
+/// Summary of the command `help`, and the description of its TOPIC.
 inline constexpr std::string_view helpSummary =
     "print the help of a command, a chapter of the manual, a parameter, an output";
 inline constexpr std::string_view helpDetails =
@@ -23,28 +23,29 @@ inline constexpr std::string_view helpDetails =
     "parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word\n"
     "(feed, units, exit codes): then the places of the manual that have it, the best first.";
 
-/// The summary of `version`.
+/// Summary of the command `version`.
 inline constexpr std::string_view versionSummary = "print the version of the program";
 
-/// "--set KEY=VALUE", "--json".
+/// Returns an option with the placeholder of its value, as in the help: "--set KEY=VALUE", or "--json" for a
+/// switch.
 std::string synopsis(const OptionSpec& option);
 
-/// The options of a command and those that every command has, for completions: --help and --version apart.
+/// Returns the options of a command and --language, but neither --help nor --version.
 std::vector<OptionSpec> optionsOf(const Command& command);
 
-/// Returns the part of a command's help below its options; empty where there is none.
+/// Returns the part of a command's help that follows its options; empty if there is none.
 std::string detailsOf(const Command& command, const ReadingStyle& style = plainStyle());
 
-/// Help of the whole program.
+/// Returns the help of the whole program.
 std::string programHelp(const ReadingStyle& style = plainStyle());
 
-/// Help of one subcommand.
+/// Returns the help of one subcommand.
 std::string commandHelp(const Command& command, const ReadingStyle& style = plainStyle());
 
-/// Help of `help` and `version`, which are no Command; empty for other names.
+/// Returns the help of `help` or `version`, which are not objects of type Command; empty for other names.
 std::string ownHelp(std::string_view name, const ReadingStyle& style = plainStyle());
 
-/// The English texts of all that, which the catalogues have as "help".
+/// Returns the English texts of all help, which the catalogues of translations contain in the context "help".
 std::vector<std::string_view> helpTexts();
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers of `drillwave help TOPIC` for a command, a chapter of the manual or a section of it, a parameter,
-// an output, a symbol, or anything else that a table of the manual names.
+// Texts of `drillwave help TOPIC`. A topic is a command, a place in the manual, a parameter, an output, a
+// symbol, or another name in a table of the manual.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,17 @@
 
 namespace drillwave {
 
-/// The text of the topic that these words name, in lines of at most `width` columns: of a command in the
-/// language of the style, of what the manual has in English. Throws CommandError (usage) with the nearest
-/// names where there is none. Requires a word.
+/// Returns the help on the topic that `words` name, in lines of at most `width` columns. It is in the
+/// language of `style`; untranslated pages of the manual are in English. Throws CommandError (usage) with
+/// similar names if there is no such topic. Requires at least one word.
 std::string topicText(std::span<const std::string> words, std::size_t width,
                       const ReadingStyle& style = plainStyle());
 
-/// The keys of numbers and words that every scenario may have, which --set takes.
+/// Returns the keys of all parameters that --set accepts in every scenario, whether their values are numbers
+/// or words.
 std::vector<std::string> parameterNames();
 
-/// Returns all names: commands, chapters, parameters, outputs.
+/// Returns the names of all topics: commands, chapters, parameters and outputs.
 std::vector<std::string> topicNames();
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the words of `identify` to its question.
+// Options of the command `identify` (finding the rock's law from measured strains), converted to a question.
 #pragma once
 
 #include <optional>
@@ -15,25 +15,27 @@
 
 namespace drillwave {
 
-/// The options of `identify`: of scenarios, of reading, and its own.
+/// Returns the options of `identify`: those of scenarios, those for reading records, and its own.
 std::vector<OptionSpec> identifyOptionSpecs();
 
-/// Returns the share of a percentage such as "2%"; nothing for another text.
+/// Returns a percentage such as "2%" as a share, 0.02; nothing for any other text.
 std::optional<double> percentageOf(std::string_view text);
 
-/// A gauge of `--gauge`, `--check` or `--record`: COLUMN@DISTANCE. Throws CommandError: usage; invalid
-/// scenario where the distance is none.
+/// Returns the strain gauge that `word` describes as COLUMN@DISTANCE; `name` is its option, for messages.
+/// Throws CommandError: usage for another form; invalid scenario if the distance is not a positive length.
 GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word);
 
-/// FILE and the records of --signals, in their order.
+/// Files of `identify`: the scenario, and the records of --signals in the order given.
 struct IdentifyFiles {
     std::string scenario;
     std::vector<std::string> records;
 };
-/// Throws CommandError (usage) where FILE or --signals is missing or a record is given twice.
+/// Returns the files that the command line names. Throws CommandError (usage) if the scenario or --signals is
+/// missing or a record is given twice.
 IdentifyFiles identifyFiles(const Arguments& arguments);
 
-/// Reads the records and makes the question. Throws CommandError: usage, unreadable input, invalid scenario.
+/// Reads the records and returns the question for the identification. `path` names the scenario in messages.
+/// Throws CommandError: usage, unreadable input, invalid scenario.
 IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& scenario,
                                     const std::string& path, const std::vector<std::string>& records,
                                     const std::stop_token& stop);

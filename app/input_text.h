@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input of a command: a file, standard input, or a pipe.
+// Reading the input of a command from a file, standard input or a pipe.
 #pragma once
 
 #include <cstdint>
@@ -13,33 +13,36 @@
 
 namespace drillwave {
 
-/// Whether a word names standard input: "-".
+/// Returns true if `path` is "-", which stands for standard input.
 bool isStandardInput(const std::string& path);
 
 /// Returns the name of an input in messages: the path, or "standard input".
 std::string inputName(const std::string& path);
 
-/// Reads no more than the first `most` bytes of a file, of standard input ("-") or of a pipe. Waits for a
-/// pipe to be written to, and reports that in `style`.
+/// Returns at most the first `most` bytes of a file, of standard input ("-") or of a pipe. On failure it
+/// returns the reason instead. If standard input is a terminal, asks for input on stderr in the language of
+/// `style`.
 FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style);
 
-/// Rows that are read twice, once for checking and once for solving. Rows from a pipe are kept in a temporary
-/// file meanwhile, in bounded memory and on a bounded part of the disk.
+/// Input that is read twice, once to check its rows and once to solve them. Input from a pipe is copied to a
+/// temporary file of limited size.
 class RereadableInput {
   public:
-    /// A longer pipe has most likely no end: this is some ten million rows.
+    /// Largest input taken from a pipe [bytes], about ten million rows. A longer pipe probably never ends.
     static constexpr std::uint64_t mostKept = std::uint64_t{1} << 30;
 
-    /// Keeps up to `most` bytes of a pipe. Throws CommandError: unreadable input, of a pipe also one that is
-    /// longer; unwritable output where there is no room for a temporary file.
+    /// Opens a file, or copies up to `most` bytes of a pipe to a temporary file. Throws CommandError:
+    /// unreadable input, also if the pipe is longer; unwritable output if the temporary file cannot be
+    /// written.
     explicit RereadableInput(const std::string& path, std::uint64_t most = mostKept,
                              const ReadingStyle& style = plainStyle());
 
-    /// Returns the stream, at its beginning. Throws CommandError (unreadable input) if the disk fails.
+    /// Returns the stream, which starts at the beginning of the input. Reading throws CommandError
+    /// (unreadable input) if the disk fails.
     std::istream& stream() { return m_stream; }
 
   private:
-    /// A file buffer that reports which file cannot be read.
+    /// File buffer whose errors name the file that cannot be read.
     class Buffer : public std::filebuf {
       public:
         explicit Buffer(std::string name) : m_name(std::move(name)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C as a stop token.
+// Conversion of Ctrl-C and similar signals into a stop token.
 #pragma once
 
 #include <stop_token>
@@ -9,17 +9,21 @@
 
 namespace drillwave {
 
-/// Lets the first SIGINT, SIGTERM or, unless it is ignored (nohup), SIGHUP end the program with
-/// ExitCode::interrupted, in one line: there are no files yet that could be left over.
+/// Makes the first SIGINT, SIGTERM or SIGHUP end the program with one line and ExitCode::interrupted. A
+/// SIGHUP that is ignored (nohup) stays ignored. Use it while no output files exist that could be left
+/// incomplete.
 void exitOnInterruption();
 
-/// Sets the style of that line, for as long as the program runs.
+/// Sets the language of the line that is printed on an interruption. `style` must exist until the program
+/// ends.
 void speakOnInterruption(const ReadingStyle& style);
 
-/// Holds these signals until exitOnInterruption(), also in the program that replaces this one (exec).
+/// Blocks SIGINT, SIGTERM and SIGHUP until exitOnInterruption(), even in a program started by exec. Signals
+/// that arrive meanwhile are delivered afterwards.
 void holdInterruptions();
 
-/// Keeps them waiting as long as one lives, and then ends the program where one has come.
+/// Blocks SIGINT, SIGTERM and SIGHUP during the lifetime of an object. A signal that arrives meanwhile ends
+/// the program when the object is destroyed.
 class HeldInterruptions {
   public:
     HeldInterruptions() { holdInterruptions(); }
@@ -28,8 +32,9 @@ class HeldInterruptions {
     HeldInterruptions& operator=(const HeldInterruptions&) = delete;
 };
 
-/// While an object exists, the first of these signals requests a stop instead of ending the program; a second
-/// signal ends the program at once. If no thread can be started, the first signal does. One object at a time.
+/// Handler of SIGINT, SIGTERM and SIGHUP for the lifetime of an object. The first signal requests a stop
+/// instead of ending the program; a second one ends the program at once. If no thread can be started, the
+/// first signal ends it. Only one object may exist at a time.
 class Interruption {
   public:
     Interruption();
@@ -38,11 +43,11 @@ class Interruption {
     Interruption& operator=(const Interruption&) = delete;
 
     std::stop_token token() const { return m_source.get_token(); }
-    /// Throws CommandError (interrupted) if a stop was requested.
+    /// Throws CommandError (interrupted) if a signal has requested a stop.
     void check() const;
-    /// Ignores signals until the program ends, because all output is written.
+    /// Makes the program ignore signals from now on, because all output is written.
     void disable() const;
-    /// The style of speakOnInterruption().
+    /// Returns the style set by speakOnInterruption(), or the plain English style if none was set.
     const ReadingStyle& style() const;
 
   private:

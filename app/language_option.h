@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language that a command line asks for.
+// Language of the output, given by --language or an environment variable.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@
 
 namespace drillwave {
 
-/// The option of every command, and of the window.
+/// Option --language, which every command and the window accept.
 inline constexpr OptionSpec languageOption{"language", "CODE",
                                            "use German (de), Swedish (sv) or English (en)"};
 
-/// Environment variable with the language of all commands.
+/// Environment variable that sets the language of all commands.
 inline constexpr const char* languageVariable = "DRILLWAVE_LANGUAGE";
 
-/// Returns the language of the variable, "de" or "de_DE.UTF-8"; English where the variable names none.
+/// Returns the language given by the environment variable as "de" or "de_DE.UTF-8"; English if the variable
+/// is unset or names no known language.
 const Language& languageOfEnvironment();
 
-/// Throws CommandError (usage) where the variable is there and names no language.
+/// Throws CommandError (usage) if the environment variable is set but names no known language.
 void checkLanguageVariable();
 
-/// Takes the option out of the words; nullptr without it. Throws CommandError (usage) if it names no language
-/// or is given twice.
+/// Removes --language and its value from `words` and returns the language, or nullptr without the option.
+/// Throws CommandError (usage) if the language is unknown or the option is given twice.
 const Language* takeLanguage(std::vector<std::string>& words);
 
 }  // namespace drillwave

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the limit of open files leaves what a command needs.
+// Checks whether the system's limit of open files leaves enough for a command.
 #pragma once
 
 #include "app/command_error.h"
 
 namespace drillwave {
 
-/// Returns the error for a file that cannot be opened for this reason of the system (errno).
+/// Returns the error for a file that could not be opened; `reason` is the system's error number (errno).
 CommandError tooFewFiles(int reason);
 
-/// Throws tooFewFiles() unless so many files can be opened now.
+/// Throws the error of tooFewFiles() if the limit of open files does not permit `count` more files now.
 void checkOpenFiles(int count);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outputs of a command: standard output, or a file that appears whole or not at all, together with the files
-// that belong to it.
+// Outputs of a command: standard output, or a file that is written completely or not at all, together with
+// the files beside it.
 #pragma once
 
 #include <memory>
@@ -22,79 +22,87 @@ class Interruption;
 
 enum class Overwrite { refused, allowed };
 
-/// Throws CommandError (usage) if one of the options is given without the -o whose files it concerns;
-/// `output` is the name to add, "FILE.csv".
+/// Throws CommandError (usage) if one of `options`, which apply only to files, is given without -o. The
+/// message suggests adding `output`, for example "FILE.csv".
 void checkAboutFiles(const Arguments& arguments, std::initializer_list<const char*> options,
                      const char* output);
 
-/// --decimal-comma, for the options of a command that writes CSV.
+/// Returns the option --decimal-comma, for commands that write CSV.
 OptionSpec decimalCommaSpec();
-/// Sets the signs of all CSV in this run of the program from its option.
+/// Sets the decimal sign and separator of all CSV that this run of the program writes, from --decimal-comma.
 void useCsvSigns(const Arguments& arguments);
-/// Returns whole CSV in the signs of this run.
+/// Returns a complete CSV text with the decimal sign and separator of this run.
 std::string inCsvSigns(std::string_view csv);
-/// Returns the bytes of a file, CSV in the signs of this run.
+/// Returns the contents of a file; CSV files have the decimal sign and separator of this run.
 std::string bytesInSigns(const NamedFile& file);
 
-/// Returns the names of files that an earlier run left in the folder beside a file.
+/// Function that returns the names of files that an earlier run left in `folder` and that belong to `file`,
+/// such as pictures.
 using LeftBeside = std::vector<std::string> (*)(const std::string& folder, const std::string& file);
 
-/// Whether a name is standard output, a device or a pipe: written to directly, with no files beside it.
+/// Returns true if a path is standard output, a device or a pipe, which are written directly and have no
+/// files beside them.
 bool isStream(const std::string& path);
 
-/// Throws CommandError (unwritable output) where standard output is closed: for commands that print when
-/// their files are in place.
+/// Throws CommandError (unwritable output) if standard output is closed. For commands that print only after
+/// their files are written.
 void checkStandardOutput();
 
-/// Throws CommandError (unwritable output) for a name with bytes that are not UTF-8: records and messages
-/// could not contain it.
+/// Throws CommandError (unwritable output) if a path is not valid UTF-8, because records and messages could
+/// not contain it.
 void checkName(const std::string& path);
 
-/// Throws CommandError (unwritable output) when a file of that name exists and may not be overwritten.
+/// Throws CommandError (unwritable output) if `path` cannot be the name of a file, or if the file exists and
+/// `overwrite` does not allow replacing it.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
-/// Checks a file and those left beside it, after repairing what a run that died has left in the folder.
+/// Throws CommandError (unwritable output) if a file, or an existing file that belongs to it, may not be
+/// replaced. First repairs what a crashed run left in the folder.
 void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
 
-/// One output. All failures throw CommandError (unwritable output), at opening if they can be known
-/// then.
+/// Output of a command. All functions throw CommandError (unwritable output) on failure, the constructor
+/// already if the failure can be known then.
 class OutputFile {
   public:
-    /// A stream is written directly. Anything else has no name until commit().
+    /// Opens an output. Standard output, devices and pipes are written directly; a file appears under its
+    /// name only with commit().
     OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
-    /// Continues after the rows that are kept for this file, and keeps them if it is not committed.
+    /// Opens a file and continues after the rows in `kept`, which an interrupted run has written. Without
+    /// commit() the rows stay there for a later run.
     OutputFile(const std::string& path, Overwrite overwrite, const KeptRows& kept);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Writes whole lines where the file is CSV.
+    /// Writes a text; for CSV, it must consist of complete lines.
     void write(std::string_view text);
-    /// Size and checksum of all that was written, the kept rows included.
+    /// Returns size and checksum of everything written so far, including rows kept from an interrupted run.
     const FileSum& sum() const { return m_sum; }
-    /// Adds a file beside this one, which must be no stream.
+    /// Adds a file to be written beside this one. Requires that this output is a file, not a stream.
     void add(NamedFile beside);
-    /// Writes everything as one (writeWholeFolder()) and replaces what was left beside the file; for a
-    /// stream, finds out whether everything has found room. Throws CommandError (interrupted) on a stop.
+    /// Puts this file and the added ones in place together (writeWholeFolder()), replacing files of an
+    /// earlier run. For a stream, checks that all bytes were written. Throws CommandError (interrupted) on a
+    /// stop.
     void commit(const Interruption* interruption = nullptr);
 
   private:
-    /// Finds out whether everything written to standard output so far has found room.
+    /// Flushes standard output and throws CommandError if its last bytes could not be written.
     void flush();
-    /// Throws where there is a failure.
+    /// Throws CommandError (unwritable output) if `failure` is one.
     void check(const WriteFailure& failure) const;
 
     std::string m_path;
     Overwrite m_overwrite;
     LeftBeside m_leftBeside;
-    std::unique_ptr<WholeFile> m_file;  // none for streams
-    CsvInSigns m_csv;                   // signs of this run
+    std::unique_ptr<WholeFile> m_file;  // file being written; nullptr for streams
+    CsvInSigns m_csv;                   // rewrites CSV with the decimal sign and separator of this run
     FileSum m_sum;
     std::vector<NamedFile> m_beside;
     int m_device = -1;
 };
 
-/// Prints a text to standard output at once, as printableLines().
+/// Prints a text to standard output at once. Characters that terminals would interpret are made visible, see
+/// printableLines().
 void printText(std::string_view text);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A folder that a command writes: all of its files or none.
+// Writing a folder of results: all of its files or none.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace drillwave {
 
-/// Finds out before anything is computed whether files of these names can be written into a folder. Throws
-/// CommandError (unwritable output).
+/// Throws CommandError (unwritable output) if files of these names cannot be written into the folder. Call it
+/// before any computation.
 void checkFolder(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite);
 
-/// Writes as writeWholeFolder() does; an interruption, if there is one, may end it before anything is
-/// written, and not after. Throws CommandError: unwritable output; interrupted.
+/// Writes files into a folder, all or none, as writeWholeFolder() does. An interruption (nullptr for none)
+/// can only cancel it before the first file is in place. Throws CommandError: unwritable output; interrupted.
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
                  const Interruption* interruption);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// --rod, --hammer, --rock and --presets.
+// Options --rod, --hammer, --rock and --presets, which apply presets to a scenario.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,22 @@
 
 namespace drillwave {
 
-/// The options, for a command's table of options.
+/// Returns the options --rod, --hammer, --rock and --presets, for a command's table of options.
 std::vector<OptionSpec> presetOptionSpecs();
 
-/// "rod", "hammer", "rock": the option that takes a preset.
+/// Returns the name of the option that selects a preset of a kind: "rod", "hammer" or "rock".
 std::string_view name(PresetKind kind);
 
-/// Puts the values of the presets that are named into a scenario, which `path` names. `arePresetsChosen`:
-/// --presets is also about presets that are designs of a study. Throws CommandError.
+/// Sets the values of the presets chosen on the command line in a scenario; `path` names it in messages.
+/// Throws CommandError, also if --presets is given without use, unless `arePresetsChosen` (presets are design
+/// variables).
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path,
                   bool arePresetsChosen = false);
 
-/// The presets of a file, of standard input ("-") or a pipe, or the built-in ones without one. Throws
-/// CommandError.
+/// Returns the presets of a file, of standard input ("-") or of a pipe; without a path, the built-in ones.
+/// Throws CommandError.
 PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle& style);
-/// Returns the presets in a text that `path` names.
+/// Returns the presets in the text of a file; `path` names it in messages. Throws CommandError.
 PresetFile parsedPresets(std::string_view text, const std::string& path);
 
 }  // namespace drillwave

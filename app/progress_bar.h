@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress of long work, on a terminal and in a log.
+// Progress of long computations, on a terminal and in a log.
 #pragma once
 
 #include <chrono>
@@ -13,24 +13,25 @@
 
 namespace drillwave {
 
-/// Time between the lines of a log.
+/// Time between two progress lines in a log.
 inline constexpr std::chrono::seconds linesBetween{15};
 
-/// "42 s", "3 min 20 s", "5 h 12 min".
+/// Returns a duration rounded to seconds or minutes: "42 s", "3 min 20 s", "5 h 12 min".
 std::string durationText(double seconds);
 
-/// Output for the progress.
+/// Stream for the progress, and the time between two lines if the stream is not a terminal.
 struct ProgressOutput {
     std::FILE* stream = stderr;
     std::chrono::milliseconds between = linesBetween;
 };
 
-/// Draws "[####    ] 41 %  520000/s  3 s left" on a terminal when the work lasts over a second. Elsewhere, in
-/// the log of a job, a line "41 % done, 30 s left" after a second if the work takes over ten, and then now
-/// and then.
+/// Progress display of computations that last over a second. A terminal shows "[####    ] 41 %  520000/s  3 s
+/// left". Elsewhere, as in the log of a job, lines "41 % done, 30 s left" appear at intervals. The first one
+/// appears after a second if more than ten seconds are left.
 class ProgressBar {
   public:
-    /// `unit` names what is counted, "points"; empty where only the share is known.
+    /// Starts the display for `total` units of work. `unit` is their name, such as "points"; empty if they
+    /// have no meaning, so that no rate is shown.
     ProgressBar(std::uint64_t total, const Message& unit, const ReadingStyle& style,
                 const ProgressOutput& out = {});
     ~ProgressBar();
@@ -41,7 +42,7 @@ class ProgressBar {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// Estimates the time left [s] from the part that is done; not finite if nothing is.
+    /// Returns the estimated remaining time [s] when `done` units are complete; not finite for 0.
     double secondsLeft(std::uint64_t done) const;
     std::string numbers(std::uint64_t done) const;
 
@@ -55,22 +56,22 @@ class ProgressBar {
     Clock::time_point m_nextDrawing;
 };
 
-/// A progress bar for work that reports a share.
+/// Progress bar for work that reports its progress as a share from 0 to 1.
 class ShareBar {
   public:
     explicit ShareBar(const ReadingStyle& style) : m_bar(static_cast<std::uint64_t>(parts), {}, style) {}
-    /// Takes the share, 0 … 1. The bar must outlive it.
+    /// Returns a function that shows the completed share, 0 … 1. This object must outlive the function.
     std::function<void(double)> progress() {
         return [this](double done) { m_bar.show(static_cast<std::uint64_t>(done * parts)); };
     }
 
   private:
-    static constexpr double parts = 1000;  // finer than the bar is drawn
+    static constexpr double parts = 1000;  // units of work for a share of 1; finer than the bar is drawn
     ProgressBar m_bar;
 };
 
-/// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and work of unknown length
-/// lasts over a second; elsewhere a line "solving for 15 s" now and then.
+/// Display of the elapsed time for work of unknown length that lasts over a second. A terminal shows "solving
+/// for 3 s; Ctrl-C ends it". If stderr is not a terminal, a line "solving for 15 s" is printed every 15 s.
 class ElapsedTime {
   public:
     explicit ElapsedTime(const ReadingStyle& style);

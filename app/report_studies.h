@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `report --with`: the studies that the report contains, checked before anything is computed.
+// Option --with of the command `report`: studies to include, checked before the computation starts.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,18 @@
 
 namespace drillwave {
 
-/// --with, for the table of options.
+/// Returns the option --with, for the table of options.
 OptionSpec reportStudiesSpec();
 
-/// Studies of a scenario with the settings of its file.
+/// Studies to include in the report on a scenario, with the settings of the scenario file.
 class ReportStudyPlan {
   public:
-    /// Throws CommandError: usage for an unknown study; invalid scenario if the file has no settings for a
-    /// study or the study refuses them; unsolved if many blows would take too much work.
+    /// Reads and checks the studies of --with; `path` names the scenario in messages. Throws CommandError
+    /// (usage) for an unknown study. Throws CommandError (invalid scenario) if the file's settings are
+    /// missing or wrong for a study. Throws CommandError (unsolved) if many blows would take too much work.
     ReportStudyPlan(const Arguments& arguments, const ScenarioDocument& document, std::string path);
 
-    /// Computes the studies. Throws CommandError: unsolved; interrupted.
+    /// Returns the results of the studies. Throws CommandError: unsolved; interrupted.
     ReportStudies run(const Interruption& interruption) const;
 
   private:
@@ -37,8 +38,8 @@ class ReportStudyPlan {
     std::string m_path;  // name of the scenario in messages
     const ReadingStyle& m_style;
     int m_jobs;
-    std::optional<DrillingSettings> m_drilling;  // settings, if continuous drilling is requested
-    std::optional<DesignStudy> m_design;         // if it is wanted
+    std::optional<DrillingSettings> m_drilling;  // settings of continuous drilling; empty if not requested
+    std::optional<DesignStudy> m_design;         // design study; empty if not requested
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options of `sweep` and `table` alike: outputs, threads, parts, and the file that the rows go to.
+// Options that the commands `sweep` and `table` share: outputs, threads, parts, and the file for the rows.
 #pragma once
 
 #include <cstdint>
@@ -28,95 +28,105 @@
 
 namespace drillwave {
 
-/// The common options, for both commands' tables of options.
+/// Returns the options that `sweep` and `table` share, for their tables of options.
 std::vector<OptionSpec> rowOptionSpecs();
 
-/// --shard and --resume, for a table of options.
+/// Returns the option --shard, which computes one part of the rows.
 OptionSpec shardOptionSpec();
+/// Returns the option --resume, which continues the rows of an interrupted run.
 OptionSpec resumeOptionSpec();
 
-/// The names for --outputs with their meanings, for the help of commands.
+/// Returns the help on --outputs: all names of outputs with their meanings.
 std::string outputHelp(const ReadingStyle& style);
 
-/// Threads by `-j N`, all of them where it is not given. Throws CommandError (usage).
+/// Returns the number of threads given by -j, by default all that are available (at most 1024). Throws
+/// CommandError (usage).
 int jobsOf(const Arguments& arguments);
 
-/// Their values.
+/// Values of the options that `sweep` and `table` share.
 struct RowOptions {
     std::vector<OutputColumn> columns;
     OutputUnits units = OutputUnits::dimensionless;
-    bool allOutputs = false;  ///< `--outputs all`: columnsFor() has those that there are
+    bool allOutputs = false;  ///< `--outputs all` was given: columnsFor() returns all outputs available
     int jobs = 1;
     Shard shard;
-    std::string path;  ///< "-" is standard output
+    std::string path;  ///< file for the rows; "-" is standard output
     Overwrite overwrite = Overwrite::refused;
-    bool resumes = false;  ///< keeps rows of a run that ends, and continues those of an earlier one
+    /// Value of --resume: continues the rows of an interrupted run, and keeps the finished rows if
+    /// interrupted.
+    bool resumes = false;
     MethodChoice method;
-    long workLimit = defaultWorkLimit;  ///< wave pieces of a row
+    /// Largest work of one row [wave pieces, the unit of work of the exact solver].
+    long workLimit = defaultWorkLimit;
 
-    /// Returns the columns for scenarios like this one.
+    /// Returns the output columns; with `--outputs all`, all those that are available for `scenario`.
     std::vector<OutputColumn> columnsFor(const Scenario& scenario) const;
 };
 
-/// `method` is that of the result which FILE is. Throws CommandError (usage).
+/// Returns the values of the options. `method` is the one by which FILE was solved if FILE is a result; it is
+/// the default for --method. Throws CommandError (usage).
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method);
 
-/// Unit in which failures are counted.
+/// Word for one solved case in messages on failures: "row" or "point".
 enum class RowNoun { row, point };
 
-/// "2 rows: it needs more wave pieces than permitted …", and what to do about it.
+/// Returns why rows or points failed, with their numbers: "2 rows: it needs more wave pieces than permitted".
+/// Advises a larger --work-limit if that is the reason.
 Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit);
 
-/// --work-limit, in wave pieces; `fallback` where it is not given.
+/// Returns the value of --work-limit [wave pieces, the unit of work of the exact solver], or `fallback`
+/// without it.
 long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
-/// Returns the limits of one blow, for commands without rows. A string takes seconds more often than a rod:
-/// it has the limit of the option only if that is given.
+/// Returns the limits of work for one blow, for commands without rows. For drill strings, which often take
+/// seconds, --work-limit only replaces the larger default limit if the option is given.
 WorkLimits workLimitsOf(const Arguments& arguments);
-/// The option of such a command.
+/// Returns the option --work-limit, for commands that solve single blows.
 OptionSpec workLimitSpec();
-/// "FILE: could not be solved: …".
+/// Returns the message "FILE: could not be solved: REASON".
 Message couldNotBeSolved(const std::string& path, const Message& reason);
-/// Whether a reason is that limit.
+/// Returns true if a blow failed for the reason that it reached the limit of work.
 bool isAtLimit(const Message& reason);
-/// Returns a reason, with "; --work-limit, now 1000000, permits more" after it if that has stopped a blow.
+/// Returns a reason, with "; --work-limit, now 1000000, permits more" added if the blow reached that limit.
 Message reasonWithHint(const Message& reason, long workLimit);
-/// Returns the reason for a blow within workLimitsOf(), with the same hint.
+/// Returns a reason, with the same advice on --work-limit, for a blow that was solved within workLimitsOf().
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario);
-/// Returns the reason in the same way if it is known what has stopped the blow.
+/// Returns a reason with the advice on --work-limit if `hindrance` says that this limit stopped the blow.
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario,
                        Hindrance hindrance);
 
-/// The command that gives the same rows, wherever they go.
+/// Returns the command line that computes the same rows, without options for the file and for speed (-o, -j
+/// and others).
 std::string commandText(std::string_view command, const Arguments& arguments);
 
-/// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
-/// ScenarioError where the scenario is too large for a file.
+/// Returns the record (FILE.csv.yaml) that describes how rows with these columns are computed by `command`.
+/// The caller adds its axes or cases. Throws ScenarioError if the scenario is too large for a file.
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
                    std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows);
 
-/// Checks before any computation whether rows can be written there, with a record beside a file. Throws
-/// CommandError: usage, if an input would be overwritten; unwritable output.
+/// Checks that the file of rows and the record that describes it (FILE.csv.yaml) can be written. Call it
+/// before any computation. Throws CommandError: usage if an input would be overwritten; unwritable output.
 void checkRows(const RowOptions& options, const Arguments& arguments, const ScenarioDocument& document);
 
-/// The file of rows with its record, and with pictures, see StudyPlots::besideFile(). Throws CommandError:
-/// unwritable output; interrupted.
+/// Writes the file of rows together with the record that describes it (FILE.csv.yaml) and the files in
+/// `beside`, such as pictures: all or none. Throws CommandError: unwritable output; interrupted.
 void commitRows(OutputFile& rows, const RowOptions& options, RowRecord record, std::vector<NamedFile> beside,
                 const Interruption& interruption);
 
-/// "2 of 20 rows could not be solved: their output cells are empty".
+/// Returns the message "2 of 20 rows could not be solved: their output cells are empty".
 Message unsolvedRows(std::uint64_t unsolved, std::uint64_t rows);
 
-/// A run of rows, sweep or table, without the first ones of the part, which are done.
+/// Function that computes the rows of a sweep or table, except the first `done` ones, which an earlier run
+/// completed. It sends them to `sink` and calls `progress`.
 using RunRows =
     std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress, std::uint64_t done)>;
 
-/// Draws the results; no function if there is nothing to draw.
+/// Function that draws the results as files; empty if there is nothing to draw.
 using DrawRows = std::function<std::vector<NamedFile>()>;
 
-/// Runs into the file of -o and commits it with its record and what is drawn then, with progress on a
-/// terminal in that style. Rows that need more than the disk has free are refused, hours of work are
-/// announced. Failed rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an
-/// interruption leaves no file, or where the run resumes the rows so far.
+/// Computes the rows, writes them to the file of -o with its record and the pictures of `draw`, and returns
+/// ExitCode::done. Shows the progress in the language of `style`. Throws CommandError: unwritable output,
+/// also before the disk would be full; unsolved if rows failed, with their number and reasons; interrupted.
+/// An interruption leaves no file, or with --resume the completed rows. Announces runs of over ten minutes.
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options,
                    const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scenario that a command line names.
+// Loading and changing the scenario that a command line names.
 #pragma once
 
 #include <span>
@@ -13,61 +13,67 @@
 
 namespace drillwave {
 
-/// The option that changes a scenario; all of them come with scenarioOptions().
+/// Option --set, which changes parameters of the scenario; scenarioOptions() includes it.
 inline constexpr OptionSpec setOption{"set", "KEY=VALUE", "change parameters, e.g. rod.length=4.27m beta=0.8",
                                       OptionSpec::Times::list};
 
-/// The options of a command that takes a scenario: --set and the presets, then those of its own.
+/// Returns the options of a command that reads a scenario: --set, the presets, those in `own`, and --signal
+/// with its reading options.
 std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own = {});
 
-/// Help for the operand FILE.
+/// Help on the operand FILE.
 inline constexpr std::string_view scenarioOperandHelp =
     "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
     "a built-in example, or - for standard input.";
 
-/// Loads the scenario that FILE names (loadScenarioFile()), applies the presets and then every --set:
-/// pulse.shape first, then physical parameters, then groups, whatever their order. The scenario is valid.
-/// Reports on stderr if the file is from a newer program. Throws CommandError.
+/// Returns the scenario that FILE names, with the presets, --signal and then every --set applied. Settings
+/// are applied in a fixed order: pulse.shape, physical parameters, groups. The scenario is valid. Notes on
+/// stderr if another version of the program wrote the file. Throws CommandError.
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments);
 
-/// Loads it for a command that solves exactly, and reports if a result was solved by another method.
+/// Returns the scenario of loadScenarioInput() for a command that only solves exactly. Notes on stderr if
+/// FILE is a result solved by another method. Throws CommandError.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
-/// The options that name a file which is read.
+/// Options whose value is a file to read.
 inline constexpr std::string_view inputOptions[] = {"presets", "draws", "signal"};
 
-/// Returns every file that a command reads: its operands, those of inputOptions, and the table of the
-/// scenario's blow.
+/// Returns every file that a command reads: its operands, the values of inputOptions, and the CSV file of the
+/// scenario's hammer blow.
 std::vector<std::string> inputsOf(const Arguments& arguments, const ScenarioDocument& document);
 
-/// Throws CommandError (usage) if `output`, which the command writes, is one of these.
+/// Throws CommandError (usage) if `output`, a file that the command writes, is one of inputsOf().
 void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
                           const ScenarioDocument& document);
 
 /// Throws CommandError (usage) if `output` is one of the `inputs`.
 void checkNotInputFile(const std::string& output, const std::vector<std::string>& inputs);
 
-/// Throws CommandError (usage) if a --set sets a parameter of an axis, which the word in `words` quotes: one
-/// would silently undo the other. `scenario` is the result of loadScenarioInput().
+/// Throws CommandError (usage) if --set sets a parameter that an axis varies, because one would silently undo
+/// the other. `words` are the words that describe `axes`; `scenario` is from loadScenarioInput().
 void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
                  std::span<const std::string> words);
 
-/// A line on stderr in the language of the reader.
+/// Prints a line on stderr in the language of `style`.
 void printRemark(const Message& remark, const ReadingStyle& style);
 
-/// Prints one line on stderr for each value outside its usual range, which is most often a mistyped unit:
-/// call it before work that such a value may make long.
+/// Prints a warning on stderr for each value outside its typical range, which is usually a mistyped unit.
+/// Call it before work that such a value may prolong.
 void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
-/// Just loads a scenario file, the scenario of a result, a built-in example where there is no file of that
-/// name, or standard input. Throws CommandError with every problem of the file.
+/// Returns the scenario of a file, of a result, of standard input ("-") or of a built-in example. A file goes
+/// first if an example has the same name. Applies no options. Throws CommandError with every error in the
+/// file.
 ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& style = plainStyle());
 
-/// Does the same in two steps: reads the bytes that FILE names, and parses them.
+/// Returns the bytes of the file that `path` names, or of the built-in example: the first step of
+/// loadScenarioFile(). Throws CommandError.
 std::string inputBytes(const std::string& path, const ReadingStyle& style);
+/// Returns the scenario in these bytes, the second step of loadScenarioFile(); `path` names it in messages.
+/// Throws CommandError with every error in the file.
 ScenarioInput parsedInput(std::string_view bytes, const std::string& path);
 
-/// Throws what a scenario could not be loaded for as a CommandError.
+/// Throws the CommandError for a scenario that could not be loaded: unreadable input or invalid scenario.
 [[noreturn]] void rethrow(const ScenarioError& error);
 
 }  // namespace drillwave

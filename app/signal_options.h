@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options by which a record is read, the recorders that keep them, and --signal.
+// Options for reading a measured record: --signal, the reading options and --recorder, which stores them
+// under a name.
 #pragma once
 
 #include <string>
@@ -11,23 +12,26 @@
 
 namespace drillwave {
 
-/// The reading options and --recorder, for a command's table of options.
+/// Returns the options that say how to read a record, and --recorder, for a command's table of options.
 std::vector<OptionSpec> signalOptionSpecs();
 
-/// --signal with the reading options, of a command that takes a scenario.
+/// Returns --signal with the options that say how to read its record, for a command that reads a scenario.
 std::vector<OptionSpec> recordOptionSpecs();
 
-/// Returns the settings of --recorder, overridden by the options given. Throws CommandError.
+/// Returns how to read a record: the settings stored under --recorder, overridden by the options given.
+/// Throws CommandError.
 SignalOptions signalOptionsOf(const Arguments& arguments);
 
-/// Keeps the reading options of the words under the name of --save-recorder, where it is given. Throws
-/// CommandError.
+/// Stores the reading options of the command line under the name of --save-recorder; does nothing without it.
+/// Throws CommandError.
 void saveRecorder(const Arguments& arguments);
 
-/// Replaces the blow of the scenario by that of --signal, thinned to thinningError, unless --all-samples
-/// keeps all of them, and keeps the remarks on its quality. It replaces a hammer of sections. Prints a
-/// summary on stderr. Throws CommandError: usage if a reading option comes without --signal, unreadable
-/// input, an open question.
+/// Replaces the hammer blow of the scenario, even a hammer of sections, by the record of --signal; does
+/// nothing without it. Leaves out samples so that impulse and coefficient of restitution change by at most
+/// thinningError, unless --all-samples is given. Prints on stderr how many samples are kept and warnings on
+/// the record's quality, which the document stores. `path` names the scenario. Throws CommandError: usage if
+/// a reading option is given without --signal; unreadable input; invalid scenario if the record is not fully
+/// described.
 void applySignal(ScenarioDocument& document, const Arguments& arguments, const std::string& path);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command of any study that is a value.
+// Command that runs a study described by a Study object.
 #pragma once
 
 #include "app/command.h"
@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// `drillwave NAME FILE` with the options of the study and those that all studies have: --json, -o, --si,
-/// --plots, --force, --decimal-comma. The study must outlive it.
+/// Returns the command `drillwave NAME FILE` for a study. It has the options of the study and the common
+/// ones: --json, -o, --si, --plots, --force, --decimal-comma. The study must outlive the command.
 Command studyCommand(const Study& study);
 
 }  // namespace drillwave

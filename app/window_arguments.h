@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of a command line without a command.
+// Command line of the program when it opens the window instead of running a command.
 #pragma once
 
 #include <span>
@@ -10,16 +10,17 @@
 
 namespace drillwave {
 
-/// The request to the window.
+/// Values of the command line that opens the window.
 struct WindowArguments {
-    std::string file;                  ///< to open, empty without
-    const Example* example = nullptr;  ///< to open, where there is no file of its name
+    std::string file;                  ///< file to open; empty if none is given
+    const Example* example = nullptr;  ///< built-in example to open; nullptr if none is given
     bool resetsUi = false;
-    const Language* language = nullptr;  ///< to speak this once, instead of the chosen one
+    /// Language of the window in this run only, instead of the stored choice; nullptr if none is given.
+    const Language* language = nullptr;
 };
 
-/// Throws CommandError: usage, for an option, a language or a command that is not known and for a second
-/// file; unreadable input, for a file that is not there.
+/// Returns the values of a command line. Throws CommandError: usage for an unknown option or language, a
+/// misspelt command, or a second file; unreadable input for a file that does not exist.
 WindowArguments windowArguments(std::span<const std::string> words);
 
 }  // namespace drillwave

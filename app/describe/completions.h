@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scripts with which shells complete the words of a command line: commands, options and what these take.
+// Shell scripts that complete the words of a command line: commands, options and their values.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual pages of the programs, in the language of man(7), from the help of the commands.
+// Manual pages of the two programs in the markup of man(7), generated from the help of the commands.
 #pragma once
 
 #include <string>
@@ -7,17 +7,20 @@
 
 namespace drillwave {
 
-/// drillwave(1): every command with all of its help. `date` is that of the page, "2026-11-25".
+/// Returns the page drillwave(1), with the complete help of every command. `date` is printed on the page,
+/// "2026-11-25".
 std::string manPage(std::string_view date);
 
-/// drillwave-window(1), which leads there.
+/// Returns the page drillwave-window(1), a short page that refers to drillwave(1). `date` is printed on the
+/// page.
 std::string windowManPage(std::string_view date);
 
-/// Escapes a text so that it reads the same in a manual page; words between backquotes become bold.
+/// Returns a text in the markup of man(7), escaped so that it reads the same; words between backquotes become
+/// bold.
 std::string manText(std::string_view text);
 
-/// Converts lines of a help: paragraphs are filled, "  word   what it means" becomes an item with its
-/// meaning, and other indented lines stay as they are.
+/// Returns the lines of a help in the markup of man(7). Lines without indent become filled paragraphs, a line
+/// "  word   meaning" becomes a list item, and other indented lines stay as they are.
 std::string manDetails(std::string_view lines);
 
 }  // namespace drillwave

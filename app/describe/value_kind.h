@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of words on a command line, from the tables that the commands are made of: for completion by a
-// shell.
+// Kinds of words on a command line, derived from the tables of commands and options, so that a shell can
+// complete them.
 #pragma once
 
 #include <string>
@@ -12,48 +12,49 @@
 namespace drillwave {
 
 enum class ValueKind {
-    free,           ///< a number, or whatever else nobody can guess
-    folder,         ///< for a result
-    file,           ///< to read or to write
-    scenario,       ///< a file, or the name of an example
-    example,        ///< the name of one
-    parameter,      ///< KEY=…, of the table of parameters and of sections; with the values of words
-    choice,         ///< KEY=… as a parameter has, or presets by name: hammer=NAME
-    aim,            ///< max:OUTPUT@STATISTIC, or min:…
-    limit,          ///< OUTPUT@STATISTIC=…
-    statistic,      ///< "mean", what follows the @ of an aim or a limit
-    output,         ///< one of the table of outputs
-    outputs,        ///< several, with commas between them
-    formats,        ///< formats of pictures, with commas between them
-    reportStudies,  ///< several studies of `report --with`, with commas between them
+    free,       ///< a number or another text that cannot be completed
+    folder,     ///< a folder to write results into
+    file,       ///< a file to read or to write
+    scenario,   ///< a scenario file, or the name of a built-in example
+    example,    ///< the name of a built-in example
+    parameter,  ///< "KEY=…", a key of the parameters or of string sections; complete with its value if that
+                ///< is a word
+    choice,     ///< "KEY=…", or a preset by its name, "hammer=NAME": a design variable
+    aim,        ///< "max:OUTPUT@STATISTIC" or "min:OUTPUT@STATISTIC": an objective
+    limit,      ///< "OUTPUT@STATISTIC=…", a bound of a result
+    statistic,  ///< "mean", the word after the @ of an objective or a limit
+    output,     ///< the name of one output
+    outputs,    ///< output names, separated by commas
+    formats,    ///< picture formats, separated by commas
+    reportStudies,  ///< studies of `report --with`, separated by commas
     method,
     language,
     rod,
     hammer,
     rock,
-    topic,  ///< of `help`
+    topic,  ///< a topic of the command `help`
 };
 
-/// Returns its name, which the scripts of shells use.
+/// Returns the name of a kind in the completion scripts, for example "report_studies".
 std::string_view name(ValueKind kind);
 
-/// Options that may stand before a command.
+/// Options of the program itself, which may precede a command.
 inline constexpr std::string_view programOptions[]{"--help", "--version", "--language", "--reset-ui"};
 
-/// Returns the kind of an option's value.
+/// Returns the kind of value that an option takes.
 ValueKind valueKind(const OptionSpec& option);
 
-/// Returns the kind of the operands of a command: of the first one and of all after it.
+/// Returns the kind of a command's operands, which is the same for all of them.
 ValueKind operandKind(const Command& command);
 
-/// Returns whether words of a kind are typed in stages, up to the next of "=", ":" and "@".
+/// Returns true if words of a kind are completed in stages, each ending at "=", ":" or "@".
 bool isStaged(ValueKind kind);
 
-/// Returns whether several words of a kind are typed with commas between them.
+/// Returns true if a value of this kind is a list of words separated by commas.
 bool isList(ValueKind kind);
 
-/// Returns the words of a kind that has a list of them, parameters followed by "="; else none. Aims and
-/// limits end with "@". Words that agree up to one of "=", ":" and "@" are neighbours.
+/// Returns all words to offer for a kind; empty for kinds without a list, such as files. Parameters end with
+/// "=" and limits with "@". Words that share a stage, up to "=", ":" or "@", are adjacent.
 std::vector<std::string> wordsOf(ValueKind kind);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One blow in closed form, in series, in long double and by the lattice, compared.
+// Comparison of solutions of one blow: closed form, power series, series in long double, and lattice.
 #pragma once
 
 #include <cmath>
@@ -15,47 +15,51 @@
 
 namespace drillwave::test {
 
-/// Result of one representation for a blow, and its processor time [s].
+/// Solution of a blow by one method, and its processor time [s].
 struct BasisResult {
     Impact impact;
     double seconds = 0;
 
     bool isSolved() const { return impact.outcome == Outcome::rebounded; }
-    /// Difference in e; NaN where one of the two is not solved.
+    /// Returns the absolute difference in the coefficient of restitution e; NaN if one result is not solved.
     double differenceTo(const BasisResult& other) const {
         if (!isSolved() || !other.isSolved()) return std::numeric_limits<double>::quiet_NaN();
         return std::abs(impact.cor - other.impact.cor);
     }
-    /// The difference in units of the sum of both bounds: above 1, one of them does not hold.
+    /// Returns the difference in e divided by the sum of both error bounds; above 1 at least one bound is
+    /// wrong.
     double excessOver(const BasisResult& other) const {
         return differenceTo(other) / (impact.corError + other.impact.corError);
     }
 };
 
-/// One blow, compared. Representations that were not tried are not solved.
+/// Solutions of one blow by several methods; those not tried count as not solved.
 struct BasisFinding {
     Scene scene;
-    bool isSuited = false;  ///< ExactSolver would try the closed basis
+    bool isSuited = false;  ///< true if ExactSolver would try the closed form
     BasisResult closed = {}, series = {}, extended = {}, lattice = {};
 
-    /// Whether two results contradict each other's bounds.
+    /// Returns true if two solutions differ by more than their error bounds permit.
     bool isWrong() const {
         return closed.excessOver(series) > 1 || closed.excessOver(extended) > 1 ||
                series.excessOver(extended) > 1;
     }
-    /// The larger Impact::growth: above coveredGrowth, bounds hold in 999 of 1000 blows.
+    /// Returns the larger Impact::growth of closed form and series; above coveredGrowth, error bounds hold in
+    /// 999 of 1000 blows.
     double growth() const { return std::max(closed.impact.growth, series.impact.growth); }
 };
 
-/// Solves with each basis as ExactSolver would, moved inputs included.
+/// Solver of a blow by each method as ExactSolver would, including its solutions of shifted inputs.
 class BasisComparison {
   public:
-    bool triesUnsuited = false;      ///< try the closed basis even where it is not suited
-    long mostSeriesPieces = 50'000;  ///< beyond, a scene takes too long for thousands
+    bool triesUnsuited = false;  ///< try the closed form even if it is not suited
+    /// Limit of wave pieces in series; a blow that needs more takes too long for tests of thousands.
+    long mostSeriesPieces = 50'000;
     Detail detail = Detail::cor;
 
-    /// Always in closed form and in series; `withTruth`, and where these differ, in long double;
-    /// `withLattice` by the lattice of 1000 segments, where the closed basis solves.
+    /// Returns the solutions in closed form and in series. Series in long double are added if `withTruth`, or
+    /// if the two contradict each other. The lattice of 1000 segments is added if `withLattice` and the
+    /// closed form succeeds.
     BasisFinding compare(const Scene& scene, bool withTruth, bool withLattice) {
         const Problem problem = problemOf(scene);
         BasisFinding finding{.scene = scene, .isSuited = suitsExponentials(problem)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes on which the closed basis may err: where reflections are few, and around everything that divides,
-// cancels or ties.
+// Test blows for which the closed form may be wrong: few reflections, and inputs near divisions by zero,
+// cancellation or simultaneous events.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,14 @@
 
 namespace drillwave::test {
 
-/// Random scenes of every shape by their number, each on its own: βτ 0.2 … 1e6, half of them on rods shorter
-/// than the blow; γ 0.05 … 1, often 0.7 … 1, nearly 1 and 1; integral gaps and nearly such; rates near that
-/// of exponential blows; and grazing events.
+/// Random blows of every pulse shape, each determined by its number. The product βτ is 0.2 … 1e6, in half of
+/// them on rods shorter than the pulse. The elasticity γ is 0.05 … 1, often above 0.7, nearly 1, or 1. Gaps
+/// are often whole numbers or nearly so. Exponential pulses often have β near their decay rate, and some
+/// blows have grazing contacts.
 class BasisScenes {
   public:
-    /// `only` restricts to one shape. `seed` begins another sequence.
+    /// Starts a sequence of blows, of which each `seed` gives another; `only` restricts it to one pulse
+    /// shape.
     explicit BasisScenes(unsigned seed, std::optional<PulseShape> only = {}) : m_seed(seed), m_only(only) {}
 
     Scene scene(unsigned number) {
@@ -41,7 +43,7 @@ class BasisScenes {
         g.tau = chance.oneIn(2) ? chance.logarithmic(0.05, 0.5) : chance.logarithmic(0.5, 20);
         if (chance.oneIn(8)) g.tau = 0.5 * (1 + chance.below(8));
         if (chance.oneIn(16)) g.tau = 0.5 / (1 + chance.below(8));
-        // more of the middle, where reflections meet
+        // more values of medium βτ, where reflections overlap
         const double softness = chance.oneIn(3) ? chance.logarithmic(0.2, 1e6) : chance.logarithmic(0.2, 100);
         g.beta = softness / g.tau;
         if (scene.shape == PulseShape::exponential && chance.oneIn(3)) {
@@ -84,7 +86,8 @@ class BasisScenes {
         }
     }
 
-    /// Moves one group to where the events change, within 1e-16 to 1e-3 of it.
+    /// Changes one group to a value at which the sequence of events changes, or within 1e-16 to 1e-3
+    /// (relative) of it.
     void graze(Chance& chance, Scene& scene) {
         const std::optional<EventChange> change = m_changes.find(scene, chance);
         if (!change) return;

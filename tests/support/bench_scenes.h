@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scenes by which the speed of the exact solver is known: timed by bench_solver, counted by
-// tst_amount_of_work.
+// Test blows for the speed of the exact solver: timed by bench_solver, counted by tst_amount_of_work.
 #pragma once
 
 #include <array>
@@ -15,7 +14,8 @@ struct NamedScene {
     Scene scene;
 };
 
-/// The named ones, and each shape of the blow at β 0.5 and 5, γ 0.1 and 1 (τ 10, δ 0): "half_sine 5 0.1".
+/// Returns blows with names. Each pulse shape also occurs with β 0.5 and 5 and γ 0.1 and 1 (τ 10, δ 0), named
+/// "half_sine 5 0.1".
 inline std::vector<NamedScene> benchScenes() {
     using enum PulseShape;
     std::vector<NamedScene> scenes{
@@ -42,7 +42,7 @@ inline std::vector<NamedScene> benchScenes() {
     return scenes;
 }
 
-/// Random scenes of one shape, one after the other: the same on every machine.
+/// Random blows of one pulse shape, in the same sequence on every machine.
 class RandomBench {
   public:
     enum class Domain {

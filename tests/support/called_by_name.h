@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several test programs in one file: it runs the one by whose name it is called.
+// Several test programs in one file, which runs the program under whose name it is called.
 #pragma once
 
 #include <cstdio>
@@ -13,8 +13,8 @@ struct NamedProgram {
     int (*main)(int, char**);
 };
 
-/// Runs the program whose name is the last part of argv[0] and returns its exit code. Returns 2 where none
-/// has it, and prints their names on stderr.
+/// Runs the program whose name is the last part of argv[0] and returns its exit code. If there is none,
+/// prints the known names on stderr and returns 2.
 inline int runCalled(int argc, char** argv, const std::vector<NamedProgram>& programs) {
     const std::string_view path = argc > 0 ? argv[0] : "";
     const std::string_view called = path.substr(path.rfind('/') + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The catalogues of resources/languages as in their files.
+// Reading the translation catalogues in resources/languages.
 #pragma once
 
 #include <QFile>
@@ -14,11 +14,11 @@ struct CatalogueEntry {
     auto operator<=>(const CatalogueEntry&) const = default;
 };
 
-/// Key of a translation: context and source.
+/// Key of a translation: its context and its English source text.
 using CatalogueKey = std::pair<QString, QString>;
 using CatalogueEntries = QMap<CatalogueKey, CatalogueEntry>;
 
-/// Empty where there is no such file.
+/// Returns all translations of a catalogue; empty if the file does not exist.
 inline CatalogueEntries readCatalogue(const QString& path) {
     CatalogueEntries entries;
     QFile file(path);
@@ -37,7 +37,7 @@ inline CatalogueEntries readCatalogue(const QString& path) {
     return entries;
 }
 
-/// Returns the path of the catalogue of a language, "de".
+/// Returns the path of the catalogue of a language, given by its code, "de".
 inline QString cataloguePath(const QString& code) {
     return QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/languages/drillwave_%1.ts").arg(code);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scenario file with a comment on and above each line, random edits of it, and the lines they do not touch.
+// Scenario file with comments beside and above its lines, random edits of it, and the lines that they must
+// not change.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +39,7 @@ class CommentedScenario {
         reopen(parseScenario(text, "test.yaml"));
     }
 
-    /// Continues with a saved file; nothing of it is touched yet.
+    /// Replaces the scenario by a saved file, of which no line has been edited yet.
     void reopen(ScenarioDocument saved) {
         document = std::move(saved);
         m_touched.clear();
@@ -51,7 +52,7 @@ class CommentedScenario {
 
     ScenarioDocument document;
 
-    /// Makes one edit of a number, a word or an item of a list.
+    /// Makes one random edit of a number, a word or a list item.
     void edit(std::mt19937_64& random) {
         Scenario& scenario = document.scenario;
         const double factor = 1 + 0.1 * static_cast<double>(1 + random() % 9) / 7;
@@ -80,8 +81,8 @@ class CommentedScenario {
         }
     }
 
-    /// The lines of the file that no edit has touched, in order, each with its end; lines with nothing but a
-    /// comment are among them.
+    /// Returns the lines with a comment that no edit has changed, in order, each with its line end. Lines
+    /// with only a comment are included.
     std::vector<std::string> untouchedLines() const {
         std::vector<std::string> lines;
         for (std::size_t at = 0; at < document.text.size();) {
@@ -139,7 +140,8 @@ class CommentedScenario {
                rest;
     }
 
-    /// The first lines in which a text is, from there on: the marks of items.
+    /// Returns the next `count` lines that contain a text, from there to the line end; they identify list
+    /// items.
     std::vector<std::string> items(const std::string& part, std::size_t count) const {
         std::vector<std::string> found(count);
         std::size_t at = 0;
@@ -157,7 +159,7 @@ class CommentedScenario {
         if (!part.empty()) m_touched.insert(part);
     }
 
-    /// Changes, removes or inserts an item, not at the ends.
+    /// Changes, removes or inserts one list item; never adds one after the last.
     template <typename Item, typename Make>
     void editList(std::vector<std::string>& marks, std::mt19937_64& random, std::vector<Item>& items,
                   const Make& make) {
@@ -184,7 +186,7 @@ class CommentedScenario {
         Scenario& scenario = document.scenario;
         const auto length = [&] { return 0.001 * static_cast<double>(200 + random() % 4000); };
         if (m_layout == Layout::points) {
-            // Inserts between the first and the last point.
+            // Edits a point between the first and the last.
             std::vector<TablePoint> points(scenario.pulse.tablePoints.begin(),
                                            scenario.pulse.tablePoints.end());
             const std::size_t at = 1 + random() % (points.size() - 2);

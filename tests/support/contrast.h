@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Relative luminance and contrast as WCAG 2.1 defines them.
+// Relative luminance and contrast of colours as defined by WCAG 2.1.
 #pragma once
 
 #include <QColor>
@@ -8,7 +8,7 @@
 
 namespace drillwave::test {
 
-/// Smallest contrast for text of usual size.
+/// Smallest contrast ratio that WCAG 2.1 permits for text of normal size.
 inline constexpr double leastContrast = 4.5;
 
 inline double luminance(const QColor& colour) {
@@ -19,7 +19,7 @@ inline double luminance(const QColor& colour) {
            0.0722 * linear(colour.blueF());
 }
 
-/// A colour that is not opaque, on another one.
+/// Returns the colour that results from painting a translucent colour over another one.
 inline QColor over(const QColor& front, const QColor& back) {
     const double a = front.alphaF();
     const auto mix = [a](double f, double b) { return static_cast<float>(a * f + (1 - a) * b); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of the core that the window shows in its language: what the catalogues have for coreText().
+// Texts of the core library that the window translates by coreText(), which the catalogues must contain.
 #pragma once
 
 #include <set>
@@ -20,7 +20,7 @@
 
 namespace drillwave::test {
 
-/// Labels, meanings and names, as the tables have them; each once, none of them empty.
+/// Returns labels, meanings and names from the tables of the core library, each once and none empty.
 inline std::set<std::string> coreTexts() {
     std::set<std::string> texts;
     const auto add = [&](std::string_view text) { texts.emplace(text); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blows on rock whose loading curve has corners: the reference table, random ones.
+// Test blows on rock whose loading curve has corners: reference cases and random ones.
 #pragma once
 
 #include <sstream>
@@ -13,8 +13,8 @@ inline Problem withCorners(Problem problem, std::vector<LawCorner> corners) {
     return problem;
 }
 
-/// One row of tests/cases/corner_cases.csv (33-digit event-driven solution). Penetrations in d0, efficiency
-/// and loading work in W.
+/// One row of tests/cases/corner_cases.csv, a reference solution with 33 digits. Penetrations are in units of
+/// d0, efficiency and loading work in units of W.
 struct CornerCase {
     Scene scene;
     std::vector<LawCorner> corners;
@@ -55,8 +55,8 @@ inline std::vector<CornerCase> cornerCases() {
     return cases;
 }
 
-/// One to eight corners at forces up to about `largest`, of slopes between a fiftieth and 1/γ; some of them
-/// as steep as the line before, or as the way down.
+/// Returns one to eight random corners at forces up to about `largest`, with slopes between 1/50 and 1/γ.
+/// Some have the slope of the line before, and some that of unloading, 1/γ.
 inline std::vector<LawCorner> randomCorners(double largest, double gamma, Chance& chance) {
     std::vector<LawCorner> corners;
     const double steepest = 1 / gamma;
@@ -71,7 +71,7 @@ inline std::vector<LawCorner> randomCorners(double largest, double gamma, Chance
     return corners;
 }
 
-/// Returns corners at forces like those of a blow on a rod.
+/// Returns random corners at forces that occur in a blow on this rod.
 inline std::vector<LawCorner> randomCorners(const Problem& problem, Chance& chance) {
     const double largest = 2.2 * std::max(problem.force().peak, 1 / (2 * problem.transitTime()));
     return randomCorners(largest, problem.law.gamma, chance);

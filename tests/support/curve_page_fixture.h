@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Curve on its own, with its document and settings of its own.
+// Fixture with only the page Curve, its document and its own settings.
 #pragma once
 
 #include <QLabel>
@@ -13,7 +13,7 @@
 
 namespace drillwave::test {
 
-/// The blow of a document, with nothing that a page would ask for.
+/// Returns the solved blow of a document's scenario, without data of a page.
 inline SolvedBlowPtr solved(const Document& document, UnitSystem units) {
     MethodSolver solver;
     SolveRequest request;
@@ -47,7 +47,7 @@ class CurvePageFixture {
         qputenv("XDG_CONFIG_HOME", m_settings.path().toUtf8());
         QLocale::setDefault(QLocale::c());
     }
-    /// A page of the default scenario, not on show.
+    /// Makes a page with the default scenario, not yet visible.
     void start() {
         m_page.reset();
         m_document = std::make_unique<Document>();
@@ -61,7 +61,7 @@ class CurvePageFixture {
             "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
             "pulse: {shape: rectangular}\n");
     }
-    /// Shown with its curve, results in these units.
+    /// Shows the page with results in these units, and waits until its curve is computed.
     void showIn(UnitSystem units) {
         m_page->setResult(solved(*m_document, units));
         m_page->show();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random rods and strings under many blows.
+// Random rods and drill strings under many blows.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace drillwave::test {
 
-/// A rod, or a string of up to four sections under a hammer, in whole hundredths of t0.
+/// Returns a random rod, or a string of up to four sections with a hammer. Transit times are multiples of
+/// t0/100.
 inline DrillingProblem randomDrilling(std::mt19937& random, bool isString) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution(low, high)(random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes of the events of a blow: two adjacent doubles of one group between which one appears, vanishes or
-// meets a front.
+// Search for a value at which the sequence of events in a blow changes: an event appears, vanishes or
+// coincides with a wave front.
 #pragma once
 
 #include <cmath>
@@ -13,13 +13,13 @@
 
 namespace drillwave::test {
 
-/// A change of the events between `before` and `after`, which are adjacent doubles.
+/// Change of the sequence of events between the values `before` and `after` of a group, two adjacent doubles.
 struct EventChange {
     Scene scene;
     double Groups::*group;
     double before, after;
 
-    /// The scene at each of the `each` doubles on either side that a group may have.
+    /// Returns the blows at the `each` nearest doubles on either side of the change.
     std::vector<Scene> neighbours(int each) const {
         std::vector<Scene> scenes;
         for (const bool behind : {false, true}) {
@@ -35,12 +35,12 @@ struct EventChange {
     }
 };
 
-/// Finds changes of events by bisection.
+/// Search by bisection for changes in the sequence of events.
 class EventChanges {
   public:
-    /// Moves one of δ, β and τ, and bisects to a change of the events on the way: their kinds, or in every
-    /// second scene also the breakpoints of the wave around them. None if they are the same at both ends, or
-    /// the blow is too long for thousands.
+    /// Changes δ, β or τ at random, and returns a change of events on the way, found by bisection. Events are
+    /// compared by kind, in every second blow also by the number of wave fronts that arrived before. Nothing
+    /// if the events do not differ, or if the blow takes too long.
     std::optional<EventChange> find(const Scene& scene, Chance& chance) {
         const bool hasGap = scene.shape != PulseShape::rigidBody;
         constexpr double Groups::*groups[] = {&Groups::delta, &Groups::beta, &Groups::tau};
@@ -49,7 +49,8 @@ class EventChanges {
         change.before = value;
         change.after =
             change.group == &Groups::delta ? 3 * chance.fraction() : value * (1 + chance.fraction());
-        const bool withFronts = !hasGap || chance.oneIn(2);  // a rigid body meets, unloads and parts for ever
+        // A rigid body always has the same events (contact, unloading, separation): only the fronts differ.
+        const bool withFronts = !hasGap || chance.oneIn(2);
         const auto eventsAt = [&](double wanted) {
             value = wanted;
             return events(change.scene, withFronts);
@@ -66,8 +67,7 @@ class EventChanges {
     }
 
   private:
-    /// An event and how many breakpoints of the incident wave have arrived before it, where that is looked
-    /// at.
+    /// Event, and the number of fronts of the incident wave that arrived before it (0 if not counted).
     struct Event {
         ContactEvent kind;
         double fronts;
@@ -85,7 +85,8 @@ class EventChanges {
         return events;
     }
 
-    /// Each end of a segment of the hammer force comes back after every round trip.
+    /// Returns the number of wave fronts up to a time. Each end of a segment of the hammer force returns
+    /// after every round trip.
     static double frontsBefore(const Problem& problem, double time) {
         const auto comes = [&](double start) {
             return time < start ? 0 : 1 + std::floor((time - start) / (2 * problem.transitTime()));

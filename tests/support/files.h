@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that tests write and look into.
+// Files that tests write and read.
 #pragma once
 
 #include <QByteArray>
@@ -8,7 +8,7 @@
 
 namespace drillwave::test {
 
-/// The bytes of a file; the test program ends where there are none to be had.
+/// Returns the bytes of a file; ends the test program if it cannot be read.
 inline QByteArray read(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) qFatal("cannot read %s", qPrintable(path));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time for which an event loop lets the rest of the program wait.
+// Measurement of how long an event loop blocks the rest of the program.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// The longest time between two turns of the event loop that a timer of 1 ms sees.
+/// Longest time between two turns of the event loop, measured by calling turn() from a timer of 1 ms.
 struct GapWatch {
     using Milliseconds = std::chrono::duration<double, std::milli>;
     std::chrono::nanoseconds own = ownClock();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A window to import measured signals into, files of them, and the controls of the dialog.
+// Fixture with a window for importing measured signals, sample files, and access to the controls of the
+// dialog.
 #pragma once
 
 #include <QFile>
@@ -18,8 +19,9 @@
 
 namespace drillwave::test {
 
-/// Two gauges, zero at 12 and −3 µε, noise of ±2: a half sine of 100 µs and −1000 µε at the first, half of it
-/// later at the second; semicolons, decimal commas, ms.
+/// Returns a record of two strain gauges with zero lines at 12 and −3 µε and noise of ±2 µε. The first has a
+/// half sine of 100 µs and −1000 µε, the second half of it later. The file has semicolons, decimal commas and
+/// times in ms.
 inline QByteArray gaugeRecord() {
     QString text = QStringLiteral("Recorder 7\nZeit;DMS 1;DMS 2\nms;µm/m;µm/m\n");
     const auto pulse = [](double t) { return t > 0 && t < 100 ? -1000 * std::sin(M_PI * t / 100) : 0; };
@@ -56,12 +58,12 @@ inline void type(const QWidget& dialog, const char* name, const QString& text) {
     QTest::keyClicks(edit, text);
 }
 
-/// Settings and files are kept in the fixture's folder.
+/// Fixture whose settings and files are in a temporary folder.
 class ImportFixture {
   protected:
     ImportFixture() { keepSettingsIn(m_folder.path()); }
 
-    /// A new window, as at the first start of the program.
+    /// Makes a new window, as at the first start of the program.
     void start();
     QString write(const QString& name, const QByteArray& bytes);
     ImportDialog& open(const QString& path, ImportUse use);
@@ -87,13 +89,13 @@ inline QString ImportFixture::write(const QString& name, const QByteArray& bytes
     return file.fileName();
 }
 
-// Opens it as the menu does, or the button in the section of the blow.
+// Opens the dialog as the menu does, or as the button in the section of the hammer force does.
 inline ImportDialog& ImportFixture::open(const QString& path, ImportUse use) {
     m_answers.import = path;
     if (use == ImportUse::blow) {
         m_window->findChild<QPushButton*>(QStringLiteral("importBlow"))->click();
     } else {
-        // A dialog that was open takes its actions with it.
+        // Stops at the first match, because opening a dialog deletes the actions of an earlier one.
         for (QAction* action : m_window->findChildren<QAction*>())
             if (action->text() == QStringLiteral("&Import…")) {
                 action->trigger();
@@ -110,7 +112,7 @@ inline ImportDialog& ImportFixture::open(const QString& path, ImportUse use) {
 }
 
 inline bool ImportFixture::settle(ImportDialog& dialog) {
-    // One answer may propose values that start the next study.
+    // One result may propose values that start the next computation.
     return QTest::qWaitFor(
         [&dialog] {
             if (dialog.isBusy()) return false;

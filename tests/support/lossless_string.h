@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The example strings with joints that lose nothing, of which reference values are known.
+// Built-in examples of drill strings with losses removed from their joints; their reference values are known.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,8 @@
 
 namespace drillwave::test {
 
-/// Requires an example of that name whose joints have losses.
+/// Returns the text of an example without the losses of its joints. Requires an example whose joints have
+/// losses.
 inline std::string losslessText(std::string_view name) {
     constexpr std::string_view loss = ", loss: 5 %";
     std::string text(findExample(name)->text);

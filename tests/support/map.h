@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A map as the command line would ask for it.
+// Map of a result over two parameters, with axes as on the command line.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace drillwave::test {
 
-/// Axes as "beta=0.1:5:4:log".
+/// Returns the study of a map; axes are given as "beta=0.1:5:4:log".
 inline MapStudy mapOf(const Scenario& base, const std::string& x, const std::string& y,
                       const char* output = "cor", OutputUnits units = OutputUnits::dimensionless) {
     return {.base = base,

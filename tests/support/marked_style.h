@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A language that shows which words a text takes from the catalogues.
+// Artificial language that shows which words of a text come from the catalogues.
 #pragma once
 
 #include <QRegularExpression>
@@ -12,7 +12,7 @@
 
 namespace drillwave::test {
 
-/// A language in which every text of the program is between marks; texts outside are in all languages.
+/// Style that puts every translated text between marks, ⟦ and ⟧; words outside the marks are not translated.
 class MarkedStyle : public ReadingStyle {
   public:
     std::string patternFor(const std::string& english) const override {
@@ -25,7 +25,7 @@ class MarkedStyle : public ReadingStyle {
     std::string language() const override { return "mark"; }
 };
 
-/// The words of a text, where dots and underscores join them to names.
+/// Returns the words of a text of at least three letters. Dots and underscores join words to names.
 inline QStringList wordsOf(const QString& text) {
     QStringList words;
     static const QRegularExpression word(QStringLiteral("[\\p{L}_.]*\\p{L}{3,}[\\p{L}_.]*"));
@@ -33,7 +33,7 @@ inline QStringList wordsOf(const QString& text) {
     return words;
 }
 
-/// Returns the words of a text in MarkedStyle that are not between marks.
+/// Returns the words of a text in MarkedStyle that are not between marks, that is, not translated.
 inline QStringList wordsOutsideMarks(QString text) {
     static const QRegularExpression marked(QStringLiteral("⟦[^⟧]*⟧"));
     return wordsOf(text.replace(marked, QStringLiteral("\n")));

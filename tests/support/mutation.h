@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mutations of text that a reader takes: what is nearly right finds more than noise.
+// Random changes of a text that a parser reads. Nearly correct texts find more errors than noise.
 #pragma once
 
 #include <random>
@@ -14,7 +14,7 @@ inline std::size_t below(std::size_t limit, Random& random) {
     return limit == 0 ? 0 : random() % limit;
 }
 
-/// Texts for insertion: YAML's punctuation, numbers at the edge, keys and units, bytes that are no text.
+/// Texts to insert: punctuation of YAML, extreme numbers, keys and units, and invalid bytes.
 inline const std::vector<std::string> fragments{":",
                                                 ": ",
                                                 "\n",
@@ -93,7 +93,7 @@ inline std::string anyLine(const std::string& text, Random& random) {
     return text.substr(starts[line], text.find('\n', starts[line]) - starts[line]) + "\n";
 }
 
-/// Changes some bytes, words or lines; lines may come from the others of the corpus.
+/// Changes a byte, a word or a line of a text at random; lines may come from other texts of the corpus.
 inline void mutate(std::string& text, const std::vector<std::string>& corpus, Random& random) {
     const std::size_t at = below(text.size() + 1, random);
     const std::vector<std::size_t> starts = lineStarts(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drill strings for the tests of their solver: the reference table, random ones.
+// Drill strings for tests of their solver: reference cases and random ones.
 #pragma once
 
 #include <QFile>
@@ -16,7 +16,7 @@
 
 namespace drillwave::test {
 
-/// Dimensionless units of a problem in SI.
+/// Units of a dimensionless problem, in SI.
 struct NetworkUnits {
     double impedance = 1;  ///< Zr [kg/s]
     double time = 1;       ///< t0 [s]
@@ -28,7 +28,7 @@ struct NetworkUnits {
     double length() const { return velocity * time; }
 };
 
-/// Returns a problem with a hammer of one section that strikes; sections are to be added.
+/// Returns a problem with a hammer of one section that strikes a string; the caller adds the sections.
 inline Problem struck() {
     Problem problem;
     problem.drive = ElasticHammer{};
@@ -40,12 +40,12 @@ inline ElasticHammer& hammerOf(Problem& problem) {
     return std::get<ElasticHammer>(problem.drive);
 }
 
-/// A case of tests/cases/string_cases.json.
+/// Reference case from tests/cases/string_cases.json.
 struct NetworkCase {
     std::string id;
     Problem problem = struck();
     NetworkUnits units;
-    std::vector<double> areas;  ///< of the sections [m²]
+    std::vector<double> areas;  ///< cross-sections of hammer and string [m²]
     QJsonObject reference;
 };
 
@@ -105,8 +105,8 @@ inline std::vector<NetworkCase> networkCases() {
     return cases;
 }
 
-/// A random string: a few sections of hammer and string with round trips that share a cell, every option now
-/// and then.
+/// Returns a random problem with one to three sections of hammer and up to seven of string. Round trips are
+/// multiples of 0.05 t0, and optional features occur at random.
 inline Problem randomNetwork(Chance& chance) {
     Problem problem = struck();
     const double cell = 0.05;
@@ -136,8 +136,8 @@ inline const NetworkCase& caseCalled(const std::string& id) {
     return *std::find_if(cases.begin(), cases.end(), [&](const NetworkCase& each) { return each.id == id; });
 }
 
-/// The uniform rod of the groups, struck as by a rectangular pulse: by a hammer of its impedance, as long as
-/// half the pulse, that strikes once. Followed until `endTime`.
+/// Returns a uniform rod with these groups as a drill string. A hammer of the same impedance, half the pulse
+/// long, strikes it once, which acts like a rectangular pulse. The motion is computed until `endTime`.
 inline Problem rodAsString(const Groups& groups, double endTime) {
     Problem problem = struck();
     problem.sections = {{.impedance = 1, .transitTime = 0.5}, {.impedance = 1, .transitTime = groups.tau}};

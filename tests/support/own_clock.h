@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A clock for how long a thread keeps its event loop waiting, whatever else the machine is busy with.
+// Clock that measures how long a thread blocks its event loop, independent of other load on the machine.
 #pragma once
 
 #include <chrono>
@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// Wall time less the time in which the calling thread wanted to run and got no processor (Linux; elsewhere
-/// wall time). Computing, sleeping and waiting for other threads all count.
+/// Returns wall time less the time for which the calling thread was ready but had no processor (on Linux;
+/// elsewhere wall time). Computing, sleeping and waiting for other threads all count.
 inline std::chrono::nanoseconds ownClock() {
     long long ran = 0;
     long long waitedForProcessor = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scenario panel on its own, with its document, answers to its questions, and folders that go with it.
+// Fixture with only the scenario form, its document, answers to its questions, and temporary folders.
 #pragma once
 
 #include <QFile>
@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// A folder in which settings and the user's presets are kept.
+/// Temporary folder for settings and the user's presets.
 struct PanelFolder {
     QTemporaryDir folder;
 
@@ -27,11 +27,11 @@ struct PanelFolder {
     }
 };
 
-/// The document finds its settings there.
+/// Fixture with a scenario form and its document, which reads its settings from the folder of the base class.
 struct PanelFixture : PanelFolder {
     ScriptedAnswers answers;
     ScriptedQuestions questions{answers};
-    int checks = 0;  // of scenarios, by the document
+    int checks = 0;  // number of times that the document has checked a scenario
     Document document{nullptr, [this](const Scenario& scenario) {
                           ++checks;
                           return validate(scenario);
@@ -43,7 +43,7 @@ struct PanelFixture : PanelFolder {
         makePanel();
     }
 
-    /// Makes the panel as the next start of the program does.
+    /// Makes the form again, as the next start of the program does.
     void makePanel() {
         panel = std::make_unique<ScenarioPanel>(document, questions);
         panel->resize(420, 900);
@@ -63,7 +63,7 @@ struct PanelFixture : PanelFolder {
         return *widget;
     }
 
-    /// Chooses an entry of a combo box as a user would; false if it has none of that text.
+    /// Chooses an entry of a combo box as a user would; returns false if there is none with that text.
     static bool choose(QComboBox& box, const QString& text) {
         const int index = box.findText(text);
         if (index < 0) return false;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs for pages, without the list that pins them.
+// Pinned runs for tests of pages, without the list that normally holds them.
 #pragma once
 
 #include "ui/runs/runs.h"
 
 namespace drillwave::test {
 
-/// Run number `number`, with the letter, colour and dash of that, shown and solved.
+/// Returns a solved and visible run. `number` determines its letter, colour and dash pattern.
 inline Run pinnedRun(int number, const SolvedBlowPtr& blow) {
     Run run;
     run.number = number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plot as pages make them, to be used by mouse and keys.
+// Plot like those of the pages, for tests with mouse and keys.
 #pragma once
 
 #include <QAction>
@@ -16,8 +16,8 @@
 
 namespace drillwave::test {
 
-/// A plot of two axis rects with linked x axes and a legend each, as pages make them: a parabola above, a
-/// step and a negative line below; x in ms, y in kN.
+/// Plot with two axis rects, linked x axes and a legend each. Above is a parabola, below a step and a falling
+/// line; x is in ms, y in kN.
 struct PlotScene {
     PlotWidget plot;
     QCPAxisRect* upper;
@@ -84,7 +84,7 @@ struct PlotScene {
         y(upper)->setRange(-10, 110);
         y(lower)->setRange(-3, 4);
     }
-    // A pixel of the upper (or lower) plot.
+    // Returns the pixel of a point in the upper plot, or in the lower one.
     QPoint at(double time, double value, bool inLower = false) const {
         QCPAxisRect* rect = inLower ? lower : upper;
         return {qRound(x(rect)->coordToPixel(time)), qRound(y(rect)->coordToPixel(value))};
@@ -119,7 +119,7 @@ struct PlotScene {
     std::unique_ptr<QMenu> menu;
 };
 
-/// Within a tolerance.
+/// Returns true if a value differs from `wanted` by at most `tolerance`.
 inline bool near(double value, double wanted, double tolerance) {
     return std::abs(value - wanted) <= tolerance;
 }

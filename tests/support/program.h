@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the built program as a shell would.
+// Runs the program that was built, as a shell would.
 #pragma once
 
 #include <QByteArray>
@@ -14,9 +14,9 @@
 
 namespace drillwave::test {
 
-/// Result of a run of the program.
+/// Result of running the program: its exit code and output.
 struct Finished {
-    int exitCode = -1;  ///< −1 when it did not end by itself in a minute
+    int exitCode = -1;  ///< exit code; −1 if it did not end within a minute
     QByteArray out;
     QByteArray error;
 };
@@ -24,23 +24,24 @@ struct Finished {
 Finished run(const QStringList& words,
              const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
 
-/// Returns the output of `words`; the test ends where that fails.
+/// Returns what the program prints with these arguments; ends the test if it fails.
 QByteArray output(const QStringList& words);
 
-/// The cells of a CSV without quotes, line by line, without its "#" lines.
+/// Returns the cells of a CSV text without quotes, row by row, leaving out comment lines ("#").
 QList<QList<QByteArray>> rowsOf(const QByteArray& csv);
 
-/// A line for a shell in that folder that finds the built program as `drillwave`, as people paste it.
+/// Runs a line in a shell in that folder, where `drillwave` is the built program, and returns the result.
 Finished shell(const QString& line, const QString& folder = QDir::tempPath());
 
-/// Returns the output of `words --json`; the test ends where that fails. Constant, so that its [] never adds.
+/// Returns the JSON object that the program prints with these arguments and --json; ends the test if it
+/// fails. It is constant so that its operator[] never adds a key.
 const QJsonObject json(const QStringList& words);
 
-/// Waits until a started program runs so many threads: with two, the one that waits for signals is there and
-/// the work begins; further ones work. False when that takes over a minute.
+/// Waits until a started program has at least `least` threads: one of two waits for signals, further ones
+/// compute. Returns false if that takes over a minute.
 bool waitForThreads(const QProcess& process, int least);
 
-/// Path of a file of resources/examples.
+/// Returns the path of a file in resources/examples.
 QString example(const QString& name);
 
 }  // namespace drillwave::test

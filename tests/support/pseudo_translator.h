@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A language in which every translated text is marked and longer than in English: unmarked texts are not
-// translated, and texts that are cut off would be so in other languages.
+// Artificial language in which every translated text is marked and longer than in English. Unmarked texts are
+// not translated; texts that are cut off could be cut off in other languages too.
 #pragma once
 
 #include <QRegularExpression>
@@ -11,8 +11,8 @@
 
 namespace drillwave::test {
 
-/// "⟦Save as ~~~⟧": a third longer, around the places for values, which show what is put there; accelerators,
-/// marks and line ends stay.
+/// Returns a text as "⟦Save as ~~~⟧", a third longer. Marks are set around placeholders, so that their values
+/// stay outside; accelerators, markup and line ends stay.
 inline QString pseudo(const QString& source) {
     static const QRegularExpression kept(QStringLiteral("%L?\\d+|%n|</?\\w+>|\\n|;;"));
     static const QRegularExpression letter(QStringLiteral("\\p{L}"));
@@ -36,7 +36,7 @@ inline QString pseudo(const QString& source) {
     return text;
 }
 
-/// Returns the text outside of all marks: values, and words that nobody has translated.
+/// Returns the text outside all marks: values, and words that are not translated.
 inline QString outsideMarks(const QString& text) {
     QString outside;
     int depth = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of random scenarios: rods and strings like those that are drilled with.
+// Texts of random scenarios: rods and drill strings like those used in practice.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ inline std::string number(double value) {
     return formatNumber(value);
 }
 
-/// Returns a length in whole steps of 10 mm [mm].
+/// Returns a random length from `low` to `high` [mm], rounded to 10 mm, as text with its unit.
 inline std::string length(Chance& chance, double low, double high) {
     return number(10 * std::round((low + (high - low) * chance.fraction()) / 10)) + " mm";
 }
@@ -41,7 +41,7 @@ inline std::string pulseText(Chance& chance) {
     }
 }
 
-/// Returns one section; a cone, losses, attenuation and a mass by chance.
+/// Returns the text of one section; at random it is conical, or has a loss, an attenuation or a mass.
 inline std::string section(Chance& chance, const std::string& length, double diameter, bool mayLose) {
     std::string text = "{length: " + length + ", diameter: " + number(diameter) + " mm";
     if (chance.oneIn(4))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of a study as the text of their CSV.
+// Receiver of a study's rows that stores them as CSV text.
 #pragma once
 
 #include <string>

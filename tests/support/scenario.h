@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenarios that many tests begin with.
+// Scenarios with which many tests start.
 #pragma once
 
 #include "core/model/scenario.h"
 
 namespace drillwave::test {
 
-/// A blow given by its groups, by default that of Fig. 4 (a) of the paper.
+/// Returns a dimensionless scenario, by default that of Fig. 4 (a) of the paper.
 inline Scenario dimensionless(PulseShape shape = PulseShape::rectangular, const Groups& groups = {}) {
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conditions on every scenario file that is read, and texts to begin with.
+// Conditions that must hold for every scenario file that can be read, and a set of texts to start from.
 #pragma once
 
 #include <stdexcept>
@@ -14,7 +14,7 @@
 
 namespace drillwave::test {
 
-/// Returns every example, and texts with features that none of them has.
+/// Returns the texts of all built-in examples, and texts with features that no example has.
 inline std::vector<std::string> corpusOfTexts() {
     std::vector<std::string> corpus;
     for (const Example& example : builtInExamples()) corpus.emplace_back(example.text);
@@ -37,8 +37,8 @@ inline std::vector<std::string> corpusOfTexts() {
     return corpus;
 }
 
-/// Whether a text is read; of one that is, whatever must hold is checked. Throws std::logic_error where it
-/// does not.
+/// Returns true if a text can be read as a scenario. Then checks all conditions that must hold for it; throws
+/// std::logic_error if one does not.
 inline bool readAndSaved(const std::string& text) {
     ScenarioDocument document;
     try {
@@ -54,14 +54,15 @@ inline bool readAndSaved(const std::string& text) {
     const PulseForce force = pulseForceOf(document.scenario);
     if (!force.isRigidBody() && force.impulseUntil(force.end) != 1)
         throw std::logic_error("the impulse is not 1");
-    // Written again, and patched after a change.
+    // The scenario must be the same after writing it completely, and after changing the text in part.
     if (parseScenario(scenarioText(document.scenario), "").scenario != document.scenario)
         throw std::logic_error("written anew it is another scenario");
     double& gamma =
         hasUnits(document.scenario) ? document.scenario.bitRock.gamma : document.scenario.groups.gamma;
     const double before = gamma;
     gamma = 0.375;
-    if (!validate(document.scenario).empty()) gamma = before;  // too steep a corner for it
+    // Invalid if a corner of the law is steeper than 1/γ.
+    if (!validate(document.scenario).empty()) gamma = before;
     document.scenario.title = "changed: yes";
     if (parseScenario(writeScenario(document), "").scenario != document.scenario)
         throw std::logic_error("patched it is another scenario");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of scenario files, as written by hand.
+// Texts of scenario files as a user would write them.
 #pragma once
 
 #include <QFile>
@@ -32,7 +32,7 @@ drill:                            # optional
   thrust: 8 kN                    # installed feed force
 )";
 
-/// The same values as written by the program, some left out.
+/// Text with the same values as the program writes it; some optional keys are left out.
 inline constexpr const char* plainT38 = R"(drillwave: 1
 title: T38
 rod:
@@ -63,7 +63,7 @@ inline ScenarioDocument parsed(const std::string& text) {
     return parseScenario(text, "test.yaml");
 }
 
-/// Compares as text, so that a difference is shown.
+/// Compares two texts as QString, so that a failed test shows the difference.
 inline void compareText(const std::string& text, const std::string& expected) {
     if (text != expected) qInfo("%s", text.c_str());
     QCOMPARE(QString::fromStdString(text), QString::fromStdString(expected));

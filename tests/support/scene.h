@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A dimensionless scene for tests and benchmarks: a shape of the blow and the four groups.
+// Dimensionless blow for tests and benchmarks: a pulse shape and the four groups.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace drillwave::test {
 
-/// Random numbers, the same sequence on every machine.
+/// Random numbers in the same sequence on every machine.
 class Chance {
   public:
     explicit Chance(std::uint64_t seed) : m_random(seed) {}
@@ -27,8 +27,8 @@ class Chance {
     std::mt19937_64 m_random;
 };
 
-/// A table of a blow like a measured one: unevenly spaced points of a steep rise and a slow fall with ripples
-/// and noise. The same for the same seed.
+/// Parameters of a hammer force like a measured one: unevenly spaced points of a steep rise and a slow fall,
+/// with ripples and noise. The same seed gives the same table.
 struct TableShape {
     int points = 50;
     unsigned seed = 1;
@@ -58,12 +58,12 @@ inline PulseForce pulseForceOf(const TableShape& table) {
     return drillwave::pulseForceOf(scenario);
 }
 
-/// A dimensionless scene: a pulse shape and the four groups.
+/// Dimensionless blow: a pulse shape and the four groups β, γ, τ and δ.
 struct Scene {
     PulseShape shape = PulseShape::rectangular;
     Groups groups;
-    double impedanceRatio = 2;  ///< of a piston
-    TableShape table = {};      ///< of a table
+    double impedanceRatio = 2;  ///< impedance of a piston over that of the rod
+    TableShape table = {};      ///< parameters of the table, for that pulse shape
 };
 
 inline PulseForce pulseForceOf(const Scene& scene) {
@@ -75,7 +75,7 @@ inline Problem problemOf(const Scene& scene) {
     return problemOf(pulseForceOf(scene), scene.groups);
 }
 
-/// Words that find the scene again when a check fails.
+/// Returns a description from which a failing blow can be reproduced.
 inline std::string describe(const Scene& scene) {
     std::string words = std::string(name(scene.shape)) + " beta " + formatNumber(scene.groups.beta) +
                         " gamma " + formatNumber(scene.groups.gamma) + " tau " +

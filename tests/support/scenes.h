@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes for the tests of the solvers: solved blows, the reference table, random scenarios.
+// Blows for tests of the solvers: solved blows, reference cases and random ones.
 #pragma once
 
 #include <QTest>
@@ -23,7 +23,7 @@ inline double cor(PulseShape shape, double beta, double gamma, double tau, doubl
     return solve({shape, {beta, gamma, tau, delta}}).cor;
 }
 
-/// Adds rows of a column "scene": each kind of blow that makes different waves in a rod.
+/// Adds data rows with a column "scene": one blow for each kind of wave pattern in a rod.
 inline void addRodScenes() {
     QTest::addColumn<Scene>("scene");
     QTest::newRow("paper Fig. 4 (a)") << Scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
@@ -36,7 +36,7 @@ inline void addRodScenes() {
     QTest::newRow("gap of ten periods") << Scene{PulseShape::rectangular, {0.7, 0.3, 4, 10.3}};
 }
 
-/// One row of tests/cases/reference.csv (33-digit event-driven solution).
+/// One row of tests/cases/reference.csv, a reference solution with 33 digits.
 struct ReferenceCase {
     Scene scene;
     double cor, peakForce, residualPenetration, separationTime, rockWork;
@@ -62,21 +62,22 @@ inline std::vector<ReferenceCase> referenceCases() {
     return cases;
 }
 
-/// A box of the parameter domain from which random scenes are drawn, logarithmically.
+/// Ranges of the groups from which random blows are drawn, on logarithmic scales.
 struct Domain {
     double leastBeta, mostBeta, leastGamma, leastTau, mostTau, mostDelta;
 };
 inline constexpr Domain engineeringDomain{1e-3, 1e3, 0.01, 0.05, 1000, 100};
 inline constexpr Domain extremeDomain{1e-7, 1e9, 1e-6, 0.05, 1000, 1000};
 
-/// Long blows on rods shorter than them take up to a million wave pieces: too slow for thousands of scenes.
+/// Returns true if a blow can be solved quickly. Long blows on short rods need up to a million wave pieces,
+/// too slow for tests of thousands.
 inline bool isQuick(const Problem& problem) {
     if (problem.transitTime() < 1.5 && problem.force().end > 1) return false;
     return problem.law.beta > 1e-5 || problem.law.gamma > 0.3;
 }
 
-/// Random scenes of every shape, the same sequence on every machine: γ = 1 and nearly 1, integral gaps and
-/// commensurate transit times occur often.
+/// Random blows of every pulse shape, in the same sequence on every machine. γ = 1 and nearly 1, whole-number
+/// gaps and commensurate transit times occur often.
 class RandomScenes {
   public:
     RandomScenes(const Domain& domain, unsigned seed) : m_domain(domain), m_chance(seed) {}
@@ -112,14 +113,14 @@ class RandomScenes {
         return scene;
     }
 
-    /// The next scene that is quick to solve.
+    /// Returns the next blow that can be solved quickly, see isQuick().
     Scene nextQuick() {
         for (;;)
             if (const Scene scene = next(); isQuick(problemOf(scene))) return scene;
     }
 
-    /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for the solved ones, until a
-    /// check fails. Also fails when a smaller share than this is solved, because checks that were not made
+    /// Solves n quick blows by solver(scene) and calls check(scene, impact) for the solved ones, until a
+    /// check fails. Also fails if the solved share is below `leastShare`, because checks that are skipped
     /// prove nothing.
     template <typename Solver, typename Check>
     void forEachSolved(int n, const Solver& solver, const Check& check, double leastShare = 0.8) {
@@ -140,7 +141,7 @@ class RandomScenes {
                  (std::to_string(solved) + " of " + std::to_string(n) + " solved; not " + refused).c_str());
     }
 
-    /// Uses the exact solver, which must solve every one of them.
+    /// Does the same with the exact solver, which must solve all n blows.
     template <typename Check>
     void forEachSolved(int n, Detail detail, const Check& check) {
         forEachSolved(

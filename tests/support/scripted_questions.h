@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers to the window's questions that a test has prepared, and a record of its messages.
+// Prepared answers to the window's questions, and a record of its messages, for tests.
 #pragma once
 
 #include <QPrinter>
@@ -14,10 +14,10 @@ struct ScriptedAnswers {
     bool confirmClose = true;
     QString open;
     QString import;
-    QStringList imports;  ///< several files
+    QStringList imports;  ///< answer to questions for several files
     QString save;
     QString exportTo;
-    QString printTo;  ///< a PDF file instead of paper
+    QString printTo;  ///< path of a PDF file to print to; empty cancels printing
     QString folder;
     std::optional<PictureChoice> picture;
     bool confirm = false;
@@ -26,10 +26,10 @@ struct ScriptedAnswers {
     Questions::Recovery recovery = Questions::Recovery::later;
     int unsavedAsked = 0;
     int importAsked = 0;
-    QStringList confirmed;  ///< what was to be confirmed
-    QStringList found;      ///< what could have been recovered
+    QStringList confirmed;  ///< questions that had to be confirmed
+    QStringList found;      ///< offers to recover unsaved changes
     QStringList told;
-    QStringList unwritten;  ///< texts of the questions whether to close nevertheless
+    QStringList unwritten;  ///< questions whether to close although something could not be written
 };
 
 class ScriptedQuestions : public Questions {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Power series written down by their coefficients.
+// Power series given by their coefficients.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace drillwave::test {
 
-/// Σ c_k u^k, u = x/length, on 0 ≤ x ≤ length.
+/// Returns the series Σ c_k u^k with u = x/length, on 0 ≤ x ≤ length.
 inline PowerSeries<double> series(double length, std::initializer_list<double> coefficients) {
     auto f = PowerSeries<double>::zero(length);
     for (const double c : coefficients) f.c[f.count++] = c;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slider as a hand drags it.
+// Simulation of a user dragging a slider.
 #pragma once
 
 #include <QEventLoop>
@@ -13,8 +13,8 @@
 
 namespace drillwave::test {
 
-/// Drags the stiffness of a window through `steps` places, one each time the event loop has turned ten times,
-/// and returns how long the loop let wait meanwhile; nothing if the drag did not end.
+/// Drags the stiffness slider of a window through `steps` positions, one for every ten turns of the event
+/// loop. Returns how long the loop was blocked; nothing if the drag took over a minute.
 inline std::optional<GapWatch> dragStiffness(const MainWindow& window, int steps) {
     auto* slider =
         part<ScenarioPanel>(window).findChild<QSlider*>(QStringLiteral("bit_rock.stiffness.slider"));
@@ -26,7 +26,7 @@ inline std::optional<GapWatch> dragStiffness(const MainWindow& window, int steps
     QObject::connect(&timer, &QTimer::timeout, slider, [&] {
         gaps.turn();
         if (++turns % turnsPerStep == 0) slider->setValue(first + stride * turns / turnsPerStep);
-        // Ten turns after the last of the steps: what it brings counts as well.
+        // Ten more turns after the last step, so that its effects are measured as well.
         if (turns > turnsPerStep * (steps + 1)) loop.quit();
     });
     QTimer::singleShot(60000, &loop, [&loop] { loop.exit(1); });

@@ -7,7 +7,8 @@
 
 namespace drillwave::test {
 
-/// The texts, each with what is set below or above its line; nothing where the picture is no XML.
+/// Returns the texts of an SVG picture, each including subscripts and superscripts; empty if the picture is
+/// not valid XML.
 inline QStringList svgTexts(const QByteArray& svg) {
     QXmlStreamReader xml(svg);
     QStringList texts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sweep as the command line would ask for it.
+// Sweep over parameters, with axes as on the command line.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace drillwave::test {
 
-/// Axes as "beta=0.1:5:4:log", outputs as "cor,peak_force".
+/// Returns a sweep; axes are given as "beta=0.1:5:4:log", outputs as "cor,peak_force".
 inline Sweep sweepOf(const Scenario& base, std::initializer_list<const char*> axes, const char* outputs,
                      OutputUnits units = OutputUnits::dimensionless) {
     Sweep sweep{.base = base, .axes = {}, .columns = chooseOutputs(outputs, units).columns, .shard = {}};

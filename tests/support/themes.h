@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The looks that the window is tested in.
+// Light and dark colours in which the window is tested.
 #pragma once
 
 #include <QPalette>

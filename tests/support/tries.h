@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Amount of a long test that runs: a part chosen by the seed for every change, all of it at night.
+// Choice of how much of a long test runs: one part, chosen by a seed, for every commit, and all of it at
+// night.
 #pragma once
 
 #include <QtGlobal>
 
 namespace drillwave::test {
 
-/// Returns true where every case runs: DRILLWAVE_NIGHTLY=1, as in the tests labelled `nightly`.
+/// Returns true if every case must run: the environment variable DRILLWAVE_NIGHTLY is 1, as in tests labelled
+/// `nightly`.
 inline bool isNightly() {
     return qEnvironmentVariableIntValue("DRILLWAVE_NIGHTLY") > 0;
 }
@@ -17,20 +19,20 @@ inline int seed() {
     return qEnvironmentVariableIntValue("DRILLWAVE_SEED");
 }
 
-/// Returns whether case `index` (from 0) of a long test runs when the seed chooses one of `parts` parts. Odd
-/// numbers of parts meet both locales, which alternate by the same seed.
+/// Returns true if case `index` (from 0) of a long test runs when the seed chooses one of `parts` parts. An
+/// odd number of parts covers both locales, which alternate with the seed.
 inline bool isChosen(int index, int parts) {
     return isNightly() || (index + seed()) % parts == 0;
 }
 
-/// Returns how often something random is tried: the value of the environment variable where it is set, `all`
-/// at night, otherwise `few`, which takes seconds at most.
+/// Returns the number of random tries: the value of the environment variable if set, `all` at night,
+/// otherwise `few`, which should take seconds at most.
 inline int tries(const char* variable, int few, int all) {
     const int set = qEnvironmentVariableIntValue(variable);
     return set > 0 ? set : isNightly() ? all : few;
 }
 
-/// Returns how often a short test tries something random: `count` by day and at night.
+/// Returns the number of random tries of a short test, which is `count` by day and at night.
 inline int tries(const char* variable, int count) {
     return tries(variable, count, count);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole window, as the program makes it but for its questions and the place of its settings.
+// Complete window as in the program, except for its questions and the location of its settings.
 #pragma once
 
 #include <QSettings>
@@ -9,19 +9,19 @@
 
 namespace drillwave::test {
 
-/// Solves as the program does.
+/// Returns a solver like that of the program.
 inline SolveJob::Solve exactSolve() {
     return [solver = std::make_shared<MethodSolver>()](const SolveRequest& request) {
         return solveBlow(request, *solver);
     };
 }
 
-/// A window whose questions get these answers, which must outlive it.
+/// Returns a window whose questions get these answers; `answers` must outlive it.
 inline std::unique_ptr<MainWindow> newWindow(ScriptedAnswers& answers, SolveJob::Solve solve = exactSolve()) {
     return std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(answers), std::move(solve));
 }
 
-/// Settings of this process from now on are read and written in a folder, and not in the user's.
+/// Makes this process read and write its settings in a folder instead of the user's.
 inline void keepSettingsIn(const QString& folder) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A window of its own for each test, and its fields.
+// Fixture with a new window for each test, and access to its fields.
 #pragma once
 
 #include <QTemporaryDir>
@@ -23,12 +23,12 @@ inline void type(QuantityField& field, const QString& text) {
     QTest::keyClick(&field, Qt::Key_Return);
 }
 
-/// Settings and files are kept in the fixture's folder.
+/// Fixture whose settings and files are in a temporary folder.
 class WindowFixture {
   protected:
     WindowFixture() { keepSettingsIn(m_folder.filePath(QStringLiteral("settings"))); }
 
-    /// A new window, as at the first start of the program.
+    /// Makes a new window, as at the first start of the program.
     void start() {
         QLocale::setDefault(QLocale::c());
         Settings().clear();
@@ -46,7 +46,7 @@ class WindowFixture {
     }
     double cor() const { return m_window->shown()->summary.cor; }
     void settle() {
-        constexpr int patience = 60000;  // with sanitizers, on a machine that does much else [ms]
+        constexpr int patience = 60000;  // enough with sanitizers on a busy machine [ms]
         QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), patience);
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a window by their type: part<ExportMenu>(window).
+// Access to the parts of a window by their type: part<ExportMenu>(window).
 #pragma once
 
 #include "ui/pages/study/figure_page.h"
@@ -14,7 +14,7 @@ Part& part(const MainWindow& window) {
     return *found;
 }
 
-/// The page of a study that is a value, by the name of the study.
+/// Returns the page of a study by the study's name; ends the test if there is none.
 inline FigurePage& studyPage(const MainWindow& window, const char* study) {
     auto* found = window.findChild<FigurePage*>(QLatin1String(study));
     if (!found) qFatal("the window has no page of %s", study);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scenario being edited: its file, its history of edits, what has not been saved yet, and its units.
+// Scenario being edited, with its file, undo history, unsaved changes and units.
 #pragma once
 
 #include <QObject>
@@ -18,128 +18,145 @@
 
 namespace drillwave {
 
-/// A parameter and the value to set it to.
+/// Parameter with the value to set it to, in SI units.
 struct ParameterValue {
     KeptParameter parameter;
     double si;
 };
 
-/// Formats a value with its unit for the steps of the history: "9.5 kN".
+/// Returns a value with its unit for the names of undo steps: "9.5 kN". `si` is in SI units.
 QString shownValue(const Parameter& parameter, double si);
 
 class ScenarioEdit;
 
-/// Always holds a scenario that the check finds nothing wrong with; edits that would spoil it are refused.
+/// Document of the window: a valid scenario with its file and undo history. Edits that would make the
+/// scenario invalid are refused.
 class Document : public QObject {
     Q_OBJECT
 
   public:
-    /// Everything wrong with a scenario.
+    /// Function that returns all errors of a scenario; empty for a valid one.
     using Check = std::function<std::vector<InputProblem>(const Scenario&)>;
 
     explicit Document(QObject* parent = nullptr, Check check = validate);
 
     const Scenario& scenario() const { return m_scenario; }
-    /// The set-up of its design study, saved in its file; empty until the user makes one.
+    /// Returns the settings of the design study, which are saved in the scenario file; empty until the user
+    /// makes some.
     const DesignSetup& design() const { return m_design; }
-    /// Takes another set-up as one undo step.
+    /// Replaces the settings of the design study, as one undo step.
     void setDesign(const DesignSetup& design);
     QUndoStack& undoStack() { return m_undoStack; }
-    /// The units of all fields and results.
+    /// Returns the units of all fields and results in the window.
     UnitChoice& units() { return m_units; }
     const UnitChoice& units() const { return m_units; }
-    /// The file it was read from or saved to last, which saving writes; empty where there is none.
+    /// Returns the path of the scenario file, to which saving writes; empty if there is none.
     const QString& path() const { return m_path; }
-    /// The file that it came from, even if saving does not write that; empty where there is none.
+    /// Returns the path of the file from which the scenario was read; empty if there is none. It may be a
+    /// result, to which saving does not write.
     const QString& origin() const { return m_origin; }
-    /// Proposes a file to save to: path(), else a scenario file next to the file that it was read from.
+    /// Returns a path to suggest for saving: path(), or else a scenario file next to origin().
     QString suggestedPath() const;
-    /// Title of the scenario, else the name of its file, else "Untitled".
+    /// Returns the title of the scenario, or else the name of its file, or else "Untitled".
     QString displayName() const;
-    /// Whether the scenario is another one than in its file; other steps of the history do not count.
+    /// Returns true if the scenario or the settings of its design study differ from the file. Undo steps that
+    /// do not affect the file are ignored.
     bool isModified() const;
-    /// Whether the part that all commands read is modified: the set-up of the design study does not count.
+    /// Returns true if the scenario differs from its file; settings of the design study are ignored.
     bool isScenarioModified() const;
-    /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
+    /// Returns the bytes that saving would write. Throws ScenarioError if they exceed the size limit of
+    /// scenario files.
     QByteArray text() const;
-    /// Returns the present scenario with the text it came from, from which its bytes are made.
+    /// Returns the present scenario with the text from which it was read; saving keeps comments and layout of
+    /// that text.
     ScenarioDocument contents() const;
-    /// Whether it began as an example and has changed since: the example's remarks on its values, in the
-    /// title and in the comment at its head, are dropped then.
+    /// Returns true if the scenario is a built-in example that has been changed. Its title and leading
+    /// comment, which describe the original values, are then changed or dropped.
     bool isChangedExample() const;
-    /// The scenario with other values of parameters, set in that order, and its text, as saving would write
-    /// it. Changes nothing here; returns why not. Throws ScenarioError as text() does.
+    /// Sets `changed` to a copy of the scenario with other values, set in this order, and with the text that
+    /// saving would write. Leaves the document unchanged. Returns the reason on failure, else an empty text.
+    /// Throws ScenarioError if the text exceeds the size limit of scenario files.
     QString contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const;
-    /// The scenario and its bytes as last read or written.
+    /// Returns the scenario and its text as last read from or written to the file.
     const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
 
-    /// Returns a number for a new gesture. Edits that belong together share one, for example those of a drag.
+    /// Returns a new number for a gesture: a group of edits that form one undo step, such as those of a drag.
     int newGesture() { return ++m_gestures; }
-    /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
-    /// Returns why it cannot take that value, empty when it has.
+    /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are merged into
+    /// one step. Returns why the value is refused; empty if it was set.
     QString assign(const Parameter& parameter, double si, int gesture);
-    /// Sets several parameters in this order, such as both axes of a map. Requires at least one parameter,
-    /// each of them once.
+    /// Sets several parameters in this order as one undo step, such as both axes of a map. Requires at least
+    /// one parameter, each only once. Returns why a value is refused; empty if all were set.
     QString assign(const std::vector<ParameterValue>& values, int gesture);
-    /// Takes an optional parameter back to "not given", any other to what it was before the gesture.
+    /// Resets an optional parameter to "not given", and any other parameter to its value before the gesture.
     void clear(const Parameter& parameter, int gesture);
-    /// Whether the scenario would be valid with that shape (a table needs points).
+    /// Returns true if the scenario would be valid with that pulse shape; a table, for example, needs points.
     bool canHaveShape(PulseShape shape) const;
     void setShape(PulseShape shape);
     void setTitle(const QString& title);
-    /// Takes values and sources of a preset as one undo step. Returns why not; then nothing has changed.
+    /// Sets the values of a preset with their sources as one undo step. Returns the reason on failure, which
+    /// leaves the document unchanged, else an empty text.
     QString applyPreset(const Preset& preset);
-    /// Takes another scenario as one undo step of that name. Returns why not; then nothing has changed.
+    /// Replaces the scenario as one undo step; `step` is the step's name. Returns the reason on failure,
+    /// which leaves the document unchanged, else an empty text.
     QString useScenario(const Scenario& scenario, const QString& step);
-    /// Takes another scenario with its text, byte for byte, as one undo step of that name. A table that is
-    /// named relative to another folder is named relative to this scenario's. Returns why not; then nothing
-    /// has changed.
+    /// Replaces the scenario and its text, byte for byte, as one undo step; `step` is the step's name. The
+    /// name of its table is converted to be relative to this document's folder. Returns the reason on
+    /// failure, which leaves the document unchanged, else an empty text.
     QString useContents(const ScenarioDocument& contents, const QString& step);
-    /// Takes the hammer blow from a CSV file of times and forces, as one undo step. Returns why not, line by
-    /// line; then nothing has changed.
+    /// Reads the hammer force from a CSV file of times and forces, as one undo step. Returns the reasons on
+    /// failure, one per line, which leaves the document unchanged, else an empty text.
     QString useTable(const QString& path);
-    /// Reads the CSV file of the hammer blow again, as useTable() does. Requires tablePath().
+    /// Reads the CSV file of the hammer force again, as one undo step. Returns the reasons on failure, one
+    /// per line, else an empty text. Requires that tablePath() is not empty.
     QString reloadTable();
-    /// The CSV file that the points of the hammer blow are from; empty when they are the scenario's own.
+    /// Returns the path of the CSV file from which the hammer force is read; empty if its points are part of
+    /// the scenario.
     QString tablePath() const;
 
-    /// A new scenario with the default values.
+    /// Starts a new scenario with the default values, without a file.
     void start();
-    /// A scenario from text, without a file; `name` names it in messages. Returns why not, line by line.
+    /// Starts a scenario from a text, without a file; `name` names it in messages. Returns the reasons on
+    /// failure, one per line, else an empty text.
     QString startFrom(std::string_view text, const QString& name);
-    /// Replaces the scenario by that of a file, or by the one that a CSV file of results begins with; that
-    /// has no path(), so that saving never writes over results. Returns why not, line by line; then nothing
-    /// has changed.
+    /// Opens a scenario file, or the scenario stored in a file of results. A result has no path(), so that
+    /// saving never overwrites it. Returns the reasons on failure, one per line, which leaves the document
+    /// unchanged, else an empty text.
     QString open(const QString& path);
-    /// Reads the file of the scenario again, as an undo step. Returns why not; then nothing has changed.
+    /// Reads the scenario file again, as one undo step. Returns the reasons on failure, which leaves the
+    /// document unchanged, else an empty text.
     QString reload();
-    /// Replaces the scenario by one that was never saved, without a path(); `origin` is the file it was an
-    /// edit of, or empty. Returns why not, line by line; then nothing has changed.
+    /// Restores a scenario that was never saved and has no path(). `origin` is the file from which it was
+    /// read; may be empty. Returns the reasons on failure, one per line, which leaves the document unchanged,
+    /// else an empty text.
     QString restore(const std::string& text, const QString& origin, bool isUnsaved = true);
-    /// Also sets the file it is saved to and the contents of that file, to which undo leads back.
+    /// Restores unsaved changes of the file `path`, whose contents were `saved`; undo leads back to these.
+    /// Returns the reasons on failure, one per line, else an empty text.
     QString restore(const std::string& text, const QString& path, const std::string& saved);
-    /// Counts as modified from now on, because its file differs or is gone.
+    /// Marks the scenario as modified, because its file has changed or was deleted.
     void markUnsaved();
-    /// Writes the file whole or not at all. Returns why not; then nothing has changed.
+    /// Writes the scenario file, completely or not at all. Returns the reason on failure, which leaves the
+    /// document unchanged, else an empty text.
     QString save(const QString& path);
 
   signals:
-    /// Another scenario has taken the place of the one before, with its file and history.
+    /// Emitted before another scenario, with its own file and history, replaces the present one.
     void replaced();
-    /// A result of an older version has been opened: which of its numbers have changed, in a sentence.
+    /// Emitted when a result of an older version is opened; `changes` says in a sentence which of its numbers
+    /// differ now.
     void olderResultOpened(const QString& changes);
-    /// Written to its file, which may be another one than before.
+    /// Emitted when the scenario was written to its file, whose path may have changed.
     void saved();
     void scenarioChanged();
-    /// The set-up of the design study is another one. The scenario may have changed before.
+    /// Emitted when the settings of the design study have changed; the scenario may have changed just before.
     void designChanged();
-    /// The points of the hammer blow, if they have a tablePath(), were read from it just now. Emitted after
-    /// scenarioChanged().
+    /// Emitted after the points of the hammer force were read from the file tablePath(), if there is one.
+    /// Follows scenarioChanged().
     void tableRead();
-    /// A preset is about to change the scenario.
+    /// Emitted before a preset changes the scenario.
     void presetTaken();
-    /// Path, title or modified state may have changed.
+    /// Emitted when path, title or modified state may have changed.
     void stateChanged();
 
   private:
@@ -160,12 +177,13 @@ class Document : public QObject {
     Check m_check;
     Scenario m_scenario;
     DesignSetup m_design;
-    DesignSetup m_designTold;   // what designChanged() was emitted for last
-    ScenarioDocument m_source;  // as last read or written
-    std::string m_text;         // what saving changes as little as possible; changes only with the history
-    std::optional<Scenario> m_example;  // which it began as
+    DesignSetup m_designTold;   // settings for which designChanged() was last emitted
+    ScenarioDocument m_source;  // scenario and text as last read or written
+    // Text that saving updates with as few changes as possible; it changes only with undo steps.
+    std::string m_text;
+    std::optional<Scenario> m_example;  // built-in example from which it was started
     QString m_path;
-    QString m_origin;  // what the names of other files are relative to
+    QString m_origin;  // file from which names of other files are relative
     QUndoStack m_undoStack;
     UnitChoice m_units;
     int m_gestures = 0;

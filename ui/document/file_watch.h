@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Watches of files: whether the document's file still has the contents last read from it or written to it.
+// Watches that report when the document's file is changed by another program.
 #pragma once
 
 #include <QByteArray>
@@ -16,33 +16,35 @@ namespace drillwave {
 
 class Document;
 
-/// How long a file must stay unchanged before it is read [ms].
+/// Time for which a file must stay unchanged before it is read [ms].
 inline constexpr int settleMilliseconds = 200;
 
-/// Watches the file of the document, also through editors that put a new file in its place, and looks again
-/// whenever the program becomes active, for file systems that report nothing. Compares bytes: saving from
-/// here or touching the file is no change.
+/// Watch of the document's file that compares its bytes with those last read or written. Also notices files
+/// that an editor replaces instead of rewriting. Checks again when the program becomes active, for file
+/// systems that report no changes. Saving from this window, or a new time stamp, is no change.
 class FileWatch : public QObject {
     Q_OBJECT
 
   public:
     enum class State { same, changed, missing };
 
-    /// The document must outlive the watch.
+    /// Starts watching the document's file. The document must outlive this object.
     explicit FileWatch(const Document& document, QObject* parent = nullptr);
 
-    /// Looks at the file now. A document without a file is `same`.
+    /// Returns how the file compares with the document now; `same` if the document has no file.
     State state() const;
-    /// Compares the file and emits differs() for a difference that was not reported yet, or agrees().
+    /// Compares the file with the document. Emits differs() if a new difference is found, and agrees() if
+    /// there is none.
     void check();
-    /// Accepts the present difference: it is not reported again and saving needs no consent.
+    /// Accepts the present difference: it is not reported again, and saving needs no confirmation.
     void accept();
-    /// Whether saving would write over something that nobody here has seen and accepted.
+    /// Returns true if saving would overwrite a change of the file that the user has not accepted.
     bool savingNeedsConsent() const;
 
   signals:
     void differs(drillwave::FileWatch::State state);
-    /// There is no difference, or none is known for a file that is new here.
+    /// Emitted if the file agrees with the document, or if the document has a new file, for which no
+    /// difference is known.
     void agrees();
 
   private:
@@ -51,47 +53,51 @@ class FileWatch : public QObject {
 
     const Document& m_document;
     QFileSystemWatcher m_watcher;
-    QTimer m_settle;  // editors write in several steps
+    QTimer m_settle;  // delay of the check, as editors write in several steps
     QString m_path;
-    std::optional<QByteArray> m_reported;  // bytes of the difference reported last; null when missing
-    std::optional<QByteArray> m_accepted;  // bytes of the difference accepted last; null when missing
+    // File contents last reported as different; a null QByteArray if the file was missing.
+    std::optional<QByteArray> m_reported;
+    // File contents last accepted by the user; a null QByteArray if the file was missing.
+    std::optional<QByteArray> m_accepted;
 };
 
-// Whether the file of a measured blow still has the contents that were read from it.
+// Watch that reports when the CSV file of a measured hammer force is changed by another program.
 
-/// Watches the CSV file that the hammer blow of the document is from, also through programs that put a new
-/// file in its place, and looks again whenever the program becomes active. Compares contents: touching the
-/// file is no change, unless it is larger than largestCompared.
+/// Watch of the CSV file with the hammer force of the document. Also notices files that a program replaces
+/// instead of rewriting, and checks again when the program becomes active. Compares contents; only for files
+/// larger than largestCompared does a new time stamp count as a change.
 class TableWatch : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr qint64 largestCompared = qint64{16} << 20;  ///< [bytes]
+    /// File size above which contents are not compared [bytes].
+    static constexpr qint64 largestCompared = qint64{16} << 20;
 
     enum class State { changed, missing };
 
-    /// The document must outlive the watch.
+    /// Starts watching the file of the hammer force. The document must outlive this object.
     explicit TableWatch(const Document& document, QObject* parent = nullptr);
 
-    /// Compares the file and emits differs() once per change since the points on show were read.
+    /// Compares the file with the points in the document. Emits differs() once for each change since they
+    /// were read.
     void check();
 
   signals:
     void differs(drillwave::TableWatch::State state);
-    /// There is no table file, or the points on show were read from it.
+    /// Emitted if the points in the document agree with the file, or if there is no such file.
     void agrees();
 
   private:
-    /// Fingerprint of a file; empty if there is no file.
+    /// Fingerprint of a file: size, time and digest; size −1 if the file does not exist.
     struct Stamp {
         qint64 size = -1;
         QDateTime time;
-        QByteArray digest;  // empty for a large file
+        QByteArray digest;  // SHA-256 of the contents; empty for a file above largestCompared
         bool exists() const { return size >= 0; }
     };
     static Stamp stampOf(const QString& path, const Stamp& before);
     static bool isSame(const Stamp& a, const Stamp& b);
-    /// Fingerprint of a file when its points were read.
+    /// Points with the fingerprint that their file had when they were read.
     struct Reading {
         QString path;
         TablePoints points;
@@ -104,11 +110,13 @@ class TableWatch : public QObject {
 
     const Document& m_document;
     QFileSystemWatcher m_watcher;
-    QTimer m_settle;  // programs write in several steps
+    QTimer m_settle;  // delay of the check, as programs write in several steps
     QString m_path;
     TablePoints m_points;
-    std::vector<Reading> m_readings;  // of the present history, to which points may come back
-    std::optional<Stamp> m_read;      // of the file m_points are from, where that is known
+    // Fingerprints for points of the undo history, which undo may restore.
+    std::vector<Reading> m_readings;
+    // Fingerprint of the file when m_points were read; empty if unknown.
+    std::optional<Stamp> m_read;
     std::optional<Stamp> m_reported;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The measured signals that are laid over computed ones, in the order in which they came.
+// Measured signals drawn over the computed curves, in the order in which they were added.
 #pragma once
 
 #include <QObject>
@@ -10,27 +10,26 @@
 
 namespace drillwave {
 
-/// Stays when the scenario changes or another one is opened: signals are compared with both. Each change is a
-/// step of the history of the document, with those of the scenario, as long as that lasts; it makes no
-/// difference to the file.
+/// List of measured signals, kept when another scenario is opened so that both can be compared with them.
+/// Each change is a step of the document's undo history, but does not count as a change of the scenario file.
 class MeasuredList : public QObject {
     Q_OBJECT
 
   public:
-    /// The history must outlive the list.
+    /// Makes an empty list whose changes are steps of `history`, which must outlive the list.
     explicit MeasuredList(QUndoStack& history, QObject* parent = nullptr);
 
-    /// More would have no line of their own.
+    /// Largest number of signals; each one has its own line style.
     static constexpr std::size_t most = 8;
 
     const std::vector<MeasuredSignal>& signalList() const { return m_signals; }
     bool isFull() const { return m_signals.size() >= most; }
-    /// Under a name of its own: "gauge", "gauge (2)". Requires that the list is not full.
+    /// Adds a signal under a unique name: "gauge", then "gauge (2)". Requires that the list is not full.
     void add(MeasuredSignal signal);
-    /// No effect where there is no such index.
+    /// Removes the signal at `index`; does nothing if there is none.
     void remove(std::size_t index);
-    /// [s]; no effect where there is no such index, or for infinities. Shifts one after the other with the
-    /// same `gesture` are one step; 0 is none.
+    /// Sets the time shift of a signal [s]; does nothing for an invalid index or a value that is not finite.
+    /// Successive shifts with the same `gesture` form one undo step; a gesture of 0 forms none.
     void setTimeShift(std::size_t index, double seconds, int gesture = 0);
 
   signals:

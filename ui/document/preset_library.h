@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The presets on offer: those built in and those of the user's files.
+// Presets offered by the window: the built-in ones and those of the user's files.
 #pragma once
 
 #include <QString>
@@ -10,33 +10,34 @@
 
 namespace drillwave {
 
-/// One file of presets, or the built-in ones.
+/// Presets of one file, or the built-in ones.
 struct PresetSource {
-    QString path;  ///< empty for those built in
+    QString path;  ///< path of the file; empty for the built-in presets
     std::vector<Preset> presets;
     std::vector<SectionPreset> sectionPresets;
-    QString problem;  ///< why the file is not used, line by line; empty when it is
+    QString problem;  ///< why the file is not used, line by line; empty if it is used
 };
 
 class PresetLibrary {
   public:
     PresetLibrary() { reload(); }
 
-    /// Reads the user's files again: presets.yaml in folder(), if there is one, and those added.
+    /// Reads the user's files again: presets.yaml in folder(), if it exists, and the files added with add().
     void reload();
-    /// The built-in presets first; they are always there.
+    /// Returns all sources of presets; the first one is always the built-in presets.
     const std::vector<PresetSource>& sources() const { return m_sources; }
-    /// The first preset of a kind that matches the scenario, or nullptr.
+    /// Returns the first preset of a kind whose values are those of the scenario, or nullptr.
     const Preset* matching(PresetKind kind, const Scenario& scenario) const;
 
-    /// Uses a file from now on, in later runs too. Returns why not, line by line; then it is not used.
+    /// Adds a file of presets for this and later runs of the program. Returns the reasons if it cannot be
+    /// used, one per line, else an empty text.
     QString add(const QString& path);
-    /// Whether the file was added, and so can be removed.
+    /// Returns true if the file was added with add(), so that it can be removed.
     bool wasAdded(const QString& path) const;
-    /// No longer uses a file that was added. The file stays.
+    /// Removes a file that was added from the sources; the file itself is not deleted.
     void remove(const QString& path);
 
-    /// The folder of the user's presets.yaml; it need not exist.
+    /// Returns the folder of the user's own presets.yaml; it need not exist.
     static QString folder();
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unsaved changes kept on disk while the program runs, for the case that it ends unexpectedly.
+// Unsaved changes stored on disk while the program runs, in case it ends unexpectedly.
 #pragma once
 
 #include <QByteArray>
@@ -24,43 +24,45 @@ namespace drillwave {
 
 class Document;
 
-// Unsaved changes of instances of the program that are no longer alive.
+// Reading the unsaved changes of instances of the program that have crashed.
 
-/// Pinned runs and measured signals of a window, beside its document.
+/// Pinned runs and measured signals of a window, which recovery stores with the document.
 struct WorkBeside {
-    std::vector<KeptRun> runs;  ///< pinned
+    std::vector<KeptRun> runs;  ///< pinned runs: results kept for comparison
     std::vector<MeasuredSignal> measured;
 };
 
-/// Contents of a recovery file.
+/// Contents of a recovery file: an unsaved scenario, its files, and what else the window had.
 struct UnsavedScenario {
-    QString name;    ///< as the window showed it
-    QString origin;  ///< the file it was an edit of, or empty
-    QString path;    ///< where it was saved to; empty for results, examples and new scenarios
-    QDateTime time;  ///< of the last change kept
+    QString name;    ///< name of the scenario as shown in the window
+    QString origin;  ///< file from which the scenario was read; may be empty
+    QString path;    ///< file to which it was saved; empty for results, examples and new scenarios
+    QDateTime time;  ///< time of the last change that was stored
     std::string text;
-    std::string saved;  ///< what the file at `path` held
+    std::string saved;  ///< contents of the file `path` when last read or written
     WorkBeside beside;
-    QStringList problems;    ///< what of it could not be read, a line each
-    bool isUnsaved = true;   ///< false only where a window without changes was to be opened again
-    bool isRestart = false;  ///< the user has asked for a new window: restore without a question
+    QStringList problems;   ///< reasons why runs could not be read, one line each
+    bool isUnsaved = true;  ///< false only if a window without changes is to be opened again
+    /// The user has restarted the window: restore without asking.
+    bool isRestart = false;
 };
 
-/// The bytes of a recovery file, with the text of `contents`. Throws ScenarioError where the scenario is too
-/// large for a file.
+/// Returns the bytes of a recovery file with the text of `contents`. Throws ScenarioError if the scenario
+/// exceeds the size limit of scenario files.
 QByteArray recoveryBytes(const ScenarioDocument& contents, const UnsavedScenario& record);
 
-/// A recovery file that belongs to no living instance. While this exists no other instance takes it.
+/// Recovery file of an instance that has crashed. While this object exists, no other instance takes the file.
 class LostChanges {
   public:
     LostChanges(const QString& file, std::unique_ptr<QLockFile> lock);
 
     const UnsavedScenario& scenario() const { return m_scenario; }
-    /// Why the file cannot be used; empty when it can.
+    /// Returns why the file cannot be used; empty if it can.
     const QString& problem() const { return m_problem; }
-    /// Removes the file.
+    /// Deletes the recovery file.
     void discard();
-    /// Renames the file so that it is not found again, and returns its new name.
+    /// Renames the file so that it is not found again, and returns its new path, or the old one if renaming
+    /// fails.
     QString setAside();
 
   private:
@@ -70,36 +72,36 @@ class LostChanges {
     QString m_problem;
 };
 
-/// Finds all in the folder, the last change first.
+/// Returns all recovery files of crashed instances in the folder, the latest first.
 std::vector<LostChanges> findLostChanges(const QString& folder);
 
-/// Writes the unsaved scenario of a document to a file of its own in `folder` within a second of a change,
-/// away from the window's thread, whole or not at all, and removes it when there is nothing unsaved. A lock
-/// beside the file tells other instances that this one is alive.
+/// Writer of a document's unsaved changes to a recovery file of its own in `folder`. It writes within a
+/// second of a change, in another thread, and completely or not at all. It deletes the file when nothing is
+/// unsaved. A lock file shows other instances that this one is running.
 class Recovery : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes the folder. The document must outlive the recovery.
+    /// Makes the folder and starts watching the document, which must outlive this object.
     Recovery(const Document& document, const QString& folder, QObject* parent = nullptr);
-    /// Leaves the file; call end() first if nothing needs recovery.
+    /// Does not delete the file; call end() first if nothing needs recovery.
     ~Recovery() override;
 
-    /// Stores the return value of `beside` with the scenario.
+    /// Sets the function that returns the runs and signals to store with the scenario.
     void keepBeside(std::function<WorkBeside()> beside) { m_beside = std::move(beside); }
-    /// Notes a change beside the document.
+    /// Writes the file soon, because pinned runs or measured signals have changed.
     void writeSoon();
-    /// Writes what is unsaved and returns when it is on the disk.
+    /// Writes what is unsaved now, and returns when it is on the disk.
     void writeNow();
-    /// Writes everything, unsaved or not, for a window that replaces this one and asks nothing. False if that
-    /// has failed.
+    /// Writes everything, even if saved, for a new window that restores it without asking. Returns false on
+    /// failure.
     bool writeForRestart();
-    /// Removes the file, as nothing needs recovery any more. A later change writes it again.
+    /// Deletes the file, because nothing needs recovery any more. A later change writes it again.
     void end();
     QString file() const { return m_file; }
 
   signals:
-    /// Changes cannot be kept, for the reason `problem`. Emitted once.
+    /// Emitted once if changes cannot be stored; `problem` is the reason.
     void failed(const QString& problem);
 
   private:
@@ -117,7 +119,7 @@ class Recovery : public QObject {
     bool m_hasFailed = false;
 };
 
-/// The folder in which every instance of the program keeps its unsaved changes.
+/// Returns the folder in which all instances of the program store their unsaved changes.
 QString recoveryFolder();
 
 }  // namespace drillwave

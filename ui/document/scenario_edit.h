@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One undo step of a document.
+// Undo steps of a document: of its scenario, and of the settings of its design study.
 #pragma once
 
 #include <QString>
@@ -12,28 +12,29 @@
 
 namespace drillwave {
 
-/// Kind of an undo step: QUndoCommand::id(), which merges steps of one kind only. All kinds of the undo stack
-/// of a document are here, so that no two have one number.
+/// Kind of an undo step, as QUndoCommand::id() returns it: only steps of the same kind are merged. Lists all
+/// kinds of the undo stack of a document, so that no two share a number.
 enum class UndoKind { scenario = 1, design, measured };
 
-/// Exchanges the scenario of a document for another one and back: it holds the one that is not shown, so that
-/// nothing is copied. Texts it sets as they were, whatever has become of them since. Edits of the same
-/// parameter within a gesture melt into one.
+/// Undo step that swaps the document's scenario with the stored one, so that nothing is copied. Texts are set
+/// to their values before or after the step. Edits of the same parameter within one gesture are merged.
 class ScenarioEdit : public QUndoCommand {
   public:
-    /// `current` and the owner of `changed`, which is called after each exchange, must outlive this. An edit
-    /// with an empty `key` merges with no other.
+    /// Makes a step that changes `current` to `after` and calls `changed` after each swap. Both must stay
+    /// valid during its lifetime. `key` names the edited parameter; a step with an empty key merges with no
+    /// other.
     ScenarioEdit(Scenario& current, std::function<void()> changed, Scenario after, QString key, int gesture);
 
-    /// The scenario before the edit. Requires that it was done and not undone.
+    /// Returns the scenario before the edit. Requires that the step is done, not undone.
     const Scenario& before() const { return m_other; }
     bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
 
-    /// Sets the text that the scenario came from, too, and back to what it is now. `current` must outlive
-    /// this.
+    /// Makes the step also change `current`, the text of the scenario, to `after`; undo restores its present
+    /// value. `current` must outlive this step.
     void takeText(std::string& current, std::string after);
 
-    /// Sets the set-up of the design study, too, and back to what it is now. `current` must outlive this.
+    /// Makes the step also change `current`, the settings of the design study, to `after`; undo restores
+    /// their present value. `current` must outlive this step.
     void takeDesign(DesignSetup& current, DesignSetup after);
 
     void undo() override { exchange(m_textBefore, m_designBefore); }
@@ -57,12 +58,14 @@ class ScenarioEdit : public QUndoCommand {
     int m_gesture;
 };
 
-// One undo step of the set-up of the design study of a document.
+// Undo step of the settings of a document's design study.
 
-/// Exchanges the set-up for another one and back. Consecutive edits of one item melt into one step.
+/// Undo step that swaps the settings of the design study with the stored ones. Consecutive edits of one item
+/// are merged into one step.
 class DesignEdit : public QUndoCommand {
   public:
-    /// `current`, and what `changed` calls after each exchange, must outlive this.
+    /// Makes a step that changes `current` to `after` and calls `changed` after each swap. Both must stay
+    /// valid during its lifetime.
     DesignEdit(DesignSetup& current, std::function<void()> changed, DesignSetup after);
 
     void undo() override { exchange(); }
@@ -76,7 +79,7 @@ class DesignEdit : public QUndoCommand {
     DesignSetup& m_current;
     std::function<void()> m_changed;
     DesignSetup m_other;
-    std::string m_item;  // the only one that changes, "uncertain 2"; else empty
+    std::string m_item;  // the only list item that changes, "uncertain 2"; else empty
 };
 
 }  // namespace drillwave

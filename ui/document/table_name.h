@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Name of the table of a hammer blow in a scenario file.
+// Name of the CSV table with the hammer force, as written in a scenario file.
 #pragma once
 
 #include <QString>
@@ -7,8 +7,9 @@
 
 namespace drillwave {
 
-/// Returns the name of a table for the file `path`, when the file `origin` names it `table`: relative names
-/// are relative to the folder of the file. Returns `table` if one of the files has no name.
+/// Returns the name of a table as seen from the file `path`, given its name `table` in the file `origin`.
+/// Relative names are relative to the folder of the file that contains them. Returns `table` unchanged if
+/// either path is empty.
 std::string tableSeenFrom(const QString& path, const QString& origin, const std::string& table);
 
 }  // namespace drillwave

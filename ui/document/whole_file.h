@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file written whole or not at all, for people who see a window.
+// Writing a file completely or not at all, with reasons for failure that the window can show.
 #pragma once
 
 #include <QByteArray>
@@ -7,11 +7,12 @@
 
 namespace drillwave {
 
-/// Writes the file as replaceFile() of the core does. Returns why not, in one line that begins with the path,
-/// or with `name` if the path means nothing to people.
+/// Writes a file completely or not at all. Returns the reason on failure, else an empty text. The reason is
+/// one line that begins with the path, or with `name` if the path means nothing to users.
 QString writeWholeFile(const QString& path, const QByteArray& bytes, const QString& name = {});
 
-/// Writes the file in the same way; returns only the reason.
+/// Writes a file completely or not at all. Returns the reason on failure without the path, else an empty
+/// text.
 QString replaceFile(const QString& path, const QByteArray& bytes);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// File ▸ Export: results and pictures of the blow that is shown, as files.
+// Menu File ▸ Export, which writes results and pictures of the present blow to files.
 #pragma once
 
 #include <QMenu>
@@ -17,36 +17,39 @@ class ExportMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Sources of the exports.
+    /// Functions that provide the data for the exports.
     struct Sources {
-        /// Returns the document's scenario as it is now, solved or not; nullptr until an answer is there.
+        /// Returns the result for the present scenario, solved or failed; nullptr until it is computed.
         std::function<SolvedBlowPtr()> blow;
-        /// Calls `then` when blow() is solved and shown: at once, later, or never if it is called off. `what`
-        /// names the waiting export.
+        /// Calls `then` once the result is solved and shown: at once, later, or never if cancelled. `what` is
+        /// the name of the waiting export for messages.
         std::function<void(const QString& what, std::function<void()> then)> whenSolved;
     };
 
-    /// Document and questions must outlive the menu.
+    /// Makes the menu. `window` is the parent of its dialogs; document and questions must outlive the menu.
     ExportMenu(Document& document, Questions& questions, Sources sources, QWidget* window);
 
-    /// Sets the exports of the page on show, which the menu then offers.
+    /// Sets the exports that the visible page offers, which become entries of the menu.
     void setExports(const QList<PageExport>& exports);
-    /// Writes one of the exports, the numbers with the scenario in front.
+    /// Asks for a file and writes one export to it. Tables of numbers begin with the scenario as comment
+    /// lines.
     void save(const PageExport& wanted);
-    /// Shows the present numbers of the page in a window of their own.
+    /// Shows the present numbers of the page as a table in a separate window.
     void showNumbers();
-    /// The curves and the events of the blow, in the units that are shown.
+    /// Asks for a file and writes the curves over time of the blow as CSV, in the units shown.
     void saveHistories();
+    /// Asks for a file and writes the events of the blow as CSV, in the units shown.
     void saveEvents();
-    /// The files that `drillwave run FILE -o FOLDER --plots png,svg,pdf` writes; see runFolder().
+    /// Asks for a folder and writes the files of `drillwave run FILE -o FOLDER --plots png,svg,pdf`; see
+    /// runFolder().
     void saveEverything();
 
   signals:
-    /// Something has been written: where, in one line.
+    /// Emitted after an export; `message` says in one line where the file is.
     void exported(const QString& message);
 
   protected:
-    /// Line edits on X11 would take Ctrl+E as "end of line".
+    /// Keeps Ctrl+E for this menu: line edits on X11 would use it as "end of line".
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
@@ -59,12 +62,12 @@ class ExportMenu : public QMenu {
     void saveFile(const QString& title, const QString& ending, const MakeFile& make);
     void writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing);
     void writePicture(const QString& path, const PageExport& wanted, const PictureChoice& choice);
-    /// Whether the scenario has no solution; reports that to the user.
+    /// Returns true if the scenario could not be solved, and shows the reason to the user.
     bool isUnsolved();
-    /// Hands the blow over when there is one; `what` waits for it.
+    /// Calls `use` with the result once it is solved; `what` is the name of the waiting export for messages.
     void withRun(const QString& what, const UseRun& use);
-    /// Returns the solved blow in the form for files. Throws ScenarioError if the scenario with the points of
-    /// its table is too large for a file.
+    /// Returns the result as it is written to files. Throws ScenarioError if the scenario, with the points of
+    /// its table, is too large for a file.
     SolvedRun solvedRun() const;
     QString suggestion(const QString& ending) const;
     void finish(const QString& path, const QString& problem);
@@ -75,7 +78,7 @@ class ExportMenu : public QMenu {
     Sources m_sources;
     QWidget* m_window;
     QList<PageExport> m_exports;
-    QList<QAction*> m_actions;  // of m_exports
+    QList<QAction*> m_actions;  // menu entries of m_exports, in the same order
     QAction* m_histories = nullptr;
     QAction* m_numbers = nullptr;
     QAction* m_afterPictures = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places for exports, and the pointer while they are drawn.
+// Folders suggested for exports, and the mouse pointer during drawing.
 #pragma once
 
 #include <QString>
@@ -8,13 +8,14 @@
 
 namespace drillwave {
 
-/// Returns a path in the folder of the last export, or else of the scenario: its name with another ending.
+/// Returns a path to suggest for an export, in the folder of the last export or else of the scenario. The
+/// name is that of the scenario with `ending`, such as "_report.html".
 QString exportSuggestion(const Document& document, const QString& ending);
 
-/// The folder of a file that was written, or the folder itself.
+/// Stores the folder that the next export suggests: the folder of `path`, or `path` if it is a folder.
 void rememberExportFolder(const QString& path);
 
-/// While a picture is drawn the window waits.
+/// Wait cursor, shown for the lifetime of an object, for example while a picture is drawn.
 class WaitCursor {
   public:
     WaitCursor();

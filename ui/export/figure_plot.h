@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panels of curves drawn from their data: figures of the paper, sweeps.
+// Drawing of panels of curves from their data: figures of the paper, and sweeps.
 #pragma once
 
 #include <QByteArray>
@@ -14,18 +14,20 @@ class QCustomPlot;
 
 namespace drillwave {
 
-/// Returns a text of a data file as it is printed: "gamma" as γ, "k0" with its index.
+/// Returns a label of a data file as it is printed: "gamma" becomes γ, "k0" gets a subscript.
 QString figureText(const std::string& text);
 
-/// Fills a plot, of whatever size, with nothing but the panels below each other.
+/// Replaces the contents of a plot by the panels, one below the other, scaled to the size of the plot.
 void layOutPanels(QCustomPlot& plot, const std::vector<FigurePanel>& panels, const PlotStyle& style,
                   const QLocale& locale);
 
-/// The panels below each other, in a format of plotFormats(), on white, text in the C locale; 160 mm wide.
-/// Requires a QApplication (any platform, also offscreen). Empty when it could not be drawn.
+/// Returns the panels, one below the other, as the bytes of a picture in one of the plotFormats(). Empty if
+/// it could not be drawn. It is 160 mm wide, on white, with numbers in the C locale. Requires a QApplication
+/// (any platform, also offscreen).
 QByteArray drawFigure(const Figure& figure, const QString& format);
 
-/// Draws other panels in the same way, see renderPictures().
+/// Returns pictures of the panels, one below the other, 160 mm wide and on white; see renderPictures().
+/// Requires a QApplication (any platform, also offscreen).
 Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order,
                     const QLocale& locale = QLocale::c());
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers that a page exports, as a table on the screen.
+// Table on the screen of the numbers that a page exports.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -8,13 +8,14 @@
 
 namespace drillwave {
 
-/// Rows of CSV as in the file, with the decimal sign of the locale. Only visible rows are split into cells:
-/// there may be a million.
+/// Table model of a CSV text, shown with the decimal sign of the locale. Only visible rows are split into
+/// cells, because there may be a million rows.
 class NumbersTable : public QAbstractTableModel {
     Q_OBJECT
 
   public:
-    /// `csv` is a header and rows, with comments before the header or without. No cell has a line end.
+    /// Takes a CSV text: a header and rows, with or without comment lines before the header. Cells must not
+    /// contain line ends.
     NumbersTable(QByteArray csv, const QLocale& locale, QObject* parent);
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -29,8 +30,9 @@ class NumbersTable : public QAbstractTableModel {
     QByteArray m_csv;
     QLocale m_locale;
     QStringList m_header;
-    std::vector<qsizetype> m_rows;  // where they begin
-    mutable int m_lastRow = -1;     // row of m_lastCells: the cells of a row are read one by one
+    std::vector<qsizetype> m_rows;  // start of each row in m_csv [bytes]
+    // Row of m_lastCells, which is stored because the cells of a row are requested one by one.
+    mutable int m_lastRow = -1;
     mutable QStringList m_lastCells;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of the plots of a page, to be read and copied: the contents of its exports.
+// Window that shows the numbers of a page's plots as tables, to read and copy.
 #pragma once
 
 #include <QDialog>
@@ -14,7 +14,7 @@ class NumbersWindow : public QDialog {
     Q_OBJECT
 
   public:
-    /// Takes at least one title with its CSV.
+    /// Shows the tables, pairs of a title and a CSV text. Requires at least one.
     NumbersWindow(const QString& title, const QList<std::pair<QString, QByteArray>>& tables, QWidget* parent);
 
   private:

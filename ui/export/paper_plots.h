@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plots of the pages as they go into files: on white, for the reader of a command or of a window.
+// Plots of the window's pages as drawn in files: on white, with the words and units of a command or of the
+// window.
 #pragma once
 
 #include <QLocale>
@@ -22,31 +23,36 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// A plot and its default size. Requires a QApplication (any platform).
+/// Plot with its default size [mm]. Requires a QApplication (any platform).
 struct PaperPlot {
     std::shared_ptr<QCustomPlot> plot;
     Millimetres size;
 };
 
-/// Words, numbers and units of a paper: by default those of the commands, English, the C locale and SI.
+/// Language, number format and units of a plot in a file; by default those of the commands: English, C
+/// locale, SI.
 struct PaperReader {
-    UnitSystem system = UnitSystem::si;  ///< of scenarios that have units
-    ChosenUnits chosen = {};             ///< of kinds that do not follow it
+    UnitSystem system = UnitSystem::si;  ///< units for scenarios given in physical units
+    /// Units chosen for individual kinds of quantity, which override `system`.
+    ChosenUnits chosen = {};
     QLocale locale = QLocale::c();
-    bool isSpokenTo = false;  ///< in the language that the program speaks, which is another than English
+    /// True if words are in the language of the program, which is then not English.
+    bool isSpokenTo = false;
 
-    /// Returns the window's present reader; that of the commands if words, numbers and units are the same.
+    /// Returns the present language, number format and units of the window; the default object if they equal
+    /// those of the commands.
     static PaperReader of(const UnitChoice& units);
-    /// Whether that is the reader of the commands.
+    /// Returns true if language, number format and units are those of the commands.
     bool isPlain() const;
     ShownUnits unitsFor(const Scenario& scenario) const;
     const Unit& unitFor(const Parameter& parameter) const;
 };
 
-/// An empty plot for paper.
+/// Returns an empty plot for a file, with numbers in the given locale.
 std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale = QLocale::c());
 
-/// Makes a paper plot by the plot class of a page: a child of a QCustomPlot with setStyle() and present().
+/// Returns a plot for a file, drawn by the plot class of a page. `Plot` is a child of a QCustomPlot with
+/// setStyle() and present().
 template <class Plot, class Shown>
 PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale = QLocale::c()) {
     PaperPlot paper{emptyPaperPlot(locale), size};
@@ -56,33 +62,37 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale 
     return paper;
 }
 
-// These require a blow with its histories.
+// The functions that take a Blow require it to be solved with its histories.
 
-/// Waves, impact force, impulse and momentum over time; signals are laid over them, of a scenario with units.
-/// The waves are those of the section of the first signal that is one of inside.
+/// Returns the plot of waves, impact force, impulse and momentum over time. If the scenario has units,
+/// `measured` signals are drawn over the curves. The waves are those at the first signal measured inside the
+/// rod or string.
 PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
                         const std::vector<MeasuredSignal>& measured = {});
-/// Returns the first signal measured inside; nullptr if there is none.
+/// Returns the first signal that was measured inside the rod or string; nullptr if there is none.
 const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured);
-/// x/L of that section.
+/// Returns the position x/L, 0 … 1, at which blowPaperPlot() shows the waves. It is that of firstInside(),
+/// else the middle of the rod or of the string's longest section.
 double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured);
-/// Force over penetration.
+/// Returns the plot of force on the rock over penetration.
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// The largest stresses over place.
+/// Returns the plot of the largest stresses over the position in the rod or string. `stop` ends the
+/// computation early.
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader = {});
-/// Hammer and string to scale.
+/// Returns the drawing of hammer and drill string to scale.
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
-/// The force in the rod over place and time.
+/// Returns the picture of the force in the rod over position and time.
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// A figure about a scenario.
+/// Returns the plot of a figure that a study has made for a scenario.
 PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario,
                           const PaperReader& reader = {});
-/// Many blows, or why there is nothing to show. A stop leaves out a curve.
+/// Returns the plot of many blows in sequence, or of the reason why there is nothing to show. A stop leaves
+/// out one curve.
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
                             const PaperReader& reader = {});
-/// The scan of a parameter.
+/// Returns the plot of the results over the scanned parameter.
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader = {});
-/// The designs of a study that has a robust best.
+/// Returns the plot of the designs of a study. Requires that a design is best for uncertain rock.
 PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader = {});
 
 }  // namespace drillwave

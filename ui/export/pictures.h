@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plots as the bytes of files.
+// Conversion of plots to the bytes of picture files.
 #pragma once
 
 #include <QString>
@@ -11,16 +11,16 @@
 
 namespace drillwave {
 
-/// Pictures as files, or why there are none.
+/// Pictures as files, or the reason why they could not be drawn.
 struct Pictures {
     std::vector<NamedFile> files;
-    QString problem;  ///< one line
+    QString problem;  ///< reason in one line; empty on success
 };
 
-/// Renders the plot once in each format of the order, PNG at 200 dpi; `title` goes into the files'
-/// properties. Not all of them after a stop. A plot meant for files has text in the C locale and
-/// PlotStyle::forPaper(): then PNG and SVG are the same bytes for the same plot on one machine. Requires a
-/// QApplication (any platform, also offscreen).
+/// Returns pictures of the plot, one in each format of the order, PNG at 200 dpi. `title` is stored in the
+/// files' properties. After a stop, returns only those drawn so far. With text in the C locale and
+/// PlotStyle::forPaper(), PNG and SVG are reproducible byte for byte on one machine. Requires a QApplication
+/// (any platform, also offscreen).
 Pictures renderPictures(QCustomPlot& plot, Millimetres size, const QString& title, const PictureOrder& order);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plots of a blow as the bytes of files, always on white, whatever the window looks like.
+// Plots of a blow as the bytes of files, on white whatever the colours of the window.
 #pragma once
 
 #include <stop_token>
@@ -12,10 +12,13 @@
 
 namespace drillwave {
 
-/// Draws blow.* (waves, impact force, impulse, momentum; 180 × 240 mm), rock.* (force–penetration; 120 × 90
-/// mm), wave_picture.* (force over place and time; 180 × 110 mm) and rod.* (largest stresses along rod or
-/// string; 180 × 110 mm), once per format; see renderPictures(). Requires a blow solved with
-/// Detail::histories, for drill strings with its waves kept. A stop ends it between two pictures.
+/// Returns the plots of a blow, each in every format; see renderPictures().
+/// The file blow.* has waves, impact force, impulse and momentum (180 × 240 mm).
+/// The file rock.* has force over penetration (120 × 90 mm).
+/// The file wave_picture.* has force over position and time (180 × 110 mm).
+/// The file rod.* has the largest stresses along rod or string (180 × 110 mm).
+/// Requires a blow solved with Detail::histories, for drill strings with its waves stored. A stop ends the
+/// work between two pictures.
 Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
                        const std::stop_token& stop = {}, const PaperReader& reader = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plots in a text that is laid out for paper.
+// Plots inside a text document that is laid out for paper.
 #pragma once
 
 #include <QObject>
@@ -11,20 +11,21 @@
 
 namespace drillwave {
 
-/// Draws the plots as vectors where a text has images of their names. The text must be drawn by a
-/// QCPPainter.
+/// Text object handler that draws plots as vectors where a text has images of the same names. The text must
+/// be drawn by a QCPPainter.
 class PlotImages : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 
   public:
-    /// `unit` is that of the layout of the text [1/in]. The plots must outlive the images.
+    /// Takes the plots, which must outlive this object. `unit` is the resolution of the text's layout [1/in].
     PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
 
-    /// Scales the height of high plots by `share` and keeps their width. The caller lays out texts that have
-    /// them again.
+    /// Scales the heights of plots by `share`, 0 … 1. Plots above 60 mm are not made lower than 60 mm, lower
+    /// plots and all widths do not change. The caller must then lay out the text again.
     void setHeight(double share) { m_height = share; }
-    /// The page that is drawn: plots of other pages are left out, as a plot does not heed clips.
+    /// Sets the page that is drawn, in coordinates of the text. Plots on other pages are left out, because a
+    /// plot ignores clipping.
     void setPage(const QRectF& page) { m_page = page; }
 
     QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;

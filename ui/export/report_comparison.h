@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Comparison of a report's own blow with the pinned runs and the measured signals.
+// Comparison of a report's blow with pinned runs and measured signals.
 #pragma once
 
 #include <stop_token>
@@ -11,16 +11,17 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Returns the runs, the solved ones with the margin of their thrust as in a report: a study of all gaps
-/// each, not for the thread of the window.
+/// Returns the runs, the solved ones with the margin of their feed force that a report shows. This solves
+/// blows with many gaps for each run, so do not call it in the window's thread.
 RunList withMargins(const RunList& runs, const std::stop_token& stop);
 
-/// Returns the differences and the results of a solved blow and of the solved runs, in the units of the
-/// window, as on the page Compare; empty without such runs.
+/// Returns a table of inputs that differ and of results, for a solved blow and the solved runs, in the units
+/// of the window. Empty if no run is solved.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
 
-/// Returns the deviations of signals from the solved blow, over the time of its plot in the report, in the
-/// units of the window; empty without signals. The scenario has units, the blow its histories.
+/// Returns a table of the deviations between measured signals and the solved blow; empty without signals.
+/// They cover the time span of the report's plot and are in the units of the window. Requires a scenario with
+/// units and a blow with histories.
 ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
                            const UnitChoice& units);
 

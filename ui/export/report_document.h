@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words and plots of the report on a blow, laid out on pages.
+// Layout of the report on a blow, its words and plots, on pages.
 #pragma once
 
 #include <QTextDocument>
@@ -11,27 +11,28 @@ class QPaintDevice;
 
 namespace drillwave {
 
-/// The text of reportHtml() for paper with the plots in it. Headings stay with their text and captions with
-/// their plots, the head of a table is on each of its pages, and plots are lower where that saves a last page
-/// of a few lines.
+/// Text document of a report, from reportHtml(), with its plots. Headings stay with the text below them and
+/// captions with their plots. Tables repeat their header on each page. Plots are made lower if that saves a
+/// nearly empty last page.
 class ReportDocument {
   public:
-    /// For pages of that size in the units of the device. Plots and device must outlive the document.
+    /// Lays out the report on pages of size `page`, in units of the device. Plots and device must outlive the
+    /// document.
     ReportDocument(const BlowReport& report, const std::vector<ReportPlot>& plots, const ReadingStyle& style,
                    QPaintDevice& device, const QSizeF& page);
 
     const QTextDocument& text() const { return m_text; }
     const QFont& font() const { return m_font; }
-    /// Draws a page with its corner at the origin.
+    /// Draws one page, counted from 0, with its upper left corner at the origin.
     void draw(QPainter& painter, int page);
 
   private:
-    /// Where the part after pictures, scenario and errors of the solution goes: where it fits, or on a page
-    /// of its own.
+    /// Start of the report's last part, after pictures, scenario and errors of the solution: in the flow of
+    /// the text, or on a new page.
     enum class Ending { inFlow, ownPage };
 
     void layOut(double plotHeight, Ending place);
-    /// The heading that begins it.
+    /// Returns the heading with which the report's last part begins.
     QTextBlock ending() const;
     void breakBefore(const QTextBlock& heading);
     void keepTogether();
@@ -41,7 +42,7 @@ class ReportDocument {
     QFont m_font;
     PlotImages m_images;
     QTextDocument m_text;
-    std::vector<int> m_broken;  // positions of headings that begin a page
+    std::vector<int> m_broken;  // text positions of headings with a page break before them
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on a blow as files.
+// Writing the report on a blow to files or to a printer.
 #pragma once
 
 #include "core/report/blow_report.h"
@@ -10,13 +10,13 @@ class QPrinter;
 
 namespace drillwave {
 
-/// Prints the report: the pages of the PDF. False where the printer takes none. Requires what drawReport()
-/// does.
+/// Prints the pages of the report. Returns false if the printer accepts no pages. Requires a solved blow and
+/// a QApplication (any platform, also offscreen).
 bool printReport(const BlowReport& report, const PaperReader& reader, QPrinter& printer);
 
-/// Draws the report in the formats of the order, "html" and "pdf": the same words and plots. The HTML is the
-/// same bytes for the same report and reader on one machine, whatever the window shows. Requires a solved
-/// blow and a QApplication (any platform, also offscreen). Not all of them after a stop.
+/// Returns the report in the formats of the order, "html" and "pdf", which have the same words and plots.
+/// After a stop, returns only those finished. The HTML is reproducible byte for byte on one machine. Requires
+/// a solved blow and a QApplication (any platform, also offscreen).
 Pictures drawReport(const BlowReport& report, const PictureOrder& order, const PaperReader& reader = {});
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on a blow on pages, of a file or of paper.
+// Drawing the report on a blow on the pages of a file or of a printer.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@ class QPagedPaintDevice;
 
 namespace drillwave {
 
-/// Draws the words of reportHtml() for paper and the plots as vectors, a line with title and program above
-/// each page and its number below, with margins of 15 mm; on A4 two to five pages without studies. False if
-/// the device takes no pages, for example a printer that is gone.
+/// Draws the words of reportHtml() and the plots, as vectors, on pages with margins of 15 mm. Title and
+/// program are above each page, its number is below. A4 without studies takes two to five pages. Returns
+/// false if the device accepts no pages, for example an unplugged printer.
 bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
                      const ReadingStyle& style, QPagedPaintDevice& device);
 

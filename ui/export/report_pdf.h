@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on a blow as pages of A4.
+// The report on a blow as a PDF file with pages of A4.
 #pragma once
 
 #include <QByteArray>
@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Returns the pages of drawReportPages() as a file, without a date.
+/// Returns the bytes of a PDF file with the pages of drawReportPages(); the file has no date.
 QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots,
                      const ReadingStyle& style);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plots of a report with their captions.
+// Plots of a report with their captions.
 #pragma once
 
 #include <stop_token>
@@ -10,13 +10,14 @@
 
 namespace drillwave {
 
-/// A plot of a report; the source of its picture is its name.
+/// Plot of a report with its caption. The source of its picture is its name.
 struct ReportPlot {
     ReportPicture picture;
     PaperPlot paper;
 };
 
-/// Draws the plots of a report that have data. A stop ends the work early; the plots must not be used then.
+/// Returns the plots of a report for which there are data. A stop ends the work early; the plots must not be
+/// used then.
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
                                     const std::stop_token& stop);
 

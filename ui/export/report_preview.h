@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of a report as they will be, with the fields of its head.
+// Preview of a report's pages, with fields for its heading (project, author, customer, date).
 #pragma once
 
 #include <QPrinter>
@@ -17,27 +17,29 @@ class QPushButton;
 
 namespace drillwave {
 
-/// Returns the head of the window's reports: author and customer as saved by the last edit, and today's date
-/// if the user wants one.
+/// Returns the heading of reports: project, author and customer as last entered, and today's date if the user
+/// wants one.
 ReportHead rememberedHead();
 
-/// A separate window, which stays open while the scenario is edited.
+/// Window with the pages of a report; it stays open while the scenario is edited.
 class ReportPreview : public QWidget {
     Q_OBJECT
 
   public:
     explicit ReportPreview(QWidget* parent);
 
-    /// Shows a report, with another head once the fields are edited.
+    /// Shows a report; its heading follows the fields when these are edited.
     void present(const BlowReport& report, const PaperReader& reader);
-    /// Marks the pages as those of an earlier scenario.
+    /// Enables the button Update, because the pages are those of an earlier scenario; false disables it.
     void setOutOfDate(bool outOfDate);
     int pageCount() const;
 
   signals:
-    /// The user wants the pages of the present scenario; a file; a print.
+    /// Emitted when the user asks for the pages of the present scenario.
     void updateRequested();
+    /// Emitted when the user asks to write the report to a file.
     void writeRequested();
+    /// Emitted when the user asks to print the report.
     void printRequested();
 
   private:
@@ -47,7 +49,7 @@ class ReportPreview : public QWidget {
 
     std::optional<BlowReport> m_report;
     PaperReader m_reader;
-    QPrinter m_printer{QPrinter::HighResolution};  // of nothing but sizes
+    QPrinter m_printer{QPrinter::HighResolution};  // used only for page sizes
     QWidget* m_fields;
     QCheckBox* m_dated;
     QPushButton* m_update;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands Report…, Preview and Print…: the report of `drillwave report`, in the numbers and units of the
-// window, made in the background.
+// Menu commands Report…, Preview and Print…. They make the report of `drillwave report` in the background, in
+// the language and units of the window.
 #pragma once
 
 #include <QAction>
@@ -21,41 +21,42 @@ class ReportWriter : public QObject {
     Q_OBJECT
 
   public:
-    /// Document and questions must outlive the writer, whose parent `window` is.
+    /// Makes the commands. `window` becomes the parent; document and questions must outlive the writer.
     ReportWriter(Document& document, Questions& questions, QWidget* window);
 
-    /// Sets the runs to compare with in later reports.
+    /// Sets the pinned runs with which later reports compare the blow.
     void setRuns(RunListPtr runs);
     /// Sets the function that returns the studies of future reports.
     void setStudies(std::function<ReportStudies()> studies) { m_studies = std::move(studies); }
-    /// The signals that are laid over its curves from now on; they must outlive the writer.
+    /// Sets the measured signals that later reports draw over the computed curves. The list must outlive the
+    /// writer.
     void setMeasured(const MeasuredList& measured);
 
-    /// For menus and tool bars.
+    /// Returns the command Report…, for menus and tool bars.
     QAction* action() const { return m_action; }
     QAction* previewAction() const { return m_previewAction; }
     QAction* printAction() const { return m_printAction; }
-    /// The studies on their way to the report, which can be stopped.
+    /// Returns the background work on the report, which can be stopped.
     StudyActivity& activity() { return m_job; }
-    /// Asks for a file, and reports on the document's present scenario. Gives up an earlier report that is
+    /// Asks for a file and writes the report on the present scenario to it. Cancels an earlier report that is
     /// not finished.
     void write();
-    /// Shows its pages in a window, with fields for project, author and customer.
+    /// Shows the pages of the report in a window, with fields for project, author and customer.
     void preview();
-    /// Prints the report, once the printer is chosen.
+    /// Asks for a printer and prints the report.
     void print();
 
   signals:
     void begun();
-    /// Written, printed, failed or stopped.
+    /// Emitted when the report is written, shown, printed, failed or stopped.
     void ended();
-    /// The report is written: where, in one line.
+    /// Emitted when the report is written or printed; `message` says in one line where.
     void written(const QString& message);
 
   private:
     struct Answer {
         BlowReport report;
-        RunList runs;  ///< to compare with, as they were at the request
+        RunList runs;  ///< pinned runs to compare with, as they were when the report was requested
     };
     using Use = std::function<void(const BlowReport&)>;
 
@@ -77,11 +78,12 @@ class ReportWriter : public QObject {
     QAction* m_previewAction;
     QAction* m_printAction;
     ReportPreview* m_preview = nullptr;
-    RunListPtr m_runs;  // nullptr without
+    RunListPtr m_runs;  // pinned runs to compare with; nullptr for none
     const MeasuredList* m_measured = nullptr;
     std::function<ReportStudies()> m_studies = [] { return ReportStudies(); };
-    Use m_use;          // of the report on its way; empty without
-    QString m_failure;  // the message if there is no report
+    // Function that uses the report in progress; empty if there is none.
+    Use m_use;
+    QString m_failure;  // title of the message on failure
     StudyJob<Answer> m_job;
 };
 

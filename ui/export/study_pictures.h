@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures of studies, drawn by the plots of their pages.
+// Pictures of studies, drawn by the plots of their pages in the window.
 #pragma once
 
 #include "core/report/curve_report.h"
@@ -15,19 +15,20 @@
 
 namespace drillwave {
 
-/// Draw the first view of the page of each study; see renderPictures().
+/// Returns pictures of a study of curves: the first view of its page; see renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader = {});
+/// Returns pictures of the designs of a study. Requires that a design is best for uncertain rock.
 Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// The march, or why there is nothing to show.
+/// Returns pictures of many blows in sequence, or of the reason why there is nothing to show.
 Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// Requires a parameter along the axis.
+/// Returns pictures of a scan. Requires that its axis is a numerical parameter.
 Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});
-/// The main record; requires that it is not refused.
+/// Returns pictures of the main record of an identification. Requires that the record was not refused.
 Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// Has no page: the rows as curves, see sweepPanels().
+/// Returns pictures of a sweep, which has no page in the window: its rows as curves, see sweepPanels().
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order, const PaperReader& reader = {});
 
 }  // namespace drillwave

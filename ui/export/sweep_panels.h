@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of a sweep as curves.
+// Conversion of the rows of a sweep into curves.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// A panel for each output: curves along the lineAxis(), one for each value of the other axis. A row that was
-/// not solved is a gap in its curve. Requires pictureProblem() to be empty.
+/// Returns one panel for each output. Its curves run along the lineAxis(), one for each value of the other
+/// axis. A row that was not solved leaves a gap. Requires that pictureProblem() is empty.
 std::vector<FigurePanel> sweepPanels(const SweepRows& rows);
 
 }  // namespace drillwave

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A combo box for a panel that scrolls.
+// Combo box for a panel that scrolls.
 #pragma once
 
 #include <QComboBox>
 
 namespace drillwave {
 
-/// Takes the wheel only while it has the focus, so that the panel scrolls over it. Its list is as wide as its
-/// entries, and a tooltip shows the chosen one if it is cut off.
+/// Combo box that reacts to the mouse wheel only while it has the focus, so that the wheel scrolls the panel.
+/// Its list is as wide as its entries. A tooltip shows the chosen entry if it is cut off.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 
   public:
     explicit ChoiceBox(QWidget* parent = nullptr);
 
-    /// Makes it as wide as the chosen text if there is room, for example in a row that wraps.
+    /// Makes the box as wide as the chosen text if there is room, for example in a row that wraps.
     void followText();
     QSize sizeHint() const override;
     void showPopup() override;

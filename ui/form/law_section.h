@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of bit and rock in the form: which it is, and the corners of its loading curve.
+// Form rows for the bit-rock law: the kind of law, and the corners of its loading curve.
 #pragma once
 
 #include <QGridLayout>
@@ -16,13 +16,13 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Its widgets live in the grid of the section of bit and rock. Rows of the table of parameters show all
-/// values of a law except its corners.
+/// Rows of the bit-rock law in the grid of that section. The law's other values have rows of type
+/// ParameterRow.
 class LawSection : public QObject {
     Q_OBJECT
 
   public:
-    /// Fills the next rows of `grid`. The document must outlive it.
+    /// Adds the rows at the end of `grid`. The document must outlive this object.
     LawSection(Document& document, QGridLayout* grid, QWidget* parent);
     void present(const Scenario& scenario);
 
@@ -46,7 +46,7 @@ class LawSection : public QObject {
     QVBoxLayout* m_lines;
     QToolButton* m_add;
     std::vector<Row> m_rows;
-    ScenarioForm m_form = ScenarioForm::dimensional;  // whose units the rows have
+    ScenarioForm m_form = ScenarioForm::dimensional;  // form of the scenario shown, which sets the units
     int m_gesture;
 };
 

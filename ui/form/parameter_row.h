@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter in the form: name, slider, field, unit, and a line for an error.
+// Form row of one parameter: name, slider, field, unit, and a line for an error.
 #pragma once
 
 #include <QGridLayout>
@@ -13,16 +13,16 @@
 
 namespace drillwave {
 
-/// Columns of the grid of a section: name, slider, field, unit.
+/// Number of columns in the grid of a section: name, slider, field, unit.
 inline constexpr int formColumns = 4;
 
-/// Made only from an entry of the parameter table. Its widgets live in the grid of the section.
+/// Form row built from one entry of the parameter table. Its widgets are in the grid of the section.
 class ParameterRow : public QObject {
     Q_OBJECT
 
   public:
-    /// Fills the two lowest rows of `grid`; `sectionTitle` goes into the accessible names. The units must
-    /// outlive it.
+    /// Adds a row at the end of `grid`. `sectionTitle` is used in the accessible names. `units` must outlive
+    /// this object.
     ParameterRow(const Parameter& parameter, UnitChoice& units, const QString& sectionTitle,
                  QGridLayout* grid, QWidget* parent);
 
@@ -30,23 +30,25 @@ class ParameterRow : public QObject {
     QuantityField* field() const { return m_field; }
     QuantitySlider* slider() const { return m_slider; }
 
-    /// Widths that the columns of labels and units need [px].
+    /// Returns the width that the column of names needs [px].
     int labelWidth() const { return m_label->sizeHint().width(); }
+    /// Returns the width that the column of units needs [px].
     int unitWidth() const { return m_field->unitButton() ? m_field->unitButton()->sizeHint().width() : 0; }
 
-    /// Shows the parameter's value in the scenario, or hides the row where it does not apply.
+    /// Shows the parameter's value in the scenario; hides the row if the scenario does not have the
+    /// parameter.
     void present(const Scenario& scenario);
 
-    /// Sets the receiver of values given by the user, in the field or by the slider.
+    /// Sets the function that receives values entered in the field or set by the slider.
     void setTaker(QuantityField::Taker taker);
 
   signals:
     void cleared();
-    /// The user wants the value of the parameter for a given result.
+    /// Emitted when the user asks for the value of the parameter that gives a certain result.
     void goalRequested();
-    /// The slider was clicked twice: back to the value of the file.
+    /// Emitted when the slider was double-clicked, to restore the value of the file.
     void resetRequested();
-    /// Further edits are a new undo step.
+    /// Emitted when a series of edits ends: later edits are a new undo step.
     void editsEnded();
 
   private:

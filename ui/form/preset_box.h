@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows which preset a part of the scenario agrees with, and offers the others.
+// Box that shows which preset the values of a section equal, and offers other presets.
 #pragma once
 
 #include <QMenu>
@@ -12,25 +12,26 @@
 
 namespace drillwave {
 
-/// Looks like a combo box and opens a menu: presets of one kind, those of the user's files, and how to add
-/// such files.
+/// Combo box that opens a menu instead of a list. The menu has the presets of one kind, also those of the
+/// user's files, and commands to add such files.
 class PresetBox : public ChoiceBox {
     Q_OBJECT
 
   public:
-    /// All references must outlive the box. `part` names the section in accessible names: "Rod".
+    /// Makes the box. All references must outlive it. `part` is the section's name in accessible names:
+    /// "Rod".
     PresetBox(PresetKind kind, const QString& part, Document& document, PresetLibrary& library,
               Questions& questions, QWidget* parent = nullptr);
 
-    /// Shows the name of the preset that the scenario agrees with, or "custom", and where its values are
-    /// from.
+    /// Shows the name of the preset whose values the scenario has, or "custom", and the source of its values
+    /// in the tooltip.
     void present(const Scenario& scenario);
     void showPopup() override;
-    /// The menu as it would open now.
+    /// Returns the menu, filled with the present presets.
     QMenu* menu();
 
   signals:
-    /// Files of presets were read again, added or removed.
+    /// Emitted when files of presets were read again, added or removed.
     void libraryChanged();
 
   private:

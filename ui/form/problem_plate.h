@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a field does not take its text, on a plate over what is below it: no other row moves for it.
+// Label that shows why a field refuses its text. It covers the rows below instead of moving them.
 #pragma once
 
 #include <QLabel>
 
 namespace drillwave {
 
-/// Hidden at first. It lies in the scrolled widget of its field, over other rows, and lets the mouse through.
+/// Label drawn over the rows below a field, or above it if there is no room below. It is hidden until say()
+/// is called, and does not react to the mouse.
 class ProblemPlate : public QLabel {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small drawing of the force of the hammer over time.
+// Small plot of the hammer force over time.
 #pragma once
 
 #include <QPolygonF>
@@ -12,10 +12,11 @@ namespace drillwave {
 
 class UnitChoice;
 
-// The force of the hammer over time as a line to draw, whatever the pulse.
+// Curve of the hammer force over time, ready to be drawn, for any pulse shape.
 
-/// Time in t0 from 0 to `end`, force relative to its peak. At most a few thousand points, the extremes of a
-/// longer table kept. Pulses without end are shown until little is left of them; empty without a force.
+/// Curve of the hammer force: time in units of t0 from 0 to `end`, force relative to its peak. It has at most
+/// a few thousand points; longer tables keep their extremes. A pulse without an end is cut where little of it
+/// is left. Empty without a force.
 struct PulseCurve {
     QPolygonF points;
     double end = 0;
@@ -23,16 +24,17 @@ struct PulseCurve {
     explicit PulseCurve(const PulseForce& force);
 };
 
-/// Names the peak of the force and the time t0, in physical units where the scenario has them.
+/// Plot of the hammer force over time, labelled with its peak and t0, in physical units if the scenario has
+/// them.
 class PulsePreview : public QWidget {
     Q_OBJECT
 
   public:
-    /// The units must outlive it.
+    /// Makes an empty plot. `units` must outlive it.
     explicit PulsePreview(const UnitChoice& units, QWidget* parent = nullptr);
 
     void present(const Scenario& scenario);
-    /// The drawing in words: "rectangular, 200 µs, 255 kN".
+    /// Returns a description of the plot for screen readers: "rectangular, 200 µs, 255 kN".
     QString words() const { return m_words; }
 
     QSize sizeHint() const override;
@@ -45,14 +47,14 @@ class PulsePreview : public QWidget {
     QString peakText(double peak, const Scenario& scenario) const;
 
     const UnitChoice& m_units;
-    QPolygonF m_curve;  // time in t0, force relative to the peak
-    double m_end = 0;   // of the curve, in t0
+    QPolygonF m_curve;  // points of the curve: time in t0, force relative to its peak
+    double m_end = 0;   // end of the curve, in t0
     QString m_peakText;
     QString m_timeText;
     QString m_words;
 };
 
-/// "half sine", as people write it.
+/// Returns the translated name of a pulse shape: "half sine".
 QString shapeText(PulseShape shape);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hammer blow's own rows: its shape, its drawing, and the table it may be from.
+// Form rows of the hammer force: its shape, its plot, and the table from which it may be read.
 #pragma once
 
 #include <QGridLayout>
@@ -14,20 +14,21 @@
 
 namespace drillwave {
 
-/// Its widgets live in the grid of the section.
+/// Rows of the hammer force that are no single parameters, in the grid of that section.
 class PulseSection : public QObject {
     Q_OBJECT
 
   public:
-    /// Fills the lowest rows of `grid`. Document and questions must outlive it.
+    /// Adds the rows at the end of `grid`. Document and questions must outlive this object.
     PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
 
-    /// Whether to check again which shapes the scenario can have: each shape needs a check of a scenario.
+    /// Choice whether to check again which shapes the scenario permits, which validates a scenario for each
+    /// shape.
     enum class Shapes { asked, asBefore };
     void present(const Scenario& scenario, Shapes shapes);
 
   signals:
-    /// The user wants to import a measured blow.
+    /// Emitted when the user asks to import a measured hammer force.
     void importRequested();
 
   private:
@@ -50,8 +51,8 @@ class PulseSection : public QObject {
     QLabel* m_tableText = nullptr;
     QPushButton* m_reload = nullptr;
     QLabel* m_impulseLabel = nullptr;
-    QuantityField* m_impulse = nullptr;  // of a table
-    std::optional<double> m_wanted;      // impulse that was given and not taken yet [N s]
+    QuantityField* m_impulse = nullptr;  // impulse of the table [N s]; another value scales its forces
+    std::optional<double> m_wanted;      // impulse entered but not yet applied [N s]
 };
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A field for one physical quantity: holds the exact SI value, takes any unit, shows the unit of choice.
+// Input field for one physical quantity. It stores the exact SI value, accepts any unit, and shows the chosen
+// unit.
 #pragma once
 
 #include <QAbstractSpinBox>
@@ -19,7 +20,7 @@ namespace drillwave {
 
 class UnitChoice;
 
-// A flat button that shows a unit and opens the menu of the others.
+// Flat button that shows a unit and opens the menu of other units.
 
 class UnitButton : public QToolButton {
     Q_OBJECT
@@ -33,45 +34,46 @@ class UnitButton : public QToolButton {
     void paintEvent(QPaintEvent* event) override;
 };
 
-/// Holds a double in SI that only an edit changes: showing it in another unit or with fewer digits does not.
-/// Invalid text stays, marked with the reason, and the old value is kept.
+/// Input field whose SI value changes only by an edit, not by showing it in another unit or with fewer
+/// digits. Invalid text remains and is marked with the reason, while the previous value is kept.
 class QuantityField : public QAbstractSpinBox {
     Q_OBJECT
 
   public:
-    /// Takes a value (SI) that the user gave. Returns why it cannot be taken; empty when it was.
+    /// Function that receives a value (SI) entered by the user. It returns why the value is refused; empty if
+    /// accepted.
     using Taker = std::function<QString(double)>;
 
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
-    /// Makes a field for the values of a parameter. All fields of the parameter share one unit. The units
-    /// must outlive it.
+    /// Makes a field for the values of a parameter; all fields of the parameter share one unit. `units` must
+    /// outlive the field.
     QuantityField(const KeptParameter& parameter, const UnitChoice& units, QWidget* parent = nullptr);
     ~QuantityField() override;
 
-    /// The value in SI; nothing where an optional quantity is not given.
+    /// Returns the value in SI; nothing if an optional quantity is not given.
     std::optional<double> value() const { return m_value; }
-    /// Shows a value from elsewhere. Text being edited stays if it already means that value, or if it is
+    /// Sets the value (SI) from outside. Text being edited stays if it already means that value, or if it is
     /// wrong and the value did not change.
     void setValue(std::optional<double> si);
-    /// Sets the receiver of every value: of each keystroke that makes one, and of each step.
+    /// Sets the function that receives each valid value: after every keystroke and every step.
     void setTaker(Taker taker) { m_taker = std::move(taker); }
-    /// Lets the field be emptied (`cleared()`), and shows `placeholder` then.
+    /// Permits an empty field, which then shows `placeholder`; emptying it emits cleared().
     void setOptional(const QString& placeholder);
-    /// Sets the size of a step (SI) for a value of zero, which has no size of its own.
+    /// Sets the step size (SI) for a value of zero. Other steps are one unit of the value's second digit.
     void setStepAtZero(double si) { m_stepAtZero = si; }
 
     const Unit& unit() const { return *m_unit; }
-    /// Changes what is shown, not the value.
+    /// Sets the unit in which the value is shown; the value stays.
     void setUnit(const Unit& unit);
-    /// Sets the tip and the text for screen readers while nothing is wrong.
+    /// Sets the tooltip, and the description for screen readers, that apply while the text is valid.
     void setHelp(const QString& tip, const QString& description);
-    /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. The caller
-    /// lays it out beside the field; it is deleted with the field.
+    /// Returns the button that shows the unit and offers others (also by Alt+Down in the field); nullptr for
+    /// quantities without units. The caller places it beside the field; it is deleted with the field.
     QToolButton* unitButton() const { return m_unitButton; }
 
-    /// Why the text is not taken, empty when it is.
+    /// Returns why the text is refused; empty if it is accepted.
     QString problem() const { return m_problem; }
-    /// The nearest value with three significant digits in the unit shown.
+    /// Returns the nearest value (SI) that has three significant digits in the unit shown.
     double rounded(double si) const;
 
     void stepBy(int steps) override;
@@ -79,15 +81,15 @@ class QuantityField : public QAbstractSpinBox {
     QSize minimumSizeHint() const override { return sizeHint(); }
 
   signals:
-    /// The user emptied an optional field.
+    /// Emitted when the user empties an optional field.
     void cleared();
-    /// The reason that is shown now changed; empty when there is none any more.
+    /// Emitted when the reason shown for refused text changes; empty when the text is accepted.
     void problemShown(const QString& problem);
-    /// The user has chosen the unit that is shown, from the list or by typing it.
+    /// Emitted when the user chooses the unit, from the menu or by typing it.
     void unitChosen(const drillwave::Unit& unit);
-    /// The focus comes.
+    /// Emitted when the field gets the focus.
     void entered();
-    /// A series of edits has come to its end: Enter, or the focus leaves.
+    /// Emitted when a series of edits ends: on Enter, when the focus leaves, or a moment after the last step.
     void editsEnded();
 
   protected:
@@ -114,15 +116,16 @@ class QuantityField : public QAbstractSpinBox {
     const Unit* m_unit;
     const Unit* m_typedUnit = nullptr;
     std::optional<double> m_value;
-    std::optional<double> m_valueBefore;  // what wrong text falls back to: the value when editing began
+    // Value when editing began, which wrong text restores.
+    std::optional<double> m_valueBefore;
     bool m_editing = false;
     double m_stepAtZero = 1;
     bool m_optional = false;
     Taker m_taker;
     QString m_problem;
     QString m_shownProblem;
-    QString m_help;         // the tip while nothing is wrong
-    QString m_description;  // the text for screen readers then
+    QString m_help;         // tooltip while the text is valid
+    QString m_description;  // description for screen readers while the text is valid
     QTimer m_markTimer;
     QTimer m_stepTimer;
     QAction* m_mark = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slider over the plausible range of a parameter, linear or logarithmic.
+// Slider over the typical range of a parameter, linear or logarithmic.
 #pragma once
 
 #include <QSlider>
@@ -9,28 +9,28 @@
 
 namespace drillwave {
 
-/// Keys and turns of the wheel closer in time than this are one edit [ms].
+/// Longest time between two key presses or wheel turns that belong to one edit [ms].
 inline constexpr int stepSeriesMilliseconds = 800;
 
-/// A click in the groove brings the handle there; with Shift a drag is ten times finer.
+/// Slider whose handle jumps to a click in the groove; with Shift, dragging is ten times finer.
 class QuantitySlider : public QSlider {
     Q_OBJECT
 
   public:
-    /// A logarithmic scale requires a range above zero.
+    /// Makes a slider over `range` (SI). A logarithmic scale requires a range above zero.
     QuantitySlider(const Range& range, SliderScale scale, QWidget* parent = nullptr);
 
-    /// Moves the handle to a value (SI) without a signal. A value outside the range puts it at the end, where
-    /// an arrow then shows that the value lies beyond.
+    /// Moves the handle to a value (SI) without emitting a signal. For a value outside the range, the handle
+    /// is at the end and an arrow is shown.
     void present(double si);
-    /// −1 or 1 when the value lies beyond the low or high end, else 0.
+    /// Returns −1 if the value lies below the slider's range, 1 if above, else 0.
     int beyond() const { return m_beyond; }
 
   signals:
     void valueDragged(double si);
-    /// A double click: the user wants the value back that is in the file.
+    /// Emitted on a double click: the user wants to restore the value in the file.
     void resetRequested();
-    /// The handle was let go, or a series of keys or turns of the wheel has come to its end.
+    /// Emitted when the handle is released, or a series of key presses or wheel turns has ended.
     void dragEnded();
 
   protected:
@@ -54,7 +54,7 @@ class QuantitySlider : public QSlider {
     SliderScale m_scale;
     int m_beyond = 0;
     QTimer m_stepTimer;
-    // While it is held: where hand and handle were when it was grabbed, or Shift pressed or let go.
+    // Positions of mouse [px] and handle when the drag began, or when Shift was last pressed or released.
     double m_heldPixel = 0;
     double m_heldPosition = 0;
     bool m_fine = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks for the rig that a scenario of dimensionless groups becomes.
+// Dialog that converts a scenario of dimensionless groups into one in physical units (a rig).
 #pragma once
 
 #include <QDialog>
@@ -16,13 +16,13 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Shows the values that follow from the groups and the inputs. Accepting makes the rig, in one step of the
-/// document's history.
+/// Dialog that asks for rod, mean force and duration, and shows the physical values that follow from the
+/// groups. Accepting changes the document in one undo step.
 class RigDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// The document must outlive it. Requires a dimensionless scenario.
+    /// Makes the dialog. The document must outlive it, and its scenario must be dimensionless.
     explicit RigDialog(Document& document, QWidget* parent = nullptr);
 
     const RigChoice& choice() const { return m_choice; }
@@ -35,7 +35,7 @@ class RigDialog : public QDialog {
 
     Document& m_document;
     PresetLibrary m_library;
-    std::vector<const Preset*> m_presets;  // in the order of the box, after "custom"
+    std::vector<const Preset*> m_presets;  // presets in the order of the box, where they follow "custom"
     RigChoice m_choice;
     ChoiceBox* m_rod;
     QList<QuantityField*> m_fields;
@@ -43,7 +43,7 @@ class RigDialog : public QDialog {
     QPushButton* m_accept = nullptr;
 };
 
-/// Returns the ways to a scenario in physical units, for pages with nothing to show for a dimensionless one.
+/// Returns a sentence on how to get a scenario in physical units, for pages that need one.
 QString waysToPhysicalUnits();
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The form of a scenario: every parameter of the table that applies, in sections that can be folded.
+// Form of a scenario: every parameter that applies to it, in sections that can be folded.
 #pragma once
 
 #include <QCheckBox>
@@ -22,14 +22,14 @@ namespace drillwave {
 
 class ChoiceBox;
 
-// Whether the bit meets new rock with every blow: a word, and so no row of numbers.
+// Form row for whether the bit meets new rock with every blow, which is a choice of words, not a number.
 
-/// A row of its own in the grid of a section.
+/// Row in a section's grid, with the choice whether the bit meets new rock with every blow (indexing).
 class IndexingBox : public QObject {
     Q_OBJECT
 
   public:
-    /// Fills the lowest row of `grid`. The document must outlive it.
+    /// Adds the row at the end of `grid`. The document must outlive this object.
     IndexingBox(Document& document, QGridLayout* grid, QWidget* parent);
 
     void present(const Scenario& scenario);
@@ -41,20 +41,21 @@ class IndexingBox : public QObject {
     ChoiceBox* m_box;
 };
 
-// Rows for drill strings beside the numbers: a summary with a link to the sections, and whether the hammer
-// strikes again.
+// Form rows of drill strings without numbers: a summary with a link to the sections, and a choice whether the
+// hammer may strike again.
 
-/// Its widgets live in the grids of two sections of the form.
+/// Rows of drill strings, in the grids of two sections of the form.
 class StringSection : public QObject {
     Q_OBJECT
 
   public:
-    /// Fills the next rows of `grid`. The document must outlive it.
+    /// Adds the summary at the end of `grid`. The document must outlive this object.
     StringSection(Document& document, QGridLayout* grid, QWidget* parent);
 
-    /// Adds the row of restrikes below the rows of the hammer.
+    /// Adds the check box for repeated strikes of the hammer at the end of `grid`, below the rows of the
+    /// hammer.
     void addRestrike(QGridLayout* grid, QWidget* parent);
-    /// Requires a drill string.
+    /// Shows the values of a scenario, which must be a drill string.
     void present(const Scenario& scenario);
 
   signals:
@@ -68,27 +69,30 @@ class StringSection : public QObject {
     QCheckBox* m_restrike = nullptr;
 };
 
-/// Shows and edits a document. Rows come only from parameters(): a new parameter there appears here.
+/// Form that shows and edits a document. Its rows come only from parameters(), so a parameter added there
+/// appears here.
 class ScenarioPanel : public SteadyScrollArea {
     Q_OBJECT
 
   public:
-    /// Document and questions must outlive the panel.
+    /// Makes the form. Document and questions must outlive it.
     ScenarioPanel(Document& document, Questions& questions, QWidget* parent = nullptr);
     ~ScenarioPanel() override;
 
-    /// Shows the field of a parameter, by its key, and gives it the focus.
+    /// Scrolls to the field of a parameter, given by its key, and gives it the focus.
     void goTo(const QString& key);
 
   signals:
-    /// A slider is held, and let go again; not for clicks, keys and wheel.
+    /// Emitted when the user starts to drag a slider; not for clicks, keys and the wheel.
     void dragStarted();
+    /// Emitted when the user releases the slider.
     void dragEnded();
-    /// The user wants to import a measured hammer blow.
+    /// Emitted when the user asks to import a measured hammer force.
     void importRequested();
-    /// The user wants the value of that parameter for a given result.
+    /// Emitted when the user asks for the value of a parameter, given by its key, that gives a certain
+    /// result.
     void goalRequested(const QString& key);
-    /// The user wants to see the sections of the drill string.
+    /// Emitted when the user asks to see the sections of the drill string.
     void sectionsRequested();
 
   private:
@@ -121,9 +125,10 @@ class ScenarioPanel : public SteadyScrollArea {
     LawSection* m_law = nullptr;
     IndexingBox* m_indexing = nullptr;
     QList<Section> m_sections;
-    int m_gesture = m_document.newGesture();  // until edits have ended
-    bool m_dragged = false;                   // a slider is held
-    std::optional<ScenarioForm> m_placedFor;  // where the groups are
+    // Number of the present gesture: a group of edits that form one undo step.
+    int m_gesture = m_document.newGesture();
+    bool m_dragged = false;                   // true while a slider is dragged
+    std::optional<ScenarioForm> m_placedFor;  // form of scenario for which the sections were last arranged
 };
 
 }  // namespace drillwave

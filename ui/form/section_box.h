@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A titled part of a panel that can be folded away.
+// Section of a panel with a title, which can be folded.
 #pragma once
 
 #include <QScrollArea>
@@ -14,14 +14,15 @@ class SectionBox : public QWidget {
   public:
     explicit SectionBox(const QString& title, QWidget* parent = nullptr);
 
-    /// Parent of the content; give it a layout.
+    /// Returns the widget that contains the section's content; give it a layout.
     QWidget* content() const { return m_content; }
     QString title() const { return m_header->text(); }
     void setTitle(const QString& title);
     bool isOpen() const { return m_content->isVisibleTo(this); }
     void setOpen(bool open);
     enum class Begin { open, folded };
-    /// Keeps whether it is open under that key of the settings, and is now as it was left.
+    /// Stores under a key of the settings whether the section is open, and restores the stored state, by
+    /// default `begin`.
     void rememberAs(const QString& key, Begin begin = Begin::open);
 
   signals:
@@ -33,9 +34,9 @@ class SectionBox : public QWidget {
     QString m_key;
 };
 
-// A column of widgets to be scrolled, always as wide: its scroll bar is there whether it is needed or not.
+// Scroll area whose vertical scroll bar is always visible, so that its width does not change.
 
-/// Scrolls vertically only.
+/// Scroll area for a column of widgets; it scrolls only vertically and is always as wide as its content.
 class SteadyScrollArea : public QScrollArea {
     Q_OBJECT
 
@@ -43,7 +44,7 @@ class SteadyScrollArea : public QScrollArea {
     explicit SteadyScrollArea(QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
-    /// Wide enough to cut nothing off at the side.
+    /// Returns a size wide enough to show the full width of the content.
     QSize minimumSizeHint() const override;
 
   protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Place of a widget's subject in the manual.
+// Places in the manual, links to them, and the place that describes a widget.
 #pragma once
 
 #include <QString>
@@ -9,36 +9,37 @@ class QWidget;
 
 namespace drillwave {
 
-// A place in the manual, and links to it.
+// Types and functions for a place in the manual and links to it.
 
-/// A chapter and a heading in it: its number "§3.1", its words, or the first of them; or an equation,
-/// "(T34)". Without a heading the chapter's beginning.
+/// Place in the manual: a chapter, and a heading or equation in it. `heading` is a section's number "§3.1",
+/// its words or the first of them, or an equation, "(T34)". Empty means the start of the chapter.
 struct ManualPlace {
     QString chapter;
     QString heading = {};
     bool operator==(const ManualPlace&) const = default;
 };
 
-/// "manual:theory#§3".
+/// Returns the link to a place, "manual:theory#§3".
 QUrl urlOf(const ManualPlace& place);
-/// No chapter where it is no such link.
+/// Returns the place to which a link leads; the chapter is empty for links outside the manual.
 ManualPlace placeOf(const QUrl& url);
 
-/// "and", as the languages of the manual have it, in a regular expression.
+/// Regular expression for "and" in the languages of the manual.
 inline constexpr char16_t andWords[] = u"(?:and|und|och)";
 
-/// Whether a heading as shown is the one meant: "§4.2 sweep and table" by "§4.2" and by "table", "rod.length:
-/// length L" by "rod.length".
+/// Returns true if `meant` refers to the heading `shown`. For example, "§4.2 sweep and table" is meant by
+/// "§4.2" and by "table", and "rod.length: length L" by "rod.length".
 bool isHeading(const QString& shown, const QString& meant);
 
-/// A property of a widget with the topic, "window §2", of all that is inside it.
+/// Name of the widget property that contains the place in the manual, "window §2", which describes everything
+/// inside the widget.
 inline constexpr char helpTopicProperty[] = "helpTopic";
 
-/// Returns where the manual describes the parameter of a key; no chapter for other keys.
+/// Returns the place that describes the parameter with this key; the chapter is empty for other keys.
 ManualPlace placeOfKey(const QString& key);
 
-/// Returns the topic of the focused widget or of its nearest parent with one. Fields are named by the key of
-/// their parameter, sliders by the key with ".slider" appended. No chapter if there is none.
+/// Returns the place that describes the focused widget, or its nearest parent with one; the chapter is empty
+/// if there is none. Fields have the key of their parameter as object name, sliders the key and ".slider".
 ManualPlace topicOf(const QWidget* focus);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chapter of the manual in a reader: with its links, back and forward, and the words of a search marked.
+// Reader for a chapter of the manual, with links, back and forward, and marked search words.
 #pragma once
 
 #include <QTextBrowser>
@@ -9,20 +9,20 @@
 
 namespace drillwave {
 
-/// Shows one place of a book.
+/// Text view that shows one place of the manual.
 class HelpView : public QTextBrowser {
     Q_OBJECT
 
   public:
-    /// The book must outlive the view.
+    /// Makes a view of the manual `book`, which must outlive it.
     explicit HelpView(const ManualBook& book, QWidget* parent = nullptr);
 
     const ManualPlace& place() const { return m_history[m_at].place; }
-    /// Goes to a place; the last one stays in the history. Unknown headings lead to the chapter's beginning.
+    /// Shows a place and adds it to the history. An unknown heading leads to the start of the chapter.
     void go(const ManualPlace& place);
-    /// Marks these words wherever they are, and scrolls to the first of them below the place.
+    /// Marks all occurrences of these words, and scrolls to the first one below the present place.
     void mark(const QStringList& words);
-    /// Lays out the chapter again, for example in other colours; keeps the scroll position.
+    /// Lays out the chapter again, for example in other colours, without scrolling.
     void layOut();
 
     bool hasBackward() const { return m_at > 0; }
@@ -30,14 +30,14 @@ class HelpView : public QTextBrowser {
     void backward() override;
     void forward() override;
 
-    /// The size of the type in per cent of that of the window.
+    /// Returns the size of the type, in per cent of that of the window.
     int zoom() const { return m_zoom; }
     void setZoom(int percent);
 
     QVariant loadResource(int type, const QUrl& name) override;
 
   signals:
-    /// Another place is on show.
+    /// Emitted when another place is shown.
     void placeChanged(const drillwave::ManualPlace& place);
     void zoomChanged(int percent);
 
@@ -61,10 +61,10 @@ class HelpView : public QTextBrowser {
     const ManualBook& m_book;
     QList<Visit> m_history{Visit()};
     qsizetype m_at = 0;
-    QString m_shown;  // the chapter that is laid out
+    QString m_shown;  // name of the chapter that is laid out
     QStringList m_words;
     int m_zoom = 100;
-    qreal m_usualSize;  // of the type [pt]
+    qreal m_usualSize;  // size of the type at 100 % zoom [pt]
     QTimer m_laterLayout;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window of the manual: contents, search, and the chapter.
+// Window of the manual: table of contents, search and chapter.
 #pragma once
 
 #include <QLineEdit>
@@ -13,22 +13,23 @@
 
 namespace drillwave {
 
-/// Stays open beside the window it belongs to, and remembers place, parts and size of type.
+/// Window of the manual, separate from the main window. It stores its place, layout and type size for later
+/// sessions.
 class HelpWindow : public QWidget {
     Q_OBJECT
 
   public:
-    /// A separate window that closes with `owner`.
+    /// Makes the window; it closes with `owner`.
     HelpWindow(ManualBook book, QWidget* owner);
 
-    /// Opens at that place, in front.
+    /// Shows the window in front, at a place of the manual.
     void open(const ManualPlace& place);
     HelpView& view() const { return *m_view; }
     QLineEdit& search() const { return *m_search; }
     QListWidget& hits() const { return *m_hits; }
     QTreeWidget& contents() const { return *m_contents; }
 
-    /// Restores the place of the last session; false if there is none.
+    /// Shows the place of the last session; returns false if there is none.
     bool restorePlace();
 
   protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chapters as the help window has them, and which headings they have.
+// Chapters of the manual with their headings, as the help window shows them.
 #pragma once
 
 #include <QList>
@@ -13,32 +13,32 @@
 
 namespace drillwave {
 
-/// A chapter with its headings as they are shown.
+/// Chapter of the manual with its headings as they are shown.
 struct BookChapter {
     QString name;
     QString title;
     QString markdown;
-    std::vector<ManualBlock> blocks;  ///< of it
+    std::vector<ManualBlock> blocks;  ///< blocks parsed from `markdown`
     struct Heading {
         QString text;
         int level = 1;
     };
-    QList<Heading> headings;  ///< in order, that of the chapter first
-    QStringList equations;    ///< "(T1)", the equations in it
+    QList<Heading> headings;  ///< all headings in order, first that of the chapter
+    QStringList equations;    ///< numbers of its equations, "(T1)"
 };
 
-/// The chapters of core in a language, with what a window adds to them.
+/// Manual in one language: the built-in chapters, and text that the window appends.
 class ManualBook {
   public:
     explicit ManualBook(const Language& language);
 
-    /// In the order of a list of contents.
+    /// Returns all chapters in the order of the table of contents.
     const QList<BookChapter>& chapters() const { return m_chapters; }
-    /// Or nullptr.
+    /// Returns the chapter of that name, or nullptr if there is none.
     const BookChapter* find(const QString& name) const;
-    /// Whether there is such a place.
+    /// Returns true if the chapter exists and has that heading or equation.
     bool has(const ManualPlace& place) const;
-    /// Appends Markdown to a chapter of the book and replaces what was appended before.
+    /// Appends Markdown to the chapter `name`; does nothing without such a chapter.
     void append(const QString& name, const QString& markdown);
 
   private:

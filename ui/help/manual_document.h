@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chapter of the manual laid out for reading.
+// Layout of a chapter of the manual as a text document.
 #pragma once
 
 #include <QList>
@@ -10,40 +10,40 @@
 
 namespace drillwave {
 
-// Links in a text of the manual to other places in it: "theory §3", "(T34)", names of parameters, outputs and
-// commands.
+// Links in a text of the manual to other places in it, made from "theory §3", "(T34)", and names of
+// parameters, outputs and commands.
 
-/// A stretch of a line that is a link.
+/// Part of a line that is a link: first character, number of characters, and target.
 struct ManualLink {
     qsizetype begin = 0;
     qsizetype length = 0;
     ManualPlace to;
 };
 
-/// Returns the links in a line of a chapter, in order, whose place exists.
+/// Returns the links in a line of a chapter, in order. Only references to existing places become links.
 QList<ManualLink> linksIn(const QString& line, const QString& chapter, const ManualBook& book);
 
-/// Returns the place of a piece of code that names a parameter, an output, a command or a page; no chapter
-/// for other code.
+/// Returns the place that describes a word set as code: a parameter, an output, a command or a page. The
+/// chapter is empty for other code.
 ManualPlace placeOfCode(const QString& code, const ManualBook& book);
 
-/// Colours of the manual beside those of a palette.
+/// Colours of the manual that a palette does not have.
 struct ManualColours {
-    QColor link;        ///< legible on the base of the palette
-    QColor code;        ///< of the background of code and headers of tables
-    QColor line;        ///< of tables
-    QColor mark;        ///< of the background of words found
-    QColor markedText;  ///< on that
+    QColor link;        ///< text of links, legible on the base colour of the palette
+    QColor code;        ///< background of code and of table headers
+    QColor line;        ///< lines of tables
+    QColor mark;        ///< background of words found by a search
+    QColor markedText;  ///< text of words found by a search
 };
 ManualColours manualColours(const QPalette& palette);
 
-/// Fills a document with a chapter, `width` pixels wide: places and names as links, tables with lines, code
-// set apart.
+/// Fills a document with a chapter, `width` pixels wide. Places and names become links, tables get lines, and
+/// code is set apart.
 void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book, qreal width,
                 const QPalette& palette);
 
-/// Returns the block of a heading or of an equation, "(12)"; the first block if `heading` is empty or not
-/// found.
+/// Returns the text block of a heading or of an equation, "(12)"; the first block if `heading` is empty or
+/// not found.
 QTextBlock blockOf(const QTextDocument& document, const QString& heading);
 
 }  // namespace drillwave

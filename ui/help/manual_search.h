@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words sought in all chapters of the manual.
+// Search for words in all chapters of the manual.
 #pragma once
 
 #include <QList>
@@ -10,30 +10,30 @@
 
 namespace drillwave {
 
-/// A section that has all the words.
+/// Section of the manual that contains all words of a search.
 struct ManualHit {
     ManualPlace place;
-    QString chapter;  ///< its title
-    QString heading;  ///< as it is shown
-    QString excerpt;  ///< some words around the first of those that are sought
+    QString chapter;  ///< title of the chapter
+    QString heading;  ///< heading of the section as shown
+    QString excerpt;  ///< text around the first of the words sought
     bool inHeading = false;
-    int count = 0;  ///< how often they occur
+    int count = 0;  ///< number of occurrences of all words
 };
 
-/// The words of what was typed; between quotes several are one.
+/// Returns the words of a search text; words between quotes count as one.
 QStringList soughtWords(const QString& typed);
 
-/// Returns short English texts of the window whose translation has these words, because some chapters are in
-/// English; the shortest first, none for no words.
+/// Returns short English texts of the window whose translation contains these words, the shortest translation
+/// first. They find chapters that exist only in English. Empty if `words` is empty.
 QStringList englishOf(const QString& words, const Language& language);
 
-/// The sections of all chapters as plain text, read once.
+/// Index of all sections of the manual as plain text.
 class ManualSearch {
   public:
     explicit ManualSearch(const ManualBook& book);
 
-    /// Returns sections that have every word, in either case: first those with all of them in their heading,
-    /// then those with the most hits; at most as many as a list can show. None without words.
+    /// Returns the sections that contain every word, ignoring case: first those with all words in the
+    /// heading, then by number of occurrences. At most 200 sections; none without words.
     QList<ManualHit> find(const QStringList& words) const;
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Import of a measured signal: the file, how it is read, and what it gives, before anything is taken.
+// Dialog for importing a measured signal: the file, how to read it, and a preview of the result.
 #pragma once
 
 #include <QDialog>
@@ -27,38 +27,40 @@ class ImportPlot;
 class PlotWidget;
 class TableFields;
 
-/// Stays open beside the window until it is accepted by who made it, on wanted(), or closed. The file is read
-/// away from the window's thread.
+/// Dialog that stays open beside the window until it is closed. On wanted(), its owner uses the result and
+/// closes it. The file is read in another thread.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// The document must outlive it.
+    /// Makes the dialog for a file. The document must outlive it.
     ImportDialog(const QString& path, ImportUse use, const Document& document, QWidget* parent);
     ~ImportDialog() override;
 
     QString path() const { return m_path; }
     ImportUse use() const;
     void setUse(ImportUse use);
-    /// Returns the signal of the present choices; nullptr while it is not known or cannot be used.
+    /// Returns the signal for the present choices; nullptr while it is not computed or cannot be used.
     const ShapedSignal* result() const;
-    /// The same as a measured signal.
+    /// Returns the result as a measured signal with its name and position. Requires that result() is not
+    /// nullptr.
     MeasuredSignal measured() const;
-    /// Why it could not be taken, in place.
+    /// Shows in the dialog why the result could not be used.
     void refuse(const QString& reason);
-    /// Whether an answer is on its way.
+    /// Returns true while the result is being computed.
     bool isBusy() const;
-    /// The settings of the recorder as they now are: columns, units, gauge, amplifier.
+    /// Returns the present settings of the recorder: columns, units, gauge and amplifier.
     SignalOptions settings() const;
-    /// The name under which the user wants them kept.
+    /// Returns the name under which the user wants to store the settings.
     QString recorder() const;
-    /// Offers recorders by name, and the settings of the last import, empty where there was none.
+    /// Offers stored recorders by name, and the settings of the last import; `last` has none if there was no
+    /// import.
     void offer(std::vector<Recorder> recorders, Recorder last);
 
   signals:
-    /// The user wants the settings kept under recorder().
+    /// Emitted when the user asks to store the settings under the name recorder().
     void keepWanted();
-    /// The user wants the result, which there is.
+    /// Emitted when the user accepts the result; result() is then not nullptr.
     void wanted();
     void helpRequested();
 
@@ -76,7 +78,7 @@ class ImportDialog : public QDialog {
     void showState();
     QString obstacle() const;
 
-    /// Proposals that wait until the record is read.
+    /// Values to propose as soon as the record has been read.
     enum class Proposal { zero, signAndTimes, none };
 
     QString m_path;
@@ -86,7 +88,7 @@ class ImportDialog : public QDialog {
     QLineEdit* m_name;
     QComboBox* m_recorder = nullptr;
     QPushButton* m_keep = nullptr;
-    std::vector<Recorder> m_recorders;  // in the order of the box
+    std::vector<Recorder> m_recorders;  // recorders in the order of the box
     TableFields* m_table;
     SignalFields* m_signal;
     FileLines* m_lines;
@@ -96,7 +98,7 @@ class ImportDialog : public QDialog {
     QLabel* m_message;
     QPushButton* m_take = nullptr;
     QTimer m_ask;
-    QString m_refusal;  // of the present result
+    QString m_refusal;  // reason why the present result was refused
     Proposal m_proposal = Proposal::zero;
     StudyRunner<ImportQuestion, ImportPreview> m_study{ImportStudy()};
 };

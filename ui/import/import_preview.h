@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Result of an import, computed away from the window's thread.
+// Preview of an import, computed outside the window's thread.
 #pragma once
 
 #include <QPlainTextEdit>
@@ -22,39 +22,45 @@ namespace drillwave {
 class PlotWidget;
 class UnitChoice;
 
-/// All that the result depends on.
+/// All inputs on which the result of an import depends.
 struct ImportQuestion {
     QString path;
     SampleSource source;
     SignalRecipe recipe;
-    Scenario scenario = {};  ///< of the blow, for its e
-    bool isThinned = false;  ///< to thinningError, where the user has chosen no number of points
+    Scenario scenario = {};  ///< scenario of the imported blow, for computing its e
+    /// True to leave out samples as far as thinningError permits, because the user chose no number of points.
+    bool isThinned = false;
     bool operator==(const ImportQuestion&) const = default;
 };
 
-/// Its answer: the signal, and the whole record to be drawn behind it.
+/// Result of an ImportQuestion: the signal, and the whole record to be drawn behind it.
 struct ImportPreview {
-    QString problem;      ///< why the file could not be read; then there is nothing else
-    ShapedSignal signal;  ///< may have a problem of its own
-    std::optional<ThinningEffect> effect = {};  ///< of a blow
-    QPolygonF record;         ///< time [s], force [N], zero line off: all of it, thinned to what can be seen
-    std::size_t samples = 0;  ///< of the record
-    std::size_t skipped = 0;  ///< rows
-    std::size_t firstSkipped = 0;          ///< line
-    double skippedTime = 0;                ///< longest pause that skipped rows leave [s]
-    bool hasNulTail = false;               ///< NUL bytes ended the table
-    RecordSpan time;                       ///< from the first to the last sample [s]
-    std::optional<RecordSpan> aroundPeak;  ///< spanAroundPeak()
-    double signOfPeak = 1;                 ///< of the record, as in the table
-    std::vector<SignalRemark> remarks;     ///< on the quality of the record
-    std::optional<double> estimatedRate;   ///< of times that are too coarse [Hz]
-    bool hasBothSigns = false;             ///< some of it lies beyond the zero line, seen from the peak
+    QString problem;      ///< why the file cannot be read, then all else is empty; empty on success
+    ShapedSignal signal;  ///< imported signal; has a `problem` of its own
+    /// Effect of leaving out samples; only for hammer blows.
+    std::optional<ThinningEffect> effect = {};
+    /// Points of the whole record: time [s], force [N] relative to the zero line; reduced to the visible
+    /// detail.
+    QPolygonF record;
+    std::size_t samples = 0;               ///< number of samples in the record
+    std::size_t skipped = 0;               ///< number of skipped rows
+    std::size_t firstSkipped = 0;          ///< line number of the first skipped row
+    double skippedTime = 0;                ///< longest gap left by skipped rows [s]
+    bool hasNulTail = false;               ///< the table was ended by NUL bytes
+    RecordSpan time;                       ///< times of the first and the last sample [s]
+    std::optional<RecordSpan> aroundPeak;  ///< times around the peak, spanAroundPeak() [s]
+    double signOfPeak = 1;                 ///< sign of the peak in the table: 1 or −1
+    std::vector<SignalRemark> remarks;     ///< remarks on the quality of the record
+    std::optional<double> estimatedRate;   ///< sample rate estimated from times that are too coarse [Hz]
+    /// True if some samples lie on the other side of the zero line than the peak.
+    bool hasBothSigns = false;
 };
 
-/// Remembers the samples of the last source, so that each file is read once for all that is made of it.
+/// Function that computes import previews. It keeps the samples of the last file, so that each file is read
+/// only once.
 class ImportStudy {
   public:
-    /// On the job's thread, one call at a time.
+    /// Returns the preview for a question. Called in the job's thread, one call at a time.
     ImportPreview operator()(const ImportQuestion& question, const StudyFeed<ImportPreview>& feed);
 
   private:
@@ -66,32 +72,34 @@ class ImportStudy {
     std::shared_ptr<Kept> m_kept = std::make_shared<Kept>();
 };
 
-// The first lines of a file that is imported, with their numbers.
+// View of the first lines of an imported file, with line numbers.
 
-/// To be read only; a few lines high.
+/// Read-only text view, a few lines high.
 class FileLines : public QPlainTextEdit {
     Q_OBJECT
 
   public:
     explicit FileLines(QWidget* parent = nullptr);
 
-    /// Goes to the first sample, whose line counts from 1, and marks it.
+    /// Shows the lines, and scrolls to the first sample and marks it. `firstSample` is its line, counted from
+    /// 1.
     void present(const std::vector<std::string>& lines, std::size_t firstSample);
 };
 
-// The preview of an import: the whole record faintly, and what is taken of it over it.
+// Plot of an import: the whole record in faint colour, and the imported part over it.
 
-/// Lives as a child of the plot.
+/// Plot of an import's preview; a child object of the plot widget.
 class ImportPlot : public StudyFrame {
     Q_OBJECT
 
   public:
-    /// The units must outlive it.
+    /// Makes an empty preview. `units` must outlive it.
     ImportPlot(PlotWidget* plot, const UnitChoice& units);
 
-    /// `shift` is the time of the record at which the signal's own time begins [s].
+    /// Shows a preview. `shift` is the time in the record at which the signal's own time starts [s]; `axis`
+    /// is the label of the force axis.
     void present(const ImportPreview& preview, double shift, const QString& axis);
-    /// Between which times of the record one looks [s].
+    /// Returns the first and the last time of the record that are visible in the plot [s].
     RecordSpan visibleTimes() const;
 
   protected:
@@ -107,13 +115,13 @@ class ImportPlot : public StudyFrame {
     const Unit* m_forceUnit = nullptr;
 };
 
-// Sentences about an import.
+// Sentences that describe an import.
 
-/// Samples, impulse, peak, points and how far they are from the samples; what was skipped and clipped.
-/// Requires a preview without problems.
+/// Returns a summary: impulse, peak, numbers of samples and points, deviation from the samples, skipped and
+/// clipped samples. Requires a preview without problems.
 QString importSummary(const ImportPreview& preview, const UnitChoice& units);
 
-/// How to import, for F1.
+/// Returns the help text on importing, shown by F1.
 QString importHelp();
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of a form of choices: each control with its label, name and explanation.
+// Rows of a form: each has a control with its label, name and explanation.
 #pragma once
 
 #include <QCoreApplication>
@@ -20,59 +20,64 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Name and explanation of a row.
+/// Texts of a row: object name, label and tooltip.
 struct RowWords {
-    const char* name;  ///< of the control, for tests
+    const char* name;  ///< object name of the control, for tests
     QString label;
     QString toolTip;
 };
 
-/// An entry of a choice, and what it stands for.
+/// Entry of a choice box, with the number for which it stands.
 struct RowChoice {
     QString text;
     int value = 0;
 };
 
-/// A choice of one of the entries.
+/// Adds a row with a choice box of the entries and returns the box.
 ChoiceBox* addChoice(QFormLayout& form, const RowWords& words, const QList<RowChoice>& entries);
-/// Replaces the entries and keeps the value if it is among them, else selects the first. Emits nothing.
+/// Replaces the entries and keeps the chosen value if it is among them; otherwise selects the first. Emits no
+/// signal.
 void setEntries(ChoiceBox& box, const QList<RowChoice>& entries);
-/// Tells nobody; no effect where there is no such value.
+/// Selects the entry with that value without emitting a signal; does nothing if there is none.
 void choose(ChoiceBox& box, int value);
 int chosenValue(const ChoiceBox& box);
 
-/// Which finite numbers a field takes.
+/// Range of finite numbers that a field accepts.
 enum class FieldRange { any, notNegative, positive, notZero };
-/// `changed` is called with every value, and when its text is refused or is so no more.
+/// Adds a row with a field for a quantity and returns the field. `unit` is the initial unit, `si` the initial
+/// value. `changed` is called for every new value, and when its text becomes invalid or valid.
 QuantityField* addQuantity(QFormLayout& form, const RowWords& words, Quantity quantity, const char* unit,
                            FieldRange range, std::optional<double> si, std::function<void()> changed);
 
+/// Adds a row with a box for a whole number from `least` to `most` and returns the box.
 QSpinBox* addCount(QFormLayout& form, const RowWords& words, int least, int most, int value);
 
-/// Shows or hides the row of a control with its unit button.
+/// Shows or hides the row of a control, including its unit button.
 void setRowVisible(QFormLayout& form, QWidget& control, bool visible);
 
-// Rows that convert strain to force: the bar with the gauge, and the bridge.
+// Form rows for converting a strain gauge signal to force: the bar with the gauge, and the bridge.
 
-/// Rows of a form, which owns their controls and must outlive this.
+/// Rows for the gauge in a form, which owns their controls and must outlive this object.
 class GaugeRows {
     Q_DECLARE_TR_FUNCTIONS(GaugeRows)
 
   public:
-    /// `changed` is called with every choice and every value.
+    /// Adds the rows to a form; `changed` is called after every choice and every new value.
     GaugeRows(QFormLayout& form, const std::function<void()>& changed);
 
-    /// Whether the gauge may be on the rod or string of the scenario; else it is on another bar.
+    /// Offers the scenario's rod or string as the bar with the gauge; false leaves only another bar.
     void offerScenario(bool offered);
-    /// Shows what such numbers need, and no more.
+    /// Shows the rows that a signal of this kind needs, and hides the others.
     void show(SignalKind kind);
-    /// `ofScenario`: the rod or string where the gauge is, where it is offered.
+    /// Returns the bar and bridge for the conversion. The bar is `ofScenario`, the rod or string at the
+    /// gauge, if the user chose it.
     GaugedBar bar(const GaugedBar& ofScenario) const;
-    /// Returns the question that is open about a bridge or an amplifier; empty when all is known.
+    /// Returns what is still missing for a bridge or an amplifier; empty if nothing is.
     QString problem(SignalKind kind) const;
-    /// Takes what settings give; `kind`: what the numbers are.
+    /// Sets the rows to the values in `settings`; values that are not given stay. `kind` is the kind of
+    /// signal.
     void use(const SignalOptions& settings, SignalKind kind);
-    /// Sets what numbers of that kind need.
+    /// Adds the values that a signal of this kind needs to `settings`.
     void addTo(SignalOptions& settings, SignalKind kind) const;
     const QList<QuantityField*>& fields() const { return m_fields; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Imports measured signals: asks for the file, opens the dialog, and puts where it belongs what it gives.
+// Import of measured signals: asks for the file, opens the dialog and applies its result.
 #pragma once
 
 #include <QObject>
@@ -12,26 +12,28 @@
 
 namespace drillwave {
 
-/// One dialog at a time; it goes with this.
+/// Object that imports measured signals with one dialog at a time; it closes the dialog when deleted.
 class Importer : public QObject {
     Q_OBJECT
 
   public:
-    /// All of them, `window` too, must outlive it.
+    /// Makes an importer. All arguments must outlive it.
     Importer(Document& document, MeasuredList& measured, Questions& questions, QWidget* window);
     ~Importer() override;
 
-    /// Asks for a file, unless the user gives up, and opens the dialog for it.
+    /// Asks for a file, or for several records of gauges, and opens the dialog; does nothing if the user
+    /// cancels.
     void start(ImportUse use);
-    /// Opens the dialog for a file; the settings are those of `further` records, too.
+    /// Opens the dialog for a file. The chosen settings also apply to the `further` records.
     void open(const QString& path, ImportUse use, const QStringList& further = {});
-    /// Asks for records to read the rock from; empty when the user gave up.
+    /// Asks for records of strain gauges, from which the rock's law is identified. Empty if the user cancels.
     QStringList chooseRecords();
 
   signals:
-    /// One line about the import that was done.
+    /// Emitted after an import; `message` describes it in one line.
     void imported(const QString& message);
-    /// Records to read the rock from have been chosen, with the settings by which their tables are read.
+    /// Emitted when records for identifying the rock's law are chosen, with the settings for reading their
+    /// tables.
     void recordsTaken(const QStringList& paths, const drillwave::SignalOptions& settings);
 
   private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields for the samples of a signal: unit, sign, zero line, times, clip, scale, number of points.
+// Fields that convert the samples of a signal: unit, sign, zero line, times, clipping, scale and number of
+// points.
 #pragma once
 
 #include <QList>
@@ -29,45 +30,49 @@ enum class FieldRange;
 
 /// Use of an imported signal.
 enum class ImportUse {
-    blow,         ///< the hammer blow of the scenario
-    normalForce,  ///< a measured N in a section, beside the computed one
-    impactForce,  ///< a measured force on the rock
-    rockRecord,   ///< a record that the rock is read from: only how its table is read
+    blow,         ///< hammer force of the scenario
+    normalForce,  ///< measured normal force N in a section, to compare with the computed one
+    impactForce,  ///< measured force on the rock
+    rockRecord,   ///< record for identifying the rock's law; only the settings for reading it are used
 };
 
 class SignalFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// The units must outlive it.
+    /// Makes the fields. `units` must outlive them.
     explicit SignalFields(const UnitChoice& units, QWidget* parent = nullptr);
     ~SignalFields() override;
 
     void setUse(ImportUse use);
-    /// Its rod or string, whose E A a strain takes; a dimensionless scenario has none.
+    /// Sets the scenario whose rod or string may carry the gauge; its E·A converts strain to force. A
+    /// dimensionless scenario has no such bar.
     void setScenario(const Scenario& scenario);
-    /// Takes the unit of the header; without one the user has to choose.
+    /// Sets the unit given in the table's header. Without one, the user must choose a unit, and `likely`
+    /// preselects the kind of signal.
     void setUnit(const std::optional<NamedSignalUnit>& unit, SignalKind likely);
-    /// Proposes the zero line of a new record unless the user has chosen one.
+    /// Proposes a zero line for a new record, unless the user has chosen one.
     void proposeZero(RecordSpan record);
-    /// Its sign, of the largest value with the zero line off, where nothing was chosen.
+    /// Proposes which sign means compression, unless the user has chosen one. `signOfPeak` is the sign of the
+    /// largest value relative to the zero line.
     void proposeSign(double signOfPeak);
-    /// Takes these times; nothing for all of the record.
+    /// Sets the times of the record to import; nothing for the whole record.
     void setTimes(std::optional<RecordSpan> times);
-    /// The same, unless the user has chosen times.
+    /// Proposes the times of the record to import, unless the user has chosen some.
     void proposeTimes(std::optional<RecordSpan> times);
 
-    /// Takes unit, gauge and amplifier from settings, as if the user had chosen them.
+    /// Sets unit, gauge and amplifier as if the user had chosen them.
     void use(const SignalOptions& settings);
-    /// Sets the unit that the user has chosen, with gauge and amplifier where it needs them.
+    /// Adds the chosen unit to `settings`, with gauge and amplifier if the unit needs them.
     void addTo(SignalOptions& settings) const;
 
     SignalRecipe recipe() const;
-    /// Whether the user has chosen no number of points: a blow keeps as few as an error allows.
+    /// Returns true if the user has chosen no number of points. A hammer blow then keeps as few as the
+    /// permitted error allows.
     bool leavesPoints() const;
-    /// x of a normal force from the struck end [m], below 0 in a hammer.
+    /// Returns the position x of a normal force, from the struck end [m]; negative in a hammer.
     double place() const;
-    /// Why the choices make no recipe; empty when they do.
+    /// Returns why the choices are incomplete or wrong; empty if recipe() can be used.
     QString problem() const;
 
   signals:
@@ -113,7 +118,7 @@ class SignalFields : public QWidget {
     QuantityField* m_impulse = nullptr;
     QSpinBox* m_points = nullptr;
     QList<QuantityField*> m_fields;
-    QSet<const QWidget*> m_touched;  // what the user has chosen
+    QSet<const QWidget*> m_touched;  // controls that the user has set
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a table of samples is written, and which of its columns are wanted: found out, and to be changed.
+// Fields for the format of a table of samples and its columns; they are detected and can be changed.
 #pragma once
 
 #include <QSet>
@@ -27,29 +27,30 @@ class TableFields : public QWidget {
   public:
     explicit TableFields(QWidget* parent = nullptr);
 
-    /// Takes the first lines of a file and detects everything again.
+    /// Sets the first lines of a file and detects format and columns again.
     void setLines(std::vector<std::string> lines);
     const std::vector<std::string>& lines() const { return m_lines; }
 
-    /// Takes what settings give, as if the user had chosen it; a column that is not there is left as it is.
+    /// Sets the fields to the values in `settings` as if the user had chosen them. Unknown columns are
+    /// ignored.
     void use(const SignalOptions& settings);
-    /// Sets what the user has chosen, and nothing else.
+    /// Adds to `settings` what the user has chosen, but not what was detected.
     void addTo(SignalOptions& settings) const;
 
     SampleSource source() const;
-    /// Returns the unit in the header of the chosen column of values; nothing if it is not known.
+    /// Returns the unit that the header states for the column of values; nothing if none is known.
     std::optional<NamedSignalUnit> valueUnit() const;
-    /// Returns the likely kind of that column where its unit is not stated.
+    /// Returns the likely kind of the column of values if its unit is not stated.
     SignalKind valueKind() const;
-    /// A rate that follows from the record, where the table states none and the user has typed none.
+    /// Proposes a sample rate [Hz] estimated from the record, unless the table or the user gives one.
     void proposeRate(double rate);
-    /// Why the choices make no source; empty when they do.
+    /// Returns why the choices are incomplete or wrong; empty if source() can be used.
     QString problem() const;
 
   signals:
-    /// Another source.
+    /// Emitted when source() has changed.
     void changed();
-    /// Another column of values, or another unit in its header, before changed().
+    /// Emitted before changed() when the column of values, or the unit in its header, has changed.
     void valueColumnChanged();
 
   private:
@@ -64,7 +65,7 @@ class TableFields : public QWidget {
     void showRows();
 
     std::vector<std::string> m_lines;
-    QSet<const QWidget*> m_touched;  // columns and units that the user has chosen
+    QSet<const QWidget*> m_touched;  // columns and units that the user has set
     DetectedTable m_table;
     QFormLayout* m_form;
     ChoiceBox* m_separator = nullptr;

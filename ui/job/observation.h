@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Place in the rod and time in the blow that the user looks at: the same on every page.
+// Position in the rod and time in the blow that the user has selected; all pages show them.
 #pragma once
 
 #include <QObject>
@@ -7,20 +7,21 @@
 
 namespace drillwave {
 
-/// The section and the time cursor that pages and result panel share.
+/// Position and time cursor that the pages and the result panel share.
 class Observation : public QObject {
     Q_OBJECT
 
   public:
     using QObject::QObject;
 
-    /// ξ = x/L, 0 (struck end) … 1 (bit); below 0 in the hammer of a drill string.
+    /// Returns the selected position ξ = x/L: 0 (struck end) … 1 (bit); negative in the hammer of a drill
+    /// string.
     double section() const { return m_section; }
     void setSection(double section);
-    /// The least that it can be: 0, or where the rear of the hammer is.
+    /// Returns the lowest position x/L: 0, or that of the rear end of a hammer of sections (negative).
     double rear() const { return m_rear; }
     void setRear(double rear);
-    /// Global time of the time cursor t/t0; nothing while there is none.
+    /// Returns the time of the time cursor, t/t0; nothing if there is none.
     std::optional<double> time() const { return m_time; }
     void setTime(std::optional<double> time);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outputs of a blow as the window writes them.
+// Texts of a blow's outputs in the window.
 #pragma once
 
 #include <QString>
@@ -11,42 +11,43 @@
 
 namespace drillwave {
 
-// Units of outputs on show.
+// Units in which outputs are shown.
 
-/// Returns the unit of an output's values in its measure (Output::measure). Plain numbers, works and shares
-/// have none, also in SI. `size` is the size of values without a dimensionless number: N, W or m/s.
+/// Returns the unit in which an output is shown; none for plain numbers, works and shares. `size` is a
+/// typical value in SI (N, W or m/s), which sets the prefix of units that do not depend on the scenario's
+/// scales.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
 
-/// Returns the unit of a column: an energy in SI has the unit of energies.
+/// Returns the unit of a column in a table; energies in SI have the unit of energies.
 ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size);
 
-/// Whether the numbers of two blows mean as much: what is a multiple of scales, those of rods and of strings
-/// are other ones.
+/// Returns true if an output of two blows can be compared. Dimensionless multiples of scales cannot be
+/// compared between a rod and a drill string, whose scales differ.
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units);
 
-/// Returns the number of a blow for comparison with others: in SI, works in J, if `units` are physical, else
-/// as outputs have it; shares in percent. Nothing if the blow has none, or no units.
+/// Returns an output of a blow for comparison: if `units` are physical, in SI with works in J; otherwise
+/// dimensionless; shares always in per cent. Nothing if the blow has no such value or no units.
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);
 
-/// An output in the units of the blow; empty where there is none.
+/// Returns the text of an output in the units of the blow; empty if it has no value.
 QString outputText(const Output& output, const SolvedBlow& blow);
 
-/// An impulse in its unit, and as a multiple of that of the hammer: "72.92 N s = 1.43 I₀".
+/// Returns an impulse with its unit, and as a multiple of the hammer's impulse: "72.92 N s = 1.43 I₀".
 QString impulseText(const Output& output, const SolvedBlow& blow);
 
-/// The energy of a hammer that is followed, before the blow.
+/// Returns the hammer energy before the blow with its unit, for a hammer of sections.
 QString hammerEnergyText(const SolvedBlow& blow);
 
-/// "numerical error ± 6·10⁻¹⁴".
+/// Returns the error of the coefficient of restitution: "Numerical error ± 6·10⁻¹⁴".
 QString corErrorText(const SolvedBlow& blow);
 
-/// Describes place and time of a largest force in the rod. Empty if there is none.
+/// Returns where and when a largest force in the rod occurs, in words; empty if not known.
 QString placeText(const Output& output, const SolvedBlow& blow);
-/// "Largest compression 361 MPa, 0.52 m from the hammer, 1.9 ms; largest tension …"; empty where they are not
+/// Returns "Largest compression 361 MPa, 0.52 m from the hammer, 1.9 ms; largest tension …"; empty if not
 /// known.
 QString largestStressText(const SolvedBlow& blow);
-/// The place itself: x/L, below 0 in the hammer of a string, and t/t0; nothing where it is not known, or
-/// where there is no such stress.
+/// Returns where and when a largest stress occurs: x/L, negative in the hammer of a string, and t/t0. Nothing
+/// if it is not known or zero.
 std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow);
 
 }  // namespace drillwave

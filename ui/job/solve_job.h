@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solving away from the window's thread: one at a time, and the last request always gets its answer.
+// Solves blows in another thread than the window's. The last request is always answered.
 #pragma once
 
 #include <functional>
@@ -9,26 +9,28 @@
 
 namespace drillwave {
 
-/// Turns requests into answers on a thread of its own: long work elsewhere must not delay a blow. Requests
-/// replace each other as the tasks of a Worker do. Answers arrive in the order of their requests. A quick
-/// answer is followed by the sure one, unless there is another request meanwhile.
+/// Solver of blows with a thread of its own, so that long work elsewhere does not delay a blow. A new request
+/// replaces a waiting one, see Worker. Answers arrive in the order of requests. An answer of reduced accuracy
+/// (SolveRequest::quick) is followed by an accurate one, unless there is a new request.
 class SolveJob : public QObject {
     Q_OBJECT
 
   public:
-    /// Never called twice at the same time; the text of an exception becomes the answer's `fault`. It may
-    /// ignore the request's `stop`, or end early on it with a fault, which nobody sees.
+    /// Function that solves a request; never called twice at the same time. The text of an exception becomes
+    /// the `fault` of the answer. After the request's `stop` it may end early with a fault, which is not
+    /// shown.
     using Solve = std::function<SolvedBlowPtr(const SolveRequest&)>;
 
-    /// Solves exactly.
+    /// Makes a job that solves blows exactly.
     explicit SolveJob(QObject* parent = nullptr);
-    /// Stops the request in flight and waits for its end when it goes.
+    /// Makes a job that solves with `solve`. The destructor stops the present request and waits for its end.
     explicit SolveJob(Solve solve, QObject* parent = nullptr);
 
     void submit(const SolveRequest& request);
-    /// Answers on the spot, after whatever is in flight: for the first picture of a window.
+    /// Solves a request in the caller's thread and returns the answer, for a window's first picture. Waits
+    /// for the present request.
     SolvedBlowPtr solveNow(const SolveRequest& request);
-    /// Forgets what is waiting, and stops what is in flight.
+    /// Drops the waiting request and stops the present one.
     void cancel();
     bool isBusy() const { return m_worker.isBusy(); }
 
@@ -39,9 +41,9 @@ class SolveJob : public QObject {
     void start(const SolveRequest& request);
 
     Solve m_solve;
-    std::uint64_t m_started = 0;  ///< counts start(): detects requests made meanwhile
-    bool m_refining = false;      ///< the sure answer follows a quick one
-    Worker m_worker;              // goes first: its thread solves
+    std::uint64_t m_started = 0;  ///< number of requests started, to detect a newer request
+    bool m_refining = false;      ///< the accurate answer after a quick one is in progress
+    Worker m_worker;              // declared last: its thread must end first
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A blow as the window needs it: requested once, solved once, shared by all pages that show it.
+// Result for one blow, solved once and shared by all pages of the window.
 #pragma once
 
 #include <QString>
@@ -20,9 +20,9 @@ namespace drillwave {
 class LocalStyle;
 struct SolvedBlow;
 
-// Data that a page shows beside the blow itself: only the page knows their type, the job carries them.
+// Data that a page shows beside the blow. Only the page knows their type.
 
-/// A value of a page's own type, made on the job's thread and never changed once made.
+/// Value of a page's own type, made in the job's thread and constant afterwards.
 class PageData {
   public:
     PageData() = default;
@@ -31,7 +31,7 @@ class PageData {
         return {std::make_shared<const Value>(std::move(value)), &typeid(Value)};
     }
 
-    /// nullptr when it is of another type: another page's.
+    /// Returns the value, or nullptr if it has another type because it belongs to another page.
     template <class Value>
     const Value* as() const {
         return m_type && *m_type == typeid(Value) ? static_cast<const Value*>(m_value.get()) : nullptr;
@@ -45,43 +45,44 @@ class PageData {
     const std::type_info* m_type = nullptr;
 };
 
-/// Makes the data of a page from a solved blow. Called on the job's thread: it holds all that it needs by
-/// value. Long work ends early, with anything, when the blow's `request.stop` requires it.
+/// Function that makes a page's data from a solved blow, in the job's thread. It must own copies of all its
+/// inputs. It should end early, with any result, when the blow's `request.stop` is set.
 using PreparePage = std::function<PageData(const SolvedBlow& blow)>;
 
-/// A blow of a march under the feed.
+/// One blow out of a computed sequence of blows under a feed force.
 struct MarchedQuestion {
     DrillingSettings settings;
-    long number = 1;  ///< from 1
+    long number = 1;  ///< number of the blow in the sequence, counted from 1
     bool operator==(const MarchedQuestion&) const = default;
 };
 
-/// Input of a solver job. Visible pages pass a function that makes their data; hidden pages do not.
+/// Request to solve a blow. Visible pages add a function that makes their data; hidden pages do not.
 struct SolveRequest {
     Scenario scenario;
     UnitSystem units = UnitSystem::dimensionless;
-    ChosenUnits chosenUnits = {};               ///< of kinds that do not follow `units`
-    UnitSystem physicalUnits = UnitSystem::si;  ///< SI or US: of sentences, also where `units` are none
+    ChosenUnits chosenUnits = {};  ///< units chosen for individual kinds of quantity, which override `units`
+    UnitSystem physicalUnits = UnitSystem::si;  ///< units in sentences, even if `units` are dimensionless
     std::vector<PreparePage> pages;
-    std::uint64_t number = 0;   ///< counts requests: identifies the answer to the last question
-    std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
-    /// For drill strings that take 0.1 s or more to solve: a first answer with a larger error.
+    std::uint64_t number = 0;   ///< number of the request, which identifies its answer
+    std::stop_token stop = {};  ///< ends the work early; the answer then has a `fault`
+    /// Request for a first answer with a larger error, for drill strings that take 0.1 s or more to solve.
     bool quick = false;
-    /// Shows this one of the scenario's many blows instead of its single blow.
+    /// Blow of a sequence to show instead of the single blow; nothing for the single blow.
     std::optional<MarchedQuestion> marched = {};
 };
 
-/// The answer, never changed once made: the blow, and the data of the pages. `fault` is empty when the blow
-/// was solved; otherwise it is a sentence with the reason, and the numbers must not be used.
+/// Answer to a SolveRequest: the blow and the data of the pages; constant once made. `fault` is empty if the
+/// blow was solved; otherwise it is a sentence with the reason, and the numbers must not be used.
 struct SolvedBlow : Blow {
-    /// The requested one of many blows, with the pages.
+    /// Requested blow of a sequence with the data of the pages; nullptr for a single blow.
     std::shared_ptr<const SolvedBlow> marchedBlow;
-    SolveRequest request;  ///< its `pages` and `stop` are there only while it is being answered
+    SolveRequest request;  ///< request of this answer; `pages` and `stop` are cleared once it is answered
     QString fault;
     ShownUnits units;
-    std::vector<PageData> pages;  ///< one for each of the request's that was not empty
+    std::vector<PageData> pages;  ///< data of the pages, one for each function in the request
 
-    /// Returns the data of a page; nullptr if it has none, or there is no blow.
+    /// Returns the data of type Value that a page has made; nullptr if there are none or the blow was not
+    /// solved.
     template <class Value>
     const Value* page() const {
         for (const PageData& data : pages)
@@ -91,24 +92,25 @@ struct SolvedBlow : Blow {
 };
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 
-/// Returns the style of sentences about the answer.
+/// Returns the style (language, number format, units) of sentences about the answer to a request.
 LocalStyle styleOf(const SolveRequest& request);
 
-/// Solves and prepares a request; reuses the march of `before` if it has the requested one of many blows.
-/// Never throws: any error is the answer's `fault`.
+/// Solves a request and makes the data of its pages. If `before` contains the requested blow of a sequence,
+/// it is reused. Never throws: an error becomes the answer's `fault`.
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver,
                         const SolvedBlow* before = nullptr) noexcept;
 
-/// Returns an answer with only the reason of a failure.
+/// Returns an answer to a request that failed, with the reason as its `fault`.
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);
 
-// Results that take a while are solved once, however often pages look at them.
+// Results of long computations are reused when only units or pages change.
 
-/// Whether a blow answers a request except for its units and pages, and is worth reusing: only for drill
-/// strings, as a rod is solved sooner than its histories are copied.
+/// Returns true if `before` answers the request except for its units and pages. Always false for rods, which
+/// are solved faster than a result is copied.
 bool answersAgain(const SolvedBlow& before, const SolveRequest& request);
 
-/// Returns the earlier blow with the units and the pages of the request; otherwise as solveBlow().
+/// Returns the blow of an earlier answer with the units and page data of the request. Requires
+/// answersAgain().
 SolvedBlowPtr answerAgain(const SolvedBlow& before, const SolveRequest& request) noexcept;
 
 }  // namespace drillwave

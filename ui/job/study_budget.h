@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seconds that a study may take unasked.
+// Time limit of a study that the user has not explicitly asked for.
 #pragma once
 
 #include <chrono>
@@ -8,23 +8,23 @@
 
 namespace drillwave {
 
-/// Stops work that takes longer than its seconds, once there is something to show. Threads of the work may
-/// share it.
+/// Time limit that stops a computation once it has intermediate results to show. Threads of the computation
+/// may share it.
 class StudyBudget {
   public:
-    /// No limit without seconds. A stop of `from` is a stop of the work.
+    /// Starts the time. `seconds` is the limit [s], nothing for none. A stop of `from` also stops the work.
     StudyBudget(std::optional<double> seconds, const std::stop_token& from)
         : m_seconds(seconds), m_chain(from, Chain{&m_stop}) {}
 
-    /// The token that the work looks at.
+    /// Returns the stop token that the work must check.
     std::stop_token token() const { return m_stop.get_token(); }
     double elapsed() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
     }
     bool isSpent() const { return m_seconds && elapsed() >= *m_seconds; }
-    /// Whether work of so many seconds more still fits.
+    /// Returns true if further work of that many seconds fits into the limit.
     bool hasRoomFor(double seconds) const { return !m_seconds || elapsed() + seconds <= *m_seconds; }
-    /// Stops the work where the seconds are over.
+    /// Stops the work if the time limit has passed.
     void check() {
         if (isSpent()) m_stop.request_stop();
     }

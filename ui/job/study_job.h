@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study away from the window's thread: shown while it grows, stopped at any time, replaced by the next one.
+// Studies computed in another thread than the window's: they show partial results, can be stopped, and
+// replace each other.
 #pragma once
 
 #include <QObject>
@@ -20,55 +21,58 @@
 
 namespace drillwave {
 
-// Progress of a study of any kind: for the status line and the pages alike.
+// Progress of a study of any type, for the status line and the pages.
 
-/// Count of the points of a study.
+/// Numbers of computed points of a study and of points in total.
 struct StudyProgress {
     std::size_t done = 0;
-    std::size_t wanted = 0;  ///< 0 while nobody knows
+    std::size_t wanted = 0;  ///< number of points in total; 0 if unknown
     bool operator==(const StudyProgress&) const = default;
 };
 
-/// Seconds that a study may run on a page before the user asks for all of it.
+/// Longest time that a study may run before the user explicitly asks for all of it.
 inline constexpr std::chrono::seconds unaskedTime{10};
 
-/// stopped: by the user, or after unaskedTime; what had been found stays. failed: see problem().
+/// State of a study. `stopped` means stopped by the user or after unaskedTime, with partial results kept;
+/// `failed` means that StudyActivity::problem() has the reason.
 enum class StudyState { idle, running, finished, stopped, failed };
 
-/// State and progress of a study as seen from outside.
+/// State and progress of a study, independent of the type of its result.
 class StudyActivity : public QObject {
     Q_OBJECT
 
   public:
     explicit StudyActivity(QObject* parent = nullptr);
 
-    /// State of the last study.
+    /// Returns the state of the last study.
     StudyState state() const { return m_state; }
     StudyProgress progress() const { return m_progress; }
-    /// Why there is no result, in a sentence; empty unless the state is failed.
+    /// Returns why there is no result, as a sentence; empty unless the state is `failed`.
     QString problem() const { return m_problem; }
-    /// Whether the value on show belongs to the last study, not to an earlier one.
+    /// Returns true if the value shown belongs to the last study, not to an earlier one.
     virtual bool isCurrent() const = 0;
-    /// Number of values received, also of earlier studies: while it grows the window keeps up with the hand.
+    /// Returns the number of values received, also of earlier studies. While it grows, the window keeps up
+    /// with the user's input.
     std::uint64_t answers() const { return m_answers; }
     virtual void cancel() = 0;
-    /// Runs a study that was stopped again, without limit of time.
+    /// Runs a stopped study again, without a time limit.
     virtual void resume() = 0;
-    /// Stops every study that runs longer, except resumed ones; 0 for no limit. None at first.
+    /// Sets the time after which studies are stopped, except resumed ones; 0, the initial value, for no
+    /// limit.
     void setTimeLimit(std::chrono::milliseconds limit) { m_limit = limit; }
-    /// Whether the last study was stopped because its time was over.
+    /// Returns true if the last study was stopped because its time was over.
     bool isOutOfTime() const { return m_isOutOfTime; }
-    /// Stops the study and drops what there is to show.
+    /// Stops the study and removes its results.
     virtual void forget() = 0;
 
   signals:
-    /// State, progress or value have changed.
+    /// Emitted when state, progress or value have changed.
     void changed();
 
   protected:
-    /// Begins the time of a study that starts.
+    /// Starts the time limit, when a study starts.
     void startTime();
-    /// Lets a study that is resumed take the time it needs.
+    /// Removes the time limit, when a study is resumed.
     void endTime();
 
     StudyState m_state = StudyState::idle;
@@ -82,32 +86,33 @@ class StudyActivity : public QObject {
     bool m_isOutOfTime = false;
 };
 
-/// Receives progress and values from a running study, on any of its threads, until it returns. The window may
-/// skip some of them, but always shows the last of each kind.
+/// Receiver of a running study's progress and values; may be called in any of its threads until the study
+/// returns. The window may skip some of them, but always shows the last of each kind.
 template <class Value>
 struct StudyFeed {
-    std::stop_token stop;  ///< a stop: the study returns soon, with anything
+    std::stop_token stop;  ///< stop token; after a stop the study must return soon, with any value
     std::function<void(StudyProgress)> tell;
-    std::function<void(Value)> show;  ///< what there is so far: coarse, or only a part
+    std::function<void(Value)> show;  ///< shows an intermediate value, which may be coarse or only a part
 };
 
-/// Runs studies that replace each other as the tasks of a Worker do. The value of an earlier study stays
-/// until the last study has one. Only the study runs outside the window's thread.
+/// Job that runs studies, of which a new one replaces a waiting one (see Worker). The value of an earlier
+/// study stays until the last study has one. Only the study itself runs outside the window's thread.
 template <class Value>
 class StudyJob : public StudyActivity {
   public:
-    /// Holds its input by value. The text of an exception becomes problem().
+    /// Function that computes a study. It must own copies of its inputs. The text of an exception becomes
+    /// problem().
     using Study = std::function<Value(const StudyFeed<Value>&)>;
 
-    /// Stops the study in flight and waits for its end when it goes.
+    /// Makes a job without a study. The destructor stops the present study and waits for its end.
     explicit StudyJob(QObject* parent = nullptr) : StudyActivity(parent) {}
 
     void submit(Study study);
     void resume() override;
-    /// Stops the study. Values shown so far stay.
+    /// Stops the study; values shown so far stay.
     void cancel() override;
     void forget() override;
-    /// The last that was shown, or the result; nullptr before the first.
+    /// Returns the result, or the last intermediate value; nullptr before the first.
     const std::shared_ptr<const Value>& value() const { return m_value; }
     bool isCurrent() const override { return m_value && m_valueOf == m_asked; }
 
@@ -116,7 +121,7 @@ class StudyJob : public StudyActivity {
         std::shared_ptr<const Value> value;
         QString problem;
     };
-    // Values and progress reported since the window looked last.
+    // Values and progress reported since the window last fetched them.
     struct Mail {
         std::uint64_t study = 0;
         std::optional<StudyProgress> progress;
@@ -132,19 +137,19 @@ class StudyJob : public StudyActivity {
     void take();
     void end(std::uint64_t number, const End& end);
 
-    // Seen by the window's thread only. Studies are counted from 1.
+    // Used only in the window's thread. Studies are numbered from 1.
     Study m_study;
     std::uint64_t m_asked = 0;
-    std::uint64_t m_dropped = 0;  // up to this one nobody wants to hear of them
+    std::uint64_t m_dropped = 0;  // studies up to this number were cancelled, and their reports are ignored
     std::uint64_t m_valueOf = 0;
     std::shared_ptr<const Value> m_value;
 
-    // Shared by the threads, under the lock.
+    // Shared by the threads; protected by m_lock.
     std::mutex m_lock;
     Mail m_mail;
-    bool m_announced = false;  // take() is on its way through the event loop
+    bool m_announced = false;  // a call of take() is queued in the event loop
 
-    Worker m_worker{Worker::Urgency::background};  // goes first: its thread runs the studies
+    Worker m_worker{Worker::Urgency::background};  // declared last: its thread must end first
 };
 
 template <class Value>
@@ -219,7 +224,7 @@ typename StudyJob<Value>::End StudyJob<Value>::run(const Study& study, const Stu
     }
 }
 
-// On any thread.
+// Stores a report of a study; called in any thread.
 template <class Value>
 template <class Write>
 void StudyJob<Value>::post(std::uint64_t number, const Write& write) {
@@ -270,19 +275,19 @@ void StudyJob<Value>::end(std::uint64_t number, const End& end) {
     emit changed();
 }
 
-// A study that is run for a question, and once only for the same one.
+// Studies that are run only once for the same question.
 
-/// Runs `study` of a question away from the window's thread. Question is a value with ==.
+/// Runner of a study outside the window's thread, for questions of type Question, a value type with ==.
 template <class Question, class Value>
 class StudyRunner {
   public:
-    /// Called on the job's thread: holds nothing of the window.
+    /// Function that computes the study; called in the job's thread, it must not use objects of the window.
     using Study = std::function<Value(const Question&, const StudyFeed<Value>&)>;
 
     explicit StudyRunner(Study study) : m_study(std::move(study)) {}
 
-    /// Runs the study unless it runs for the same question, or has been finished for it. Whether it was
-    /// started.
+    /// Starts the study for a question, unless it is running or finished for an equal one. Returns true if it
+    /// was started.
     bool ask(Question question) {
         const bool answered = m_job.state() == StudyState::running || m_job.state() == StudyState::finished;
         if (answered && m_question == question) return false;
@@ -294,13 +299,14 @@ class StudyRunner {
         return true;
     }
 
-    /// The question asked last; nothing before the first.
+    /// Returns the question asked last; nothing before the first.
     const std::optional<Question>& question() const { return m_question; }
     StudyJob<Value>& job() { return m_job; }
     const StudyJob<Value>& job() const { return m_job; }
-    /// The result of the last question, finished or so far, or of an earlier one; nullptr at first.
+    /// Returns the last result or intermediate value, which may belong to an earlier question; nullptr at
+    /// first.
     const Value* value() const { return m_job.value().get(); }
-    /// How many studies were started.
+    /// Returns the number of studies started.
     int started() const { return m_started; }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The status line of a study: how far it is, how long it still takes, and a button that stops or resumes it.
+// Status line of a study: progress, remaining time, and a button that stops or resumes it.
 #pragma once
 
 #include <QElapsedTimer>
@@ -16,63 +16,66 @@
 
 namespace drillwave {
 
-// The status line of the solver: whether what is shown is the answer to the present input, and what waits for
-// it.
+// Status line of the solver: whether the result shown belongs to the present input, and which action waits
+// for it.
 
-/// Shorter waits are not noticed, but a mark or a line that appears and goes is.
+/// Waiting time after which a result is marked as out of date. Marking it sooner would only flicker.
 inline constexpr std::chrono::milliseconds usualPatience{150};
 
-/// Follows questions and answers. Shows that a late answer is on its way, with a button to stop it; a stopped
-/// one stays out of date until it is requested again. Actions that need a current result wait here.
+/// Status line that follows requests and answers of the solver. If an answer takes long, it shows that with a
+/// button to stop it. After a stop, the result stays out of date until solving is requested again. An action
+/// that needs a current result can wait here.
 class SolveStatus : public QWidget {
     Q_OBJECT
 
   public:
     explicit SolveStatus(QWidget* parent = nullptr);
 
-    /// Sets how long a question may be without an answer before the old one is marked.
+    /// Sets how long a request may wait for its answer before the old result is marked as out of date.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
 
-    /// Notes that the input has changed or that another result is needed: the answer on show is out of
+    /// Must be called when the input has changed or another result is needed: the result shown is out of
     /// date.
     void asked();
-    /// Notes that the answer to the present input is shown; `summary` is one line. Runs the waiting action.
+    /// Must be called when the answer to the present input is shown; `summary` describes it in one line. Runs
+    /// the waiting action.
     void answered(const QString& summary);
-    /// Notes that a quick answer to the present input is shown, and the sure one is on its way: nothing is
-    /// out of date, but the waiting action needs the sure one.
+    /// Must be called when a quick answer of reduced accuracy is shown, while the accurate one is being
+    /// computed. Nothing is out of date, but a waiting action still waits.
     void answeredQuickly(const QString& summary);
-    /// An answer to an earlier input is shown.
+    /// Must be called when an answer to an earlier input is shown; restarts the waiting time.
     void answeredEarlier();
 
-    /// Whether what is shown is the sure answer to the present input.
+    /// Returns true if the accurate answer to the present input is shown.
     bool isCurrent() const { return m_state == State::current; }
-    /// Whether the answer on show is marked as out of date.
+    /// Returns true if the result shown is marked as out of date.
     bool isMarked() const { return m_marked; }
 
-    /// Calls `then` as soon as the answer is current: now, or when it arrives; `what` names it in the status
-    /// line. Solves again if solving was stopped. Only the last one waits.
+    /// Calls `then` as soon as the result is current: now, or when it arrives. `what` names the action in the
+    /// status line. Solves again if solving was stopped. Only the last action waits.
     void whenCurrent(const QString& what, std::function<void()> then);
-    /// Drops the waiting action and shows the reason.
+    /// Cancels the waiting action, if any, and emits the reason with calledOff().
     void callOff(const QString& reason);
     bool isWaiting() const { return bool(m_waiting); }
 
-    /// Sets what is shown before the summary of a result, such as the answer where its panel is out of sight;
-    /// empty for nothing.
+    /// Sets a text to show before the summary, such as the main result if its panel is hidden; empty for
+    /// none.
     void setLead(const QString& lead);
 
-    /// The text of the line, which is cut short where it has no room.
+    /// Returns the full text of the line, which may be shown abbreviated.
     QString text() const { return m_line; }
     QPushButton* button() const { return m_button; }
 
   signals:
-    /// isCurrent() has changed.
+    /// Emitted when isCurrent() has changed.
     void currentChanged(bool current);
-    /// The answer on show is out of date and should look so, or is current again.
+    /// Emitted when the result shown should be marked as out of date, or no longer.
     void marked(bool outOfDate);
-    /// The user stops the solver, or wants the answer after all.
+    /// Emitted when the user stops the solver.
     void stopRequested();
+    /// Emitted when the user requests the result after solving was stopped.
     void solveRequested();
-    /// Something that waited is not done: why, in a line.
+    /// Emitted when a waiting action is cancelled; `message` gives the reason in one line.
     void calledOff(const QString& message);
 
   protected:
@@ -81,7 +84,7 @@ class SolveStatus : public QWidget {
   private:
     enum class State {
         current,
-        quick,  ///< of the present input, and the sure answer is on its way
+        quick,  ///< quick answer to the present input is shown; the accurate one is in progress
         solving,
         stopped
     };
@@ -104,30 +107,31 @@ class SolveStatus : public QWidget {
     std::function<void()> m_waiting;
 };
 
-/// "Solve all (3 min)": the button that resumes a stopped study, of which these points took that long.
+/// Returns the label of the button that resumes a stopped study, "Solve all (3 min)". `seconds` is the time
+/// that the points in `progress` took; the total time is extrapolated.
 QString resumeText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
-/// Returns a time as "3 s" or "3 min", rounded up.
+/// Returns a time [s], rounded up, as "3 s", or above 99 s as "3 min".
 QString waitText(double seconds, const QLocale& locale);
 
-/// Returns "640/1500 · 2 s left" after that many seconds; "640 · 320/s" for an unknown total. Returns only
-/// the count while there is too little for a rate, and once the expected number is done.
+/// Returns the progress after `seconds`: "640/1500 · 2 s left", or "640 · 320/s" for an unknown total. Only
+/// the count is given before a rate is known, and once all points are done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
-/// Shows the activity of the page on show while it runs for more than a moment, and the progress of a stopped
-/// one, with a button to resume it. It is hidden while it shows nothing.
+/// Status line for the study of the visible page. It appears if the study runs longer than a moment. For a
+/// stopped study it shows the progress and a button to resume it. Otherwise it is hidden.
 class StudyStatus : public QWidget {
     Q_OBJECT
 
   public:
     explicit StudyStatus(QWidget* parent = nullptr);
 
-    /// Sets how long a study may run unseen.
+    /// Sets how long a study may run before its status is shown.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
-    /// Shows this activity from now on, with its name in front; nullptr for none.
+    /// Follows this study from now on, with its name in front; nullptr for none.
     void follow(StudyActivity* activity, const QString& name);
 
-    /// The text of the line; empty while it shows nothing.
+    /// Returns the text of the line; empty while it is hidden.
     QString text() const;
     QPushButton* button() const { return m_button; }
 
@@ -147,7 +151,7 @@ class StudyStatus : public QWidget {
     QLabel* m_text;
     QPushButton* m_button;
     QTimer m_late;
-    QElapsedTimer m_since;  // the study began
+    QElapsedTimer m_since;  // time since the study began
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thread for tasks that replace each other: of the waiting ones, only the newest is done.
+// Thread for tasks that replace each other: of several waiting tasks only the newest is run.
 #pragma once
 
 #include <QObject>
@@ -13,53 +13,54 @@
 
 namespace drillwave {
 
-/// Runs tasks one at a time, away from the window's thread. While one is in flight only the newest of those
-/// that arrive is kept; one that has been in flight for long is stopped when another is waiting. Deliveries
-/// come in the order of their tasks.
+/// Worker that runs tasks one at a time outside the window's thread. While a task runs, only the newest of
+/// the arriving tasks is kept. If another task waits, a task that has run for `patience` is stopped. Results
+/// are delivered in the order of the tasks.
 class Worker : public QObject {
     Q_OBJECT
 
   public:
-    /// Work that a task leaves for the window's thread.
+    /// Function that delivers a task's result; called in the window's thread.
     using Delivery = std::function<void()>;
-    /// Runs on the worker's thread, throws nothing. It may ignore `stop`, or end early on it.
+    /// Function that runs in the worker's thread and must not throw. On `stop` it may end early.
     using Task = std::function<Delivery(const std::stop_token& stop)>;
 
-    /// Work in the background leaves the processors to the window's thread whenever that has something to
-    /// do: on Linux the thread and all that its tasks start are nicer by 5.
+    /// Priority of the worker's thread. With `background`, the window's thread goes first: on Linux the nice
+    /// value of the thread and of threads started by its tasks is higher by 5.
     enum class Urgency { answer, background };
 
     explicit Worker(Urgency urgency = Urgency::answer, QObject* parent = nullptr);
-    /// Stops the task in flight and waits for its end.
+    /// Stops the present task and waits for its end.
     ~Worker() override;
 
     void submit(Task task);
-    /// Forgets what is waiting, stops what is in flight, and drops its delivery.
+    /// Drops the waiting task, stops the present one, and discards its result.
     void cancel();
-    /// Until nothing is done on the worker's thread any more. Call cancel() first.
+    /// Waits until the worker's thread is idle. Call cancel() first.
     void waitForThread();
-    /// Whether a task is between its start and its delivery.
+    /// Returns true from the start of a task until its result is delivered.
     bool isBusy() const { return m_busy; }
 
   private:
-    /// While values are dragged every answer that takes less is seen.
+    /// Time after which a task may be stopped for a waiting one. While the user drags a value, every result
+    /// that takes less is shown.
     static constexpr std::chrono::milliseconds patience{250};
 
     void start(Task task);
     void finish();
     void work(Urgency urgency);
 
-    // Seen by the window's thread only.
+    // Used only in the window's thread.
     Task m_waiting;
-    bool m_busy = false;      // from start() to finish(), which comes through the event loop
-    bool m_dropped = false;   // nobody wants what is in flight any more
-    std::stop_source m_stop;  // of what is in flight
-    QTimer m_patience;        // runs out when what is in flight may be stopped for what is waiting
+    bool m_busy = false;      // true from start() to finish(), which is called by the event loop
+    bool m_dropped = false;   // the result of the present task is not wanted any more
+    std::stop_source m_stop;  // stops the present task
+    QTimer m_patience;        // until it expires, the present task is not stopped for a waiting one
 
-    // Shared by the two threads, under the lock.
+    // Shared by the two threads; protected by m_lock.
     std::mutex m_lock;
     std::condition_variable m_changed;
-    Task m_task;  // from start() until it is done
+    Task m_task;  // task to run, from start() until it is done
     std::stop_token m_taskStop;
     Delivery m_delivery;
     bool m_ending = false;

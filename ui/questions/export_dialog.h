@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks for a file to write, of one of several formats.
+// Dialogs that ask for a file or a folder to write.
 #pragma once
 
 #include <QFileDialog>
 
 namespace drillwave {
 
-/// A name without an ending gets that of the chosen filter, "PDF (*.pdf)"; of one that takes all files, that
-/// of the suggestion.
+/// Dialog that asks for a file in one of several formats. A name without an ending gets that of the chosen
+/// filter, "PDF (*.pdf)", or for a filter of all files, that of the suggestion.
 class ExportDialog : public QFileDialog {
     Q_OBJECT
 
@@ -17,12 +17,13 @@ class ExportDialog : public QFileDialog {
   private:
     void follow(const QString& filter);
 
-    QString m_suggested;  // ending
+    QString m_suggested;  // ending of the suggested name
 };
 
-// Asks for a folder to write into, which need not be there yet.
+// Dialog that asks for a folder to write, which may not exist yet.
 
-/// A name that is new is offered to be made: the folder appears when it is written.
+/// Dialog that asks for a folder. A folder that does not exist is accepted; it is made when its files are
+/// written.
 class FolderDialog : public QFileDialog {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Windows where they can be seen.
+// Size and position of windows on the screen.
 #pragma once
 
 #include <QSize>
@@ -8,15 +8,15 @@ class QWidget;
 
 namespace drillwave {
 
-/// Returns the size for a window that is not shown yet and whose frame is not known: as wanted, but no larger
-/// than its screen has room for.
+/// Returns the initial size of a window that is not shown yet: `wanted`, but no larger than its screen, less
+/// a typical frame.
 QSize firstSize(const QWidget& window, const QSize& wanted);
 
-/// Moves a window that was placed on a screen which is not there any more, so that its title can be grasped,
-/// and makes it no larger than the screen it is on.
+/// Moves a window that lies outside all screens so that its title can be reached, and makes it no larger than
+/// its screen.
 void keepOnScreen(QWidget& window);
 
-/// Makes a window no larger than its screen, frame and all, and moves it so that all of it is there.
+/// Makes a window, including its frame, no larger than its screen, and moves it completely onto the screen.
 void fitOnScreen(QWidget& window);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks for format, size and resolution of a picture.
+// Dialog that asks for format, size and resolution of a picture.
 #pragma once
 
 #include <QDialog>
@@ -20,19 +20,19 @@ namespace drillwave {
 struct PictureChoice {
     QString format = QStringLiteral("png");  ///< one of plotFormats()
     Millimetres size{180, 120};
-    double dpi = 300;  ///< counts for PNG only
+    double dpi = 300;  ///< resolution [1/in]; used only for PNG
 
-    /// Pixels of a PNG.
+    /// Returns the size of a PNG picture [px].
     QSize pixels() const;
-    /// Why no such picture can be made; empty when it can.
+    /// Returns why no such picture can be made; empty if it can.
     QString problem() const;
 };
 
-/// The choice made last, or one for a picture of that width/height.
+/// Returns the last choice made, or a default for a picture with this ratio of width to height.
 PictureChoice rememberedPictureChoice(double aspectRatio);
 void remember(const PictureChoice& choice);
 
-/// Cannot be accepted while its choice is impossible; shows why.
+/// Dialog that can be accepted only if the choice is possible; otherwise it shows why not.
 class PictureDialog : public QDialog {
     Q_OBJECT
 

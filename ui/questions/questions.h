@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions that the window asks, apart from the window, so that tests and headless runs can answer them.
+// Questions that the window asks, separated from the window so that tests can answer them.
 #pragma once
 
 #include <QString>
@@ -21,44 +21,50 @@ class Questions {
     enum class Recovery { restore, discard, later };
 
     virtual ~Questions() = default;
-    /// Asks whether to save or drop changes that would be lost.
+    /// Asks whether to save or discard changes that would be lost; `name` is the scenario's name.
     virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
-    /// Whether to close the window although something has not been written: what, and why.
+    /// Asks whether to close the window although something could not be written; `what` and `details` say
+    /// what, and why. Returns true to close.
     virtual bool confirmClose(QWidget* parent, const QString& what, const QString& details) = 0;
-    /// The file to open; empty when the user gave up.
+    /// Asks for a scenario file and returns its path; empty if the user cancels.
     virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
-    /// A file to take something from, other than a scenario; empty when the user gave up.
+    /// Asks for a file of another kind than a scenario and returns its path; empty if the user cancels.
     virtual QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                                  const QString& filter) = 0;
-    /// The same for one file or several, in the order of their names as people count: 2 before 10.
+    /// Asks for one or several files and returns their paths; empty if the user cancels. They are sorted by
+    /// name with numbers in numerical order (2 before 10).
     virtual QStringList filesToImport(QWidget* parent, const QString& title, const QString& folder,
                                       const QString& filter) = 0;
-    /// Asks for a file to save to, overwriting confirmed; empty when the user gave up.
+    /// Asks for a path to save a scenario to, confirms overwriting, and returns the path; empty if the user
+    /// cancels.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
-    /// Asks for a file to write something else than a scenario to, overwriting confirmed; empty when the user
-    /// gave up. A name without an ending gets that of the filter.
+    /// Asks for a path to write another file than a scenario, confirms overwriting, and returns the path;
+    /// empty if the user cancels. A name without an ending gets that of the filter.
     virtual QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                  const QString& filter) = 0;
-    /// A printer, set up by the user for a document of that name; nothing when the user gave up.
+    /// Asks for a printer and its settings, and returns it; nullptr if the user cancels. `title` is the
+    /// document's name.
     virtual std::unique_ptr<QPrinter> printer(QWidget* parent, const QString& title) = 0;
-    /// The folder to write several files into; empty when the user gave up.
+    /// Asks for a folder for several files and returns its path; empty if the user cancels.
     virtual QString folderToExport(QWidget* parent, const QString& suggestion) = 0;
-    /// Format, size and resolution of a picture; nothing when the user gave up.
+    /// Asks for format, size and resolution of a picture; nothing if the user cancels. `before` is the
+    /// initial choice.
     virtual std::optional<PictureChoice> picture(QWidget* parent, const PictureChoice& before) = 0;
-    /// Whether to do something that cannot be undone; `action` is the name of the button that does it.
+    /// Asks whether to do something that cannot be undone, and returns true if so; `action` is the text of
+    /// the button that confirms.
     virtual bool confirm(QWidget* parent, const QString& question, const QString& details,
                          const QString& action) = 0;
     /// Asks whether to restore changes that were not saved when the program ended unexpectedly.
     virtual Recovery recover(QWidget* parent, const QString& name, const QString& details) = 0;
-    /// Whether to open the window again now, with everything that is in it.
+    /// Asks whether to close the window and open it again now with all its contents, and returns true if so.
     virtual bool restartNow(QWidget* parent, const QString& question, const QString& details) = 0;
-    /// Reports a failure, or gives information, without waiting for the user.
+    /// Shows a failure or information without waiting for the user.
     virtual void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) = 0;
 };
 
-/// Asks by dialogs. On a platform without a screen nobody could answer, so there every question is answered
-/// by "cancel" or "later", but a window may always be closed: its unsaved changes are dropped. Messages are
-/// printed to the error output.
+/// Questions asked by dialogs. On a platform without a screen every question is answered by "cancel" or
+/// "later". The window may still be closed there, which discards unsaved changes. Messages are printed to
+/// stderr.
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language of the window: which one it is, and its texts. Files are in English, but for reports.
+// Language of the window and its translated texts. Files are written in English, except reports.
 #pragma once
 
 #include <QLocale>
@@ -15,18 +15,18 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// The language chosen by the user; nullptr for that of the system.
+/// Returns the language chosen by the user; nullptr for that of the system.
 const Language* chosenLanguage();
-/// Sets the language of windows opened from now on.
+/// Stores the language of windows opened from now on; nullptr for that of the system.
 void chooseLanguage(const Language* language);
 
-/// The first of the wanted ("de-AT", "sv", "C") that there is, in the order in which a user prefers them
-/// (QLocale::uiLanguages()); English where none is.
+/// Returns the first of the `wanted` languages ("de-AT", "sv", "C", as in QLocale::uiLanguages()) for which
+/// there is a translation; English if there is none.
 const Language& firstLanguage(const QStringList& wanted);
-/// The chosen language, else the one preferred by the system.
+/// Returns the language chosen by the user, else the one preferred by the system.
 const Language& languageToSpeak();
 
-/// While one lives, its thread has the texts of the program in English whatever the window speaks: for files.
+/// Switch to English texts in the present thread, for the lifetime of an object, for example to write files.
 class EnglishTexts {
   public:
     EnglishTexts();
@@ -37,34 +37,34 @@ class EnglishTexts {
     static bool areWanted();
 };
 
-/// The texts of a language, as lrelease makes them of resources/languages.
+/// Translated texts of a language, compiled by lrelease from resources/languages.
 class Catalogue : public QTranslator {
     Q_OBJECT
 
   public:
-    /// Empty for English, which needs none.
+    /// Loads the texts of a language; for English, which needs no translation, it stays empty.
     explicit Catalogue(const Language& language, QObject* parent = nullptr);
 
-    /// Returns nothing while EnglishTexts exist.
+    /// Returns the translation of a text; empty while an object of type EnglishTexts exists.
     QString translate(const char* context, const char* source, const char* disambiguation = nullptr,
                       int count = -1) const override;
 };
 
-/// Gives the application its texts in that language, and Qt its own if they are installed.
+/// Sets the language of the application's texts, and of Qt's own texts if their translation is installed.
 void speak(const Language& language);
-/// Returns that language; English before speak(), and while EnglishTexts exist.
+/// Returns the language set by speak(); English before, and while an object of type EnglishTexts exists.
 const Language& spokenLanguage();
 
-// Sentences and tables of the core in the words, numbers and units of the one at the window.
+// Sentences and tables of the core library in the language, number format and units of the window.
 
-/// Words in the language that is spoken, numbers as numberText() writes them, in SI or US units or those
-/// chosen by kind.
+/// Style of sentences: words in the language of the window and numbers as in numberText(). Values are in SI
+/// or US units, or in units chosen for single kinds.
 class LocalStyle : public ReadingStyle {
   public:
-    /// `system` counts as SI if it is dimensionless, because sentences have no dimensionless values.
+    /// Makes a style. A dimensionless `system` counts as SI, because sentences have no dimensionless values.
     LocalStyle(const QLocale& locale, UnitSystem system, ChosenUnits chosen);
 
-    /// Returns the style of the window as it is now: QLocale() and the chosen units.
+    /// Returns the present style of the window, from QLocale() and the chosen units.
     static LocalStyle of(const UnitChoice& units);
 
     std::string number(double value, int digits) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light and dark grounds: which colours can be read on them.
+// Light and dark background colours, and text colours that are legible on them.
 #pragma once
 
 #include <QColor>
@@ -8,15 +8,15 @@ class QLabel;
 
 namespace drillwave {
 
-/// Whether words on that ground should be light.
+/// Returns true if a background is so dark that text on it should be light.
 inline bool isDark(const QColor& ground) {
     return ground.lightness() < 128;
 }
 
-// The look of a text that warns.
+// Appearance of a warning text.
 
-/// Shows a label in the colour of warnings, which suits the palette, and bold; or as usual. The words must
-/// express it as well.
+/// Shows a label in bold and in a warning colour that suits the palette, or in the normal style. Colour is
+/// not enough: the words must also express the warning.
 void setWarning(QLabel& label, bool warning);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences that shrink and scroll to leave room below them.
+// Text that scrolls if it would take too much room.
 #pragma once
 
 #include <QScrollArea>
@@ -8,16 +8,17 @@ class QLabel;
 
 namespace drillwave {
 
-/// A label as high as its words where that is not more than a share of the window's height; longer ones are
-/// scrolled in that room, which is of two lines at least.
+/// Label as high as its text, but at most a share of the window's height, and at least two lines. Longer text
+/// is scrolled.
 class ScrolledLabel : public QScrollArea {
     Q_OBJECT
 
   public:
-    /// `label` should wrap; it becomes the child.
+    /// Takes a label, which becomes a child and should wrap its text. `shareOfWindow` is the largest share of
+    /// the window's height, 0 … 1.
     ScrolledLabel(QLabel* label, double shareOfWindow, QWidget* parent);
 
-    /// Sets the text of the label; its room is there as soon as the layout around is activated.
+    /// Sets the text of the label. The new height applies when the surrounding layout is activated.
     void setText(const QString& text);
     QString text() const;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings that the window remembers from run to run.
+// Settings that the window stores for later sessions.
 #pragma once
 
 #include <QSettings>
 
 namespace drillwave {
 
-/// The program's settings whatever the application calls itself.
+/// Stored settings of the program, independent of the application's name in Qt.
 class Settings : public QSettings {
   public:
     Settings()
@@ -17,8 +17,8 @@ class Settings : public QSettings {
 inline const QString recentFilesKey = QStringLiteral("recentFiles");
 inline const QString presetFilesKey = QStringLiteral("presets/files");
 
-/// Forgets layout, page, units and every other choice, so that the next window is as new. The names of
-/// recent files and of added files of presets stay.
+/// Deletes layout, page, units and all other stored choices, except the names of recent files and of added
+/// files of presets.
 inline void resetSettings() {
     Settings settings;
     for (const QString& key : settings.allKeys())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of the core as a window shows them.
+// Texts of the core library as a window shows them.
 #pragma once
 
 #include <QString>
@@ -15,57 +15,60 @@ namespace drillwave {
 
 class ScenarioError;
 
-// Words for people in functions that belong to no QObject.
+// Translation of texts in functions that belong to no QObject.
 
-/// In the language of the program, under the context `drillwave`: what QObject::tr() is for classes.
+/// Returns a text in the language of the program, from the catalogue's context `drillwave`; QObject::tr()
+/// does this for classes.
 QString tr(const char* text);
 
-/// UTF-8 as Qt's own text.
+/// Returns UTF-8 text as a QString.
 QString fromView(std::string_view text);
 
-/// A text with names or paths in it for a message or a tooltip: Qt shows it as it is and takes nothing of it
-/// for markup; printableLines().
+/// Returns a text for a message or a tooltip so that Qt does not interpret names or paths in it as markup.
+/// Control characters are made visible, see printableLines().
 QString withoutMarkup(const QString& text);
 
-/// "f I₀ ± φ" for "f I0 +- phi", as the commands write where a terminal may lack the signs.
+/// Returns a text with the signs that terminals may lack: "f I₀ ± φ" for "f I0 +- phi".
 QString withSigns(QString text);
 
-/// A pattern of a Message in the language of the window.
+/// Returns the pattern of a Message in the language of the window.
 std::string translatedPattern(const std::string& pattern);
 
-/// A sentence of the core in the language of the window.
+/// Returns a message of the core library in the language of the window.
 QString translated(const Message& message);
-/// Sentences of the core in the language of the window, one by one or joined by blanks.
+/// Returns messages of the core library in the language of the window, as a list.
 QStringList translatedEach(const std::vector<Message>& sentences);
+/// Returns messages of the core library in the language of the window, joined by blanks.
 QString translatedAll(const std::vector<Message>& sentences);
 
-/// Returns the faults of a file or of values in the language of the window, one per line.
+/// Returns the errors of a file or of values in the language of the window, one per line.
 QString translated(const ScenarioError& error);
 
-/// "t₀" for "t0".
+/// Returns a symbol with its index: "t₀" for "t0".
 QString shownSymbol(std::string_view symbol);
 
-// The words of the core's tables in the language of the window.
+// Texts from the tables of the core library in the language of the window.
 
-/// A label, meaning or title of a table of the core; what the catalogues do not have stays as it is. Which
-/// texts they have: tests/support/core_texts.h.
+/// Returns a label, meaning or title from a table of the core library in the language of the window. Returns
+/// it unchanged if there is no translation. The list of translated texts is in tests/support/core_texts.h.
 QString coreText(std::string_view text);
 
-/// "half sine" for the name `half_sine` of a value of an enumeration.
+/// Returns the translated name of an enumerator: "half sine" for `half_sine`.
 QString coreName(std::string_view name);
 
-/// "stiffness"; of a section "length of hammer section 1", of the law of the rock "force of corner 2".
+/// Returns the label of a parameter: "stiffness", "length of hammer section 1", "force of corner 2".
 QString parameterLabel(const Parameter& parameter);
 
-/// The same with a section as the tables of its scenario call it: "length of 2nd rod".
+/// Returns the label of a parameter, with a section named as in the tables of its scenario: "length of 2nd
+/// rod".
 QString parameterLabel(const Parameter& parameter, const Scenario& scenario);
 
-/// Label and symbol, "stiffness k".
+/// Returns label and symbol of a parameter, "stiffness k".
 QString parameterTitle(const Parameter& parameter);
-/// The same with a section as above.
+/// Returns label and symbol of a parameter, or for a section only its label: "length of 2nd rod".
 QString parameterTitle(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns a sentence of the core about parameters with titles instead of keys, as in the form.
+/// Returns a message in which keys of parameters are replaced by their titles, as in the form.
 Message withTitles(Message message);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The units in which results are shown: dimensionless, or physical ones of a handy size.
+// Units in which results are shown: dimensionless, or physical units with a suitable prefix.
 #pragma once
 
 #include <QString>
@@ -11,16 +11,16 @@
 
 namespace drillwave {
 
-/// SI where a scenario has physical quantities, dimensionless otherwise.
+/// Returns SI for a scenario in physical units, else dimensionless.
 UnitSystem naturalUnits(const Scenario& scenario);
 
-/// One quantity as shown: shown value = dimensionless value · factor, followed by `unit`.
+/// Unit of one quantity as shown: shown value = dimensionless value · factor, followed by `unit`.
 struct ShownUnit {
     double factor = 1;
-    QString unit;                ///< "kN" or "t₀"
-    bool dimensionless = false;  ///< whether `unit` is a characteristic quantity of the blow
-    /// The unit itself, and the kind and system whose prefixes may take its place where one value is read;
-    /// none where the user has chosen the unit.
+    QString unit;                ///< name of the unit, "kN" or "t₀"
+    bool dimensionless = false;  ///< true if `unit` is a scale of the blow, such as t₀
+    /// Data for replacing the prefix of the unit, where a single value is shown: the unit, its kind and its
+    /// system. Nothing if the user has chosen the unit.
     struct Prefixes {
         UnitKind kind;
         UnitSystem system;
@@ -30,38 +30,39 @@ struct ShownUnit {
     std::optional<Prefixes> prefixes = {};
     bool operator==(const ShownUnit&) const = default;
 
-    /// "time t [ms]" or "time t / t₀"; the words alone without a unit.
+    /// Returns the label of an axis: "time t [ms]" or "time t / t₀"; only `words` if there is no unit.
     QString axisLabel(const QString& words) const;
 };
 
-/// Returns the unit for values in SI: shown value = SI value · factor.
+/// Returns a unit for values in SI: shown value = SI value · factor.
 ShownUnit shownUnit(const Unit& unit);
 
-/// Returns the unit of the same quantity in which a value (before the factor) is best read: 36.06 N instead
-/// of the 0.03606 kN of the plots. A value with one to four digits before the point in `unit` stays in it.
+/// Returns the unit with the prefix in which `value`, before multiplication by the factor, is best read:
+/// 36.06 N instead of 0.03606 kN. A value from 1 to below 10⁴ in `unit` stays in it.
 ShownUnit readable(const ShownUnit& unit, double value);
 
-/// The units of all that is plotted or listed for one blow.
+/// Units of all values that are plotted or listed for one blow.
 struct ShownUnits {
     ShownUnit time;
     ShownUnit force;
-    ShownUnit impulse;      ///< of impulses and momenta
-    ShownUnit penetration;  ///< displacements in d0, twice the displacement unit of Impact
-    ShownUnit stiffness;    ///< in k0, as β is
-    ShownUnit energy;       ///< in W0; that of Impact is 2τ W0
-    ShownUnit stress;       ///< in F0/A; of forces where all is dimensionless
-    ShownUnit length;       ///< places in the rod, in L
-    ShownUnit velocity;     ///< of hammer or rod as a whole, in v0
+    ShownUnit impulse;      ///< unit of impulses and momenta, for multiples of I0
+    ShownUnit penetration;  ///< unit of displacements, for multiples of d0 (in Impact: of d0/2)
+    ShownUnit stiffness;    ///< unit of stiffnesses, for multiples of k0, as β is
+    ShownUnit energy;  ///< unit of energies, for multiples of W0; energies of Impact are multiples of 2τ W0
+    ShownUnit stress;  ///< unit of stresses, for multiples of F0/A; if dimensionless, that of forces
+    ShownUnit length;  ///< unit of positions in the rod, for multiples of L
+    ShownUnit velocity;  ///< unit of the velocity of a whole hammer or rod, for multiples of v0
     UnitSystem system = UnitSystem::dimensionless;
     ChosenUnits chosen = {};
     bool operator==(const ShownUnits&) const = default;
 
-    /// Returns the unit for values in SI about as large as `size` without a dimensionless number (thrusts).
+    /// Returns the unit for values in SI of about the magnitude `size` that have no dimensionless form, such
+    /// as feed forces.
     ShownUnit of(UnitKind kind, double size) const;
 };
 
-/// Prefixes follow the scales (not the results), so that they do not flicker while a value is dragged.
-/// `chosen` are the units of kinds that do not follow the system.
+/// Returns the units of a blow. Prefixes depend on the scales, not on the results, so that they do not change
+/// while a value is dragged. `chosen` are units for single kinds, which override `units`.
 ShownUnits shownUnits(UnitSystem units, const Scales& scales, const ChosenUnits& chosen = {});
 
 }  // namespace drillwave

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as users type and read them: their own decimal sign in the window, C text behind it.
+// Numbers as users type and read them in the window, with the locale's decimal sign, converted to and from C
+// text.
 #pragma once
 
 #include <QLocale>
@@ -10,40 +11,40 @@
 
 namespace drillwave {
 
-/// Text made ready for parseQuantity(), or why its number cannot be understood.
+/// Text prepared for parseQuantity(), or the reason why its number cannot be read.
 struct PlainText {
     QString text;
     QString problem;
 };
 
-/// "3,2 m", "7 850 kg/m³" or "1.234,5" with a point as the decimal sign and no grouping. The locale's own
-/// decimal sign always is one; the other sign is taken as one too, except where it could as well group
-/// thousands
-/// ("1,500" where the point is usual): that is refused, never guessed.
+/// Returns a text such as "3,2 m", "7 850 kg/m³" or "1.234,5" with a point as the decimal sign and no
+/// grouping. The locale's decimal sign is always accepted. The other of point and comma is accepted too,
+/// unless it could also group thousands ("1,500" in a locale with a point), which is refused.
 PlainText plainText(const QString& typed, const QLocale& locale);
 
-/// A number at the beginning of a text, without a sign.
+/// Number at the beginning of a text, without a sign.
 struct LeadingNumber {
-    QString text;          ///< with a point as the decimal sign and no grouping; empty where there is none
-    QString problem;       ///< why it cannot be understood
-    qsizetype length = 0;  ///< characters that it takes
+    QString text;          ///< number with a decimal point and no grouping; empty if there is none
+    QString problem;       ///< why the number cannot be read
+    qsizetype length = 0;  ///< number of characters read
 };
 
-/// Reads as plainText() does. Requires no invisible characters.
+/// Returns the number at the beginning of a text, read by the rules of plainText(). Requires that the text
+/// has no invisible characters.
 LeadingNumber leadingNumber(QStringView text, const QLocale& locale);
 
-/// Removes direction marks, soft hyphens and blanks of no width, which are in text copied from elsewhere.
+/// Returns a text without direction marks, soft hyphens and blanks of no width, which copied text may have.
 QString withoutInvisible(QString text);
 
-/// C text of a number with the locale's decimal sign.
+/// Returns a number in C format with the locale's decimal sign.
 QString localText(const QString& plain, const QLocale& locale);
 
-/// A unit as shown: "µs" for "us", "mm²" for "mm^2".
+/// Returns the name of a unit as shown: "µs" for "us", "mm²" for "mm^2".
 QString shownUnitName(std::string_view name);
 
-// A quantity as a field for it shows it: all of a short number, six digits of a long one.
+// Quantity as an input field shows it: all digits of a short number, six of a long one.
 
-/// Formats a value in SI, without the name of the unit.
+/// Returns a value, given in SI, in `unit` but without the unit's name.
 QString fieldText(double si, Quantity quantity, const Unit& unit, const QLocale& locale);
 
 }  // namespace drillwave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The units that the user wants everywhere: a system, single kinds in other units, single fields in others
-// again; kept over the end of the program.
+// Units chosen by the user: a system, other units for single kinds of quantity, and others again for single
+// fields. They are stored for later sessions.
 #pragma once
 
 #include <QObject>
@@ -10,34 +10,38 @@
 
 namespace drillwave {
 
-/// One for each document: all its fields and results follow it, those of others do not.
+/// Chosen units of one document, which apply to all its fields and results.
 class UnitChoice : public QObject {
     Q_OBJECT
 
   public:
-    /// Begins with what was kept last.
+    /// Reads the units stored last.
     UnitChoice();
 
-    /// The units of results and plots.
+    /// Returns the system of units for results and plots.
     UnitSystem system() const { return m_system; }
-    /// SI or US: of fields, whose values always are physical, also while results are dimensionless.
+    /// Returns the system of units for input fields, SI or US; fields show physical values even if results
+    /// are dimensionless.
     UnitSystem physicalSystem() const { return m_physical; }
-    /// The units of kinds that do not follow the system.
+    /// Returns the units of the kinds that have one of their own, which overrides the system.
     const ChosenUnits& chosen() const { return m_chosen; }
-    /// Returns the unit of the field of a parameter.
+    /// Returns the unit in which the input field of a parameter shows its value.
     const Unit& fieldUnit(const Parameter& parameter) const;
-    /// Returns the unit chosen for a kind, or the one in which values of that size (SI) are best read.
+    /// Returns the unit chosen for a kind, or else the unit in which a value of magnitude `size` (SI) is best
+    /// read.
     const Unit& unitFor(UnitKind kind, double size) const;
-    /// A value (SI) in the unit for its own size: "200 µs", "57.3 kip".
+    /// Returns a value, given in SI, in the unit that suits it: "200 µs", "57.3 kip".
     QString text(double si, UnitKind kind, int digits = 3) const;
-    /// Formats a bound ≥ 0, never smaller than it is.
+    /// Returns a bound ≥ 0, given in SI, with its unit, rounded up.
     QString boundText(double si, UnitKind kind) const;
 
-    /// Sets the system of all kinds without a unit of their own, also of fields with one.
+    /// Sets the system of units for all kinds that have no unit of their own. Physical systems also reset the
+    /// units of single fields.
     void choose(UnitSystem system);
-    /// Sets the unit of a kind, also of fields with a unit of their own. nullptr: that of the system.
+    /// Sets the unit of a kind, and resets the units of single fields of this kind. nullptr restores the unit
+    /// of the system.
     void choose(UnitKind kind, const Unit* unit);
-    /// Sets the unit of one field, in every scenario, without changed().
+    /// Sets the unit of one parameter's field in every scenario, without emitting changed().
     void chooseForField(const Parameter& parameter, const Unit& unit);
 
   signals:
@@ -47,7 +51,8 @@ class UnitChoice : public QObject {
     UnitSystem m_system;
     UnitSystem m_physical;
     ChosenUnits m_chosen;
-    std::map<std::string, const Unit*, std::less<>> m_ofFields;  // by key of the parameter
+    // Unit chosen for a single field, by the parameter's key.
+    std::map<std::string, const Unit*, std::less<>> m_ofFields;
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kinds of values that people choose a unit for, and the units they are used to.
+// Kinds of quantity for which a unit can be chosen, and their usual units.
 #pragma once
 
 #include <map>
@@ -13,11 +13,12 @@ namespace drillwave {
 
 enum class UnitSystem { dimensionless, si, us };
 
-/// Finer than Quantity: a rod is measured in metres, what the bit does in millimetres.
+/// Kind of quantity for which a unit can be chosen. It is finer than Quantity: rod lengths are in metres,
+/// penetrations in millimetres.
 enum class UnitKind {
     length,
-    penetration,  ///< and other lengths across: diameters, gaps
-    force,        ///< and thrust
+    penetration,  ///< also other small lengths: diameters, gaps
+    force,        ///< including feed forces
     impulse,
     energy,
     power,
@@ -25,7 +26,7 @@ enum class UnitKind {
     stiffness,
     time,
     speed,
-    rate,  ///< of penetration
+    rate,  ///< penetration rate
     frequency,
     area,
     modulus,
@@ -36,31 +37,33 @@ enum class UnitKind {
     damping,
 };
 
-/// Units of kinds; a kind that is not in it has the units of the system.
+/// Units chosen for single kinds; kinds without an entry have the units of the system.
 using ChosenUnits = std::map<UnitKind, const Unit*>;
 
 struct UnitKindRow {
     UnitKind kind;
     Quantity quantity;
-    const char* name;   ///< what is kept in settings
-    const char* label;  ///< in English, for a menu
-    /// Units with prefixes if they help, from the largest to the smallest.
+    const char* name;   ///< name in the stored settings
+    const char* label;  ///< English label in the menu of units
+    /// SI units of the kind, with prefixes if useful, from the largest to the smallest.
     std::span<const std::string_view> si;
+    /// US units of the kind, from the largest to the smallest.
     std::span<const std::string_view> us;
 };
 
-/// Returns the kinds in the order of a menu.
+/// Returns all kinds with their units, in the order of a menu.
 std::span<const UnitKindRow> unitKinds();
 const UnitKindRow& rowOf(UnitKind kind);
 
-/// The unit of the system in which a value of that size (SI) is best read: the largest that the size is not
-/// less than one of, ten of in US units, or the smallest. A dimensionless `system` counts as SI.
+/// Returns the unit in which a value of magnitude `size` (SI) is best read. It is the largest unit that gives
+/// a number of at least one (in US units ten), else the smallest. A dimensionless `system` counts as SI.
 const Unit& handyUnit(UnitKind kind, double size, UnitSystem system);
 
-/// nullopt for a ratio.
+/// Returns the kind of quantity of a parameter; nothing for a ratio.
 std::optional<UnitKind> kindOf(const Parameter& parameter);
 
-/// Returns the usual unit of a parameter in a system: for US units, one that suits its plausible values.
+/// Returns the usual unit of a parameter in a system of units; for US units, one that suits its typical
+/// values.
 const Unit& customaryUnit(const Parameter& parameter, UnitSystem system);
 
 }  // namespace drillwave

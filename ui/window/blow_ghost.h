@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blow from before a change that stays faintly behind the one on show.
+// Previous blow, drawn faintly behind the present one, to show the effect of a change.
 #pragma once
 
 #include <QObject>
@@ -13,19 +13,20 @@ class Document;
 class PageTabs;
 class ScenarioPanel;
 
-/// Keeps the blow from before a drag until its end, and that from before a preset until the next
-/// change.
+/// Object that shows the previous blow. During a drag it is the blow from before the drag. After choosing a
+/// preset it is the blow from before the preset, until the next change.
 class BlowGhost : public QObject {
     Q_OBJECT
 
   public:
     using Shown = std::function<SolvedBlowPtr()>;
 
-    /// `shown` returns the blow on show; all references must outlive it.
+    /// Starts watching for drags and presets. `shown` returns the blow that is displayed; all references must
+    /// outlive this object.
     BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown, QObject* parent);
 
   private:
-    /// How long the blow before a preset stays.
+    /// How long the blow from before a preset stays visible.
     enum class Stay { no, overThisChange, untilTheNextChange };
 
     void set(const SolvedBlowPtr& before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices about the document: its file, its form, its table and hints for an example.
+// Notices about the document: its file, its conversion, its table, and hints for an example.
 #pragma once
 
 #include <QAction>
@@ -13,13 +13,14 @@
 
 namespace drillwave {
 
-// Reports that the file on disk differs from the scenario being edited, and offers remedies.
+// Notice that the file on disk differs from the scenario being edited, with buttons to reload it or keep the
+// scenario.
 
 class FileNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// All three must outlive the notice.
+    /// Makes the notice. Document, watch and questions must outlive it.
     FileNotice(Document& document, FileWatch& watch, Questions& questions, QWidget* parent = nullptr);
 
   private:
@@ -33,13 +34,13 @@ class FileNotice : public Notice {
     QPushButton* m_reload;
 };
 
-// Reports that the file of a measured blow has changed on disk, and offers to read it again.
+// Notice that the file of a measured hammer force has changed on disk, with a button to read it again.
 
 class TableNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// All three must outlive the notice.
+    /// Makes the notice. Document, watch and questions must outlive it.
     TableNotice(Document& document, TableWatch& watch, Questions& questions, QWidget* parent = nullptr);
 
   private:
@@ -51,20 +52,24 @@ class TableNotice : public Notice {
     QPushButton* m_reload;
 };
 
-// Converts a uniform rod to a drill string, or a string to a uniform rod, and reports what is lost.
+// Conversion between uniform rod and drill string, with a notice of what is lost.
 
 class FormNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// The document must outlive it.
+    /// Makes the actions of conversion. The document must outlive this object.
     explicit FormNotice(Document& document, QWidget* parent = nullptr);
 
-    /// Actions of a menu; each is disabled if there is nothing to convert, with the reason as its tooltip.
+    /// Returns the menu action that converts a uniform rod to a drill string. Like all actions of this class,
+    /// it is disabled if there is nothing to convert, with the reason as its tooltip.
     QAction* toString() const { return m_toString; }
+    /// Returns the action that simplifies a drill string to a uniform rod.
     QAction* toUniformRod() const { return m_toUniformRod; }
-    QAction* toRig() const { return m_toRig; }      ///< of dimensionless groups, by a RigDialog
-    QAction* toForce() const { return m_toForce; }  ///< instead of the hammer of a string
+    /// Returns the action that converts dimensionless groups to physical units, by a RigDialog.
+    QAction* toRig() const { return m_toRig; }
+    /// Returns the action that replaces the hammer of a drill string by a prescribed force.
+    QAction* toForce() const { return m_toForce; }
 
   private:
     void convert(const Conversion& conversion, const QString& step, const QString& done);
@@ -78,7 +83,7 @@ class FormNotice : public Notice {
     bool m_isConverting = false;
 };
 
-// Hint for the example that is open.
+// Notice with hints for the built-in example that is open.
 
 class ExampleNote : public Notice {
     Q_OBJECT
@@ -86,15 +91,17 @@ class ExampleNote : public Notice {
   public:
     explicit ExampleNote(QWidget* parent = nullptr);
 
-    /// Shows the explanation of an example.
+    /// Shows the explanation of an example that was opened.
     void explain(const Example& example);
-    /// The example the program begins with: its explanation is not shown once the user has dismissed it.
+    /// Sets the example with which the program starts. Its explanation is not shown if the user has ever
+    /// closed it.
     void explainFirst(const Example& example);
-    /// The scenario is no longer that of the example, or is so again: the explanation may not fit its values.
+    /// Must be called when the example has been changed (true) or is unchanged again (false). If changed, a
+    /// hint says that the explanation may not fit.
     void setChanged(bool changed);
-    /// Another scenario is open.
+    /// Must be called when another scenario is opened; removes the explanation.
     void forget();
-    /// Shows and hides the note; disabled where there is nothing to explain.
+    /// Returns the action that shows and hides the notice; disabled if there is no explanation.
     QAction* action() const { return m_action; }
 
   private:

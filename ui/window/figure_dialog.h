@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of the paper, computed again, with the numbers that the paper prints beside the exact ones.
+// Dialog with a figure of the paper, computed again, and the numbers printed in the paper beside the exact
+// ones.
 #pragma once
 
 #include <QDialog>
@@ -17,7 +18,8 @@ class FigureDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// Computes that of a number of core/study/paper/figures.h, which takes some hundredths of a second.
+    /// Computes the figure of this number, see core/study/paper/figures.h, which takes a few hundredths of a
+    /// second.
     explicit FigureDialog(int number, QWidget* parent = nullptr);
 
     const Figure& figure() const { return m_figure; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The File menu: new, open, examples, save, recent files, quit, with the question about unsaved changes.
+// Menu File: new, open, examples, save, recent files and quit, with the question about unsaved changes.
 #pragma once
 
 #include <QMenu>
@@ -15,9 +15,10 @@ class QWidget;
 
 namespace drillwave {
 
-// Files dropped onto the window.
+// Files that are dropped onto the window.
 
-/// Takes files dropped anywhere onto a window, also onto fields that would take their names as text.
+/// Event filter that accepts files dropped anywhere onto a window, also onto fields, which would insert their
+/// names.
 class FileDrop : public QObject {
     Q_OBJECT
 
@@ -25,7 +26,8 @@ class FileDrop : public QObject {
     explicit FileDrop(QWidget* window);
 
   signals:
-    /// Paths of local files, at least one; sent after the drop has ended for the program they come from.
+    /// Emitted with the paths of the dropped local files, at least one, after the drop has ended for the
+    /// other program.
     void dropped(const QStringList& paths);
 
   protected:
@@ -41,27 +43,29 @@ class FileMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Document, questions and watch must outlive the menu. `exports` becomes a part of it.
+    /// Makes the menu. Document, questions and watch must outlive it; `exports` becomes its submenu.
     FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports, QWidget* window);
 
-    /// Opens a scenario file, or the scenario of a result, instead of the present one, unsaved or not;
-    /// reports why if it cannot. True when opened.
+    /// Opens a scenario file, or the scenario of a result, even if the present one is unsaved. Returns true
+    /// on success, else shows the reason.
     bool openFile(const QString& path);
     void openExample(const Example& example);
-    /// Takes what was dropped onto the window: a scenario, the CSV file of a result, or that of a hammer
-    /// blow; asks for an import of any other table.
+    /// Opens a file dropped onto the window: a scenario, a result, or the CSV file of a hammer force. Starts
+    /// an import for any other table.
     void take(const QStringList& paths);
-    /// Whether the present scenario may be replaced or closed: saved, unchanged or given up.
+    /// Returns true if the present scenario may be replaced or closed because it is unchanged, was saved, or
+    /// the user discards it. Asks the user if necessary.
     bool mayDiscard();
     bool save();
     bool saveAs();
 
-    /// Whether all files may be tables of samples.
+    /// Returns true if all files may be tables of samples, by their names and first lines.
     static bool areTables(const QStringList& paths);
 
   signals:
     void exampleOpened(const drillwave::Example& example);
-    /// The user wants to import a measured signal: from that file, or from one to be chosen.
+    /// Emitted when the user asks to import a measured signal from the file `path`; empty if it is still to
+    /// be chosen.
     void importRequested(const QString& path);
 
   private:
@@ -74,7 +78,7 @@ class FileMenu : public QMenu {
     void forget(const QString& path);
     void showRecentFiles();
     bool saveTo(const QString& path);
-    /// Whether there is no problem; reports one.
+    /// Returns true if `problem` is empty; otherwise shows it with the title `what`.
     bool succeeded(const QString& what, const QString& problem);
 
     Document& m_document;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window: puts the parts together and wires them, and does nothing else.
+// Main window, which creates the parts of the program and connects them.
 #pragma once
 
 #include <QMainWindow>
@@ -42,27 +42,27 @@ class UnitsChoice;
 class WindowLayout;
 struct Example;
 
-/// Opens with the default example, solved.
+/// Main window of the program. It starts with the default example, already solved.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
     explicit MainWindow(QWidget* parent = nullptr);
-    /// Makes a window with another solver and other answers to its questions.
+    /// Makes a window with another solver and other answers to its questions, for tests.
     MainWindow(std::unique_ptr<Questions> questions, SolveJob::Solve solve, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens a scenario file, or reports why it cannot. True when opened.
+    /// Opens a scenario file. Returns true on success, else shows the reason.
     bool openFile(const QString& path);
     void openExample(const Example& example);
-    /// Keeps unsaved changes in a folder from now on, and offers those of instances that died.
+    /// Stores unsaved changes in a folder from now on, and offers to restore those of instances that crashed.
     void startRecovery(const QString& folder);
 
-    /// Whether it has closed to be opened again at once, by a new window that restores what was in it.
+    /// Returns true if the window was closed so that a new window opens at once with the same contents.
     bool wantsRestart() const { return m_wantsRestart; }
 
     Document& document() { return m_document; }
-    /// The blow on show.
+    /// Returns the blow that is displayed.
     const SolvedBlowPtr& shown() const { return m_shown; }
 
   protected:
@@ -104,7 +104,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;
     bool m_wantsRestart = false;
-    std::uint64_t m_asked = 0;  // the number of the last request
+    std::uint64_t m_asked = 0;  // number of the last request to the solver
 
     FileMenu* m_fileMenu = nullptr;
     ExportMenu* m_exportMenu = nullptr;
@@ -117,7 +117,7 @@ class MainWindow : public QMainWindow {
     Recovery* m_recovery = nullptr;
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;
-    QWidget* m_resultSide = nullptr;  // the result and the runs below it
+    QWidget* m_resultSide = nullptr;  // panel with the result, and the pinned runs below it
     bool m_isResultShown = false;
     UnitsChoice* m_units;
     ReportWriter* m_report;
@@ -130,7 +130,7 @@ class MainWindow : public QMainWindow {
     AlertLink* m_alertLink = nullptr;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
-    // Delivers the last edits when it is destroyed: while all of the above still exists.
+    // Declared last, because its destructor delivers the last edits and needs the members above.
     std::unique_ptr<ScenarioPanel> m_scenarioPanel;
     std::unique_ptr<Importer> m_importer;
 };

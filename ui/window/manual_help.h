@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links from the widget in use to its place in the manual.
+// Help on the widget in use: opens its place in the manual.
 #pragma once
 
 #include <QMainWindow>
@@ -14,20 +14,20 @@ namespace drillwave {
 
 class PageTabs;
 
-/// Opens the manual next to the window.
+/// Object that opens the manual in a window beside the main window.
 class ManualHelp : public QObject {
     Q_OBJECT
 
   public:
-    /// Window and pages must outlive it.
+    /// Makes the help without opening the manual. Window and pages must outlive it.
     ManualHelp(QMainWindow* window, const PageTabs& pages);
 
-    /// Shows the place of the focused field or part, or else of the page on show.
+    /// Shows the place in the manual that describes the focused field or area, or else the visible page.
     void showHere();
     void showAt(const ManualPlace& place);
-    /// The place that showHere() shows.
+    /// Returns the place in the manual that showHere() shows.
     ManualPlace here() const;
-    /// The window of the manual; nullptr until it has been opened.
+    /// Returns the window of the manual; nullptr until it has been opened.
     HelpWindow* helpWindow() const { return m_help; }
 
   private:
@@ -39,16 +39,16 @@ class ManualHelp : public QObject {
     HelpWindow* m_help = nullptr;
 };
 
-/// The shortcuts of a menu bar as the rows of a table in Markdown: a section for each menu.
+/// Returns the keyboard shortcuts of a menu bar as Markdown: a section with a table for each menu.
 QString shortcutTables(const QMenuBar& menus);
 
-// The Help menu: the manual, its list of keys, and about the program.
+// Menu Help: the manual, the list of shortcuts, and information about the program.
 
 class HelpMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Manual and questions must outlive the menu.
+    /// Makes the menu. Manual and questions must outlive it.
     HelpMenu(ManualHelp& manual, Questions& questions, QWidget* window);
 
   private:

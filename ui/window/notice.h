@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A strip above the pages for messages that need no answer.
+// Strip above the pages for messages that need no answer.
 #pragma once
 
 #include <QFrame>
@@ -11,8 +11,8 @@ namespace drillwave {
 
 class ScrolledLabel;
 
-/// Hidden without a text; its last button closes it. The text can be selected, and scrolls if it would leave
-/// the pages too little room.
+/// Strip with a message, hidden if the text is empty; its last button closes it. The text can be selected,
+/// and scrolls if it would take too much room from the pages.
 class Notice : public QFrame {
     Q_OBJECT
 
@@ -21,15 +21,15 @@ class Notice : public QFrame {
 
     explicit Notice(Tone tone, QWidget* parent = nullptr);
 
-    /// A button in front of the one that dismisses.
+    /// Adds a button before the one that closes the strip, and returns it.
     QPushButton* addButton(const QString& text, const QString& toolTip);
     void say(const QString& text);
-    /// Changes the text, shown or hidden as it is.
+    /// Changes the text without showing or hiding the strip.
     void setText(const QString& text);
     QString text() const;
 
   signals:
-    /// The user has sent it away.
+    /// Emitted when the user closes the strip.
     void dismissed();
 
   private:

@@ -14,42 +14,44 @@ namespace drillwave {
 class Page;
 class PageTabs;
 
-// Reports why a page is not there for this scenario, and where its answer is.
+// Notice of why a page is not available for this scenario, and which page has the answer instead.
 
-/// Goes away with the next page on show, and when its page can be chosen again.
+/// Notice that disappears when another page is shown, or when its page becomes available again.
 class ElsewhereNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// The pages must outlive it.
+    /// Makes the notice. The pages must outlive it.
     explicit ElsewhereNotice(PageTabs& pages, QWidget* parent = nullptr);
 
   private:
     void tell(Page* page);
 
-    QPushButton* m_show;  // there where the page leads to the answer
+    QPushButton* m_show;  // button that opens the page with the answer; hidden if there is none
     QPointer<Page> m_page;
 };
 
-// Reports that pages show one of many blows under the feed, and leads back to the single one.
+// Notice that pages show one blow of a sequence under a feed force, with a button to return to the single
+// blow.
 
-/// Keeps which blow that is until it is closed or forgotten; visible above the pages that show it.
+/// Notice that stores which blow of a sequence is shown, until it is closed or reset. It is visible above the
+/// pages that can show that blow.
 class MarchedNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// The pages must outlive it.
+    /// Makes the notice. The pages must outlive it.
     explicit MarchedNotice(PageTabs& pages, QWidget* parent = nullptr);
 
-    /// Shows this blow; `what` describes it in words.
+    /// Shows this blow of a sequence on the pages that can; `what` describes it in words.
     void open(const MarchedQuestion& blow, const QString& what);
-    /// The scenario is another one.
+    /// Must be called when the scenario changes: the single blow is shown again.
     void forget();
-    /// The blow that a page should show instead of the single one.
+    /// Returns the blow of a sequence that a page should show; nothing for the single blow.
     std::optional<MarchedQuestion> blowOf(const Page& page) const;
 
   signals:
-    /// The user wants the single blow again.
+    /// Emitted when the user asks for the single blow again.
     void singleWanted();
 
   private:
@@ -59,31 +61,32 @@ class MarchedNotice : public Notice {
     std::optional<MarchedQuestion> m_blow;
 };
 
-// Reports which value was taken from a plot, and takes it back.
+// Notice of which value was taken from a plot, with a button to undo it.
 
-/// Goes away with the next change of the scenario.
+/// Notice that disappears with the next change of the scenario.
 class TakenNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Document and pages must outlive it.
+    /// Makes the notice. The document must outlive it, as must the pages passed to follow().
     explicit TakenNotice(Document& document, QWidget* parent = nullptr);
-    /// Listens to every page; once, when all pages are there.
+    /// Starts listening to every page. Call it once, when all pages exist.
     void follow(PageTabs& pages);
 
   private:
     Document& m_document;
-    int m_step = -1;  // index of the undo stack after the step that is shown
+    int m_step = -1;  // index of the undo stack after the reported step
 };
 
-// Reports why a page of waves is empty, and rounds lengths so that it is not.
+// Notice of why a page of waves shows a coarser string, with a button to round lengths so that it shows all
+// waves.
 
-/// Shown while the waves of the page were too many to be kept, where rounded lengths may help.
+/// Notice shown while the page's waves are too many to be stored, if rounding the lengths to 10 mm may help.
 class WavesNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Document and pages must outlive it.
+    /// Makes the notice. Document and pages must outlive it.
     WavesNotice(Document& document, PageTabs& pages, QWidget* parent = nullptr);
 
     void present(const SolvedBlow& blow);

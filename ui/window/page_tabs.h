@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the window, of which one is on show, and the row of tabs to choose it by.
+// Pages of the window, one of which is visible, and the row of tabs for choosing it.
 #pragma once
 
 #include <QList>
@@ -16,53 +16,54 @@ namespace drillwave {
 class StaleVeil;
 class TabStrip;
 
-/// Subject of a page, in the order of the tabs: the blow of the scenario, studies, or several
-/// runs.
+/// Group of a page in the row of tabs: the blow of the scenario, studies, or several runs.
 enum class PageGroup { thisBlow, studies, runs };
 
-/// The pages one upon the other. The tabs are elsewhere in the window, over its whole width.
+/// Stack of pages. The row of tabs is a separate widget over the full width of the window.
 class PageTabs : public QStackedWidget {
     Q_OBJECT
 
   public:
     explicit PageTabs(QWidget* parent);
 
-    /// Adds a page after the present ones of its group.
+    /// Adds a page after the existing ones of its group.
     void add(Page* page, PageGroup group);
-    /// The one on show.
+    /// Returns the visible page.
     Page& current() const;
-    /// As wide as any page needs, and as high as the page on show at the available width.
+    /// Returns the width that the widest page needs, and the height that the visible page needs at the
+    /// available width.
     QSize minimumSizeHint() const override;
-    /// Returns a page in the order of the tabs, from 0 to count() − 1.
+    /// Returns a page by its index in the order of the tabs, from 0 to count() − 1.
     Page& page(int index) const;
-    /// The row of tabs, for the window to place.
+    /// Returns the row of tabs, which the window lays out.
     TabStrip* strip() const { return m_strip; }
-    /// To go from page to page by the keyboard.
+    /// Adds actions that go to the next and the previous page to a menu.
     void addTo(QMenu& menu);
-    /// Whether what all pages show answers the present input.
+    /// Sets whether the pages show the answer to the present input.
     void setCurrent(bool current);
-    /// Makes only the pages that show such a scenario choosable. If the one on show is not among them, the
-    /// last one on show for such a scenario replaces it.
+    /// Enables only the tabs of pages that can show this scenario. If the visible page cannot, it is replaced
+    /// by the last visible one that can.
     void follow(const Scenario& scenario);
-    /// Whether a page can be chosen, of the scenario that is there.
+    /// Returns true if a page can be chosen for the present scenario.
     bool isOffered(int index) const;
-    /// Veils what is shown.
+    /// Covers the pages with a translucent layer while their results are out of date.
     void setOutOfDate(bool outOfDate);
-    /// Puts a page on show; if it cannot be chosen, reports where its answer is.
+    /// Shows a page; if it cannot be chosen, emits absent() instead.
     void choose(int index);
-    /// The page shown last in an earlier run of the program.
+    /// Shows the page that was visible at the end of the last session.
     void restoreChoice();
     void saveChoice() const;
 
   signals:
-    /// The needs of the page on show have changed.
+    /// Emitted when the visible page needs other data or another size.
     void needsChanged();
     void exportRequested(const drillwave::PageExport& wanted);
-    /// Other pages can be chosen than before.
+    /// Emitted when the set of pages that can be chosen has changed.
     void offersChanged();
-    /// A page that was on show or is wanted has its answer elsewhere.
+    /// Emitted when a page that is visible or requested does not apply to the scenario, and another page has
+    /// its answer.
     void absent(drillwave::Page* page);
-    /// The user wants a page that only drill strings have, and the scenario is none.
+    /// Emitted when the user asks for a page for drill strings, but the scenario is a uniform rod.
     void stringWanted();
 
   private:
@@ -74,27 +75,27 @@ class PageTabs : public QStackedWidget {
     void offer(Page& page, const Scenario& scenario);
     Page* replacementFor(const Scenario& scenario) const;
 
-    QList<Group> m_groups;  // that have pages, in the order of the tabs
+    QList<Group> m_groups;  // groups that have pages, in the order of the tabs
     TabStrip* m_strip;
     StaleVeil* m_veil;
-    QPointer<Page> m_left;  // was on show before one that shows the other form of scenario
+    // Page that was visible before the scenario changed to a form that it cannot show.
+    QPointer<Page> m_left;
 };
 
-// The room for the pages.
+// Scroll area for the pages.
 
-/// Scrolls a page that needs more room than the window has, so that all of it can be reached. A narrow window
-/// scrolls it sideways too.
+/// Scroll area that scrolls a page larger than the window, in a narrow window also sideways.
 class PageScroll : public QScrollArea {
     Q_OBJECT
 
   public:
-    static constexpr int leastWidth = 400;  ///< [px] below which the window does not go
+    static constexpr int leastWidth = 400;  ///< smallest width of the scroll area [px]
 
     explicit PageScroll(PageTabs* pages, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    /// The width [px] at which no page scrolls sideways.
+    /// Returns the width from which no page needs to scroll sideways [px].
     int neededWidth() const;
 };
 

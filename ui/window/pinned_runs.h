@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned runs in the window: pins, solves, lists, compares, reverts and keeps them.
+// Pinned runs: results that the user keeps, to compare later results with them.
 #pragma once
 
 #include <QObject>
@@ -21,30 +21,31 @@ class PinnedRuns : public QObject {
     Q_OBJECT
 
   public:
-    /// Document, questions and window must outlive it.
+    /// Makes the list of runs. Document, questions and window must outlive this object.
     PinnedRuns(Document& document, Questions& questions, QWidget* window);
 
     Runs& runs() { return m_runs; }
-    /// The list, for the window to place and to keep.
+    /// Returns the panel with the list of runs, which the window lays out.
     RunPanel* panel() const { return m_panel; }
-    /// Asks to pin the present result; see pin().
+    /// Returns the action that pins the present result; see pin().
     QAction* pinAction() const { return m_pinAction; }
-    /// Keeps the runs beside the scenario file, or stops that.
+    /// Returns the action that stores the runs in a folder beside the scenario file, or stops that.
     QAction* keepAction() const { return m_keepAction; }
-    /// Has the numbers of the panel compared with the reference.
+    /// Makes the result panel compare its numbers with the reference run.
     void follow(ResultPanel& result);
-    /// Adds the page that compares them, and has all pages know them. Once.
+    /// Adds the page Compare, and passes the runs to all pages. Call it once.
     void addTo(PageTabs& pages);
 
-    /// The present result, which may be of an earlier scenario. Pins that wait for it get it.
+    /// Sets the result that is displayed, which may belong to an earlier scenario. Runs without a result that
+    /// have the same scenario get it.
     void present(const SolvedBlowPtr& blow);
-    /// Pins the present scenario with its result; if that is not there yet, the run waits for it, whatever is
-    /// changed or shown meanwhile.
+    /// Pins the present scenario with its result. If the result is not computed yet, it is added to the run
+    /// later, even if the scenario has changed by then.
     void pin();
-    /// Brings back the scenario of a run, as one undo step.
+    /// Restores the scenario of the run with this number, as one undo step.
     void revertTo(int number);
-    /// Asks the open questions, and waits until the runs are written. False if that has failed and the user
-    /// wants to keep the window.
+    /// Asks pending questions and waits until the runs are stored. Returns false if storing failed and the
+    /// user wants to keep the window open.
     bool mayClose();
 
   private:
@@ -64,7 +65,7 @@ class PinnedRuns : public QObject {
     QAction* m_keepAction;
     RunPanel* m_panel;
     SolvedBlowPtr m_now;
-    QString m_othersFolder;  // of the question about it; empty without
+    QString m_othersFolder;  // folder with runs of others, about which the user must be asked; empty for none
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The icon of the program, drawn from resources/icons/drillwave.svg.
+// Icon of the program, drawn from resources/icons/drillwave.svg.
 #pragma once
 
 #include <QIcon>
@@ -8,13 +8,14 @@
 
 namespace drillwave {
 
-/// Widths in pixels in which desktops ask for icons of programs.
+/// Widths in which desktops request program icons [px].
 inline constexpr std::array<int, 8> iconWidths{16, 22, 24, 32, 48, 64, 128, 256};
 
-/// A square of so many pixels, with transparent corners. Needs no application object.
+/// Returns the icon as a square image of the given width [px], with transparent corners. Needs no application
+/// object.
 QImage programImage(int width);
 
-/// Returns the icon in all of iconWidths.
+/// Returns the icon with all sizes of iconWidths.
 QIcon programIcon();
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Offers the unsaved changes of an earlier run that ended unexpectedly.
+// Offer to restore unsaved changes of an earlier session that ended unexpectedly.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace drillwave {
 
-/// Asks about the lost changes in the folder, the last ones first, until some are restored into the document;
-/// unanswered ones stay for the next start. Restored changes have the path of their file, whose saved state
-/// undo brings back; `takeBeside` takes the work beside the document. Changes that a window left for its
-/// successor come back without a question. Files that cannot be used are reported and set aside.
+/// Asks about each set of unsaved changes in the folder, the latest first, until one is restored into the
+/// document. The rest is offered at the next start. Undo then leads back to the saved file. `takeBeside`
+/// receives the restored runs and signals. Changes left by a restarted window are restored without asking.
+/// Unusable files are reported and renamed.
 void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
                       QWidget* window, const std::function<void(const WorkBeside&)>& takeBeside);
 

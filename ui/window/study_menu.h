@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Study menu: the pages of studies, or where their answers are, and what can be done with the one on
-// show.
+// Menu Study: the pages of studies, and actions for the visible study.
 #pragma once
 
 #include <QMenu>
@@ -14,7 +13,7 @@ class StudyMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// The pages must be there already, and outlive the menu.
+    /// Makes the menu. All pages must already have been added, and must outlive the menu.
     StudyMenu(PageTabs& pages, QWidget* window);
 
   private:
@@ -22,7 +21,7 @@ class StudyMenu : public QMenu {
     void update();
 
     PageTabs& m_pages;
-    QList<std::pair<int, QAction*>> m_choose;  // pages by their index
+    QList<std::pair<int, QAction*>> m_choose;  // actions that show a page, with the page's index
     QAction* m_copy;
     QAction* m_cancel;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tabs of the pages in one row, with the name of each group before its tabs.
+// Row of tabs for the pages, with the name of each group before its tabs.
 #pragma once
 
 #include <QTabBar>
@@ -8,30 +8,32 @@ class QWidget;
 
 namespace drillwave {
 
-/// A caption is a tab that cannot be chosen. If the row is too short the captions shrink to a gap, then tabs
-/// are scrolled; the chosen one is always in view, and the name of a tab at the edge ends in an ellipsis.
+/// Row of tabs. A caption, the name of a group, is a tab that cannot be chosen. If the row is too short,
+/// captions shrink to a gap, and then the tabs scroll. The chosen tab is always visible, and a name cut off
+/// at the edge ends in an ellipsis.
 class TabStrip : public QTabBar {
     Q_OBJECT
 
   public:
     explicit TabStrip(QWidget* parent = nullptr);
 
-    /// Insert a caption or a tab before the tab at `index`.
+    /// Inserts a caption before the tab at `index`.
     void insertCaption(int index, const QString& text);
     void insertPage(int index, QWidget* page, const QString& title);
-    /// nullptr for a caption, and where there is no tab.
+    /// Returns the page of the tab at `index`; nullptr for a caption, or if there is no such tab.
     QWidget* pageAt(int index) const;
     /// Changes the title of the tab at `index`.
     void rename(int index, const QString& title);
-    /// Sets whether a page can be chosen; otherwise its tab shows `why`, or is hidden if that is
+    /// Sets whether a page can be chosen. If not, its tab has `why` as tooltip, or is hidden if `why` is
     /// empty.
     void setOffered(int index, bool offered, const QString& why);
     int indexOf(const QWidget* page) const;
-    /// Chooses the tab `step` tabs of pages further on, round the row.
+    /// Chooses the tab that is `step` page tabs to the right (left if negative), continuing at the other end
+    /// of the row.
     void choose(int step);
 
   signals:
-    /// A click on the tab of a page that cannot be chosen.
+    /// Emitted on a click on the tab of a page that cannot be chosen.
     void refused(QWidget* page);
 
   protected:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menu of units: a system, and for each kind of value another unit; in View and at a button.
+// Menu of units: a system of units, and another unit for each kind of quantity. It is in the menu View and at
+// a button.
 #pragma once
 
 #include <QMenu>
@@ -13,20 +14,21 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Sets the units of a document. The choice stays while a scenario has no physical units.
+/// Menu that sets the units of a document. The choice is kept while a scenario has no physical units.
 class UnitsChoice : public QMenu {
     Q_OBJECT
 
   public:
-    /// The units must outlive the menu.
+    /// Makes the menu. `units` must outlive it.
     UnitsChoice(UnitChoice& units, QWidget* window);
 
-    /// Shows the system chosen, and opens the menu.
+    /// Returns the button that shows the chosen system and opens the menu.
     QToolButton* button() const { return m_button; }
-    /// The units of a scenario: those wanted, where it has them.
+    /// Returns the system of units for a scenario: the chosen one, or dimensionless if the scenario has no
+    /// physical units.
     UnitSystem of(const Scenario& scenario) const;
     void choose(UnitSystem units);
-    /// Shows what can be chosen for a scenario, and what is.
+    /// Enables the systems that a scenario permits, and marks the chosen units.
     void present(const Scenario& scenario);
 
   signals:
@@ -38,7 +40,7 @@ class UnitsChoice : public QMenu {
 
     UnitChoice& m_units;
     QActionGroup* m_systems;
-    QList<QActionGroup*> m_kinds;  // as in unitKinds()
+    QList<QActionGroup*> m_kinds;  // actions for the units of each kind, in the order of unitKinds()
     QToolButton* m_button;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The View menu: units, plots, pages, areas and their layout.
+// Menu View: units, plots, pages, areas and their layout.
 #pragma once
 
 #include <QMenu>
@@ -18,18 +18,18 @@ class Questions;
 class UnitsChoice;
 class WindowLayout;
 
-// The menu of languages, in View.
+// Submenu of languages in the menu View.
 
-/// The choice takes effect in the next window; a restart is offered.
+/// Menu of languages. A choice takes effect in the next window; a restart is offered.
 class LanguageMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// The questions must outlive the menu.
+    /// Makes the menu. The questions must outlive it.
     LanguageMenu(Questions& questions, QWidget* window);
 
   signals:
-    /// The user wants the window in the chosen language now.
+    /// Emitted when the user wants to restart the window in the chosen language.
     void restartWanted();
 
   private:
@@ -41,16 +41,16 @@ class LanguageMenu : public QMenu {
     QActionGroup* m_group;
 };
 
-// The menu of the plot on show: all that its context menu has, in the menu bar.
+// Menu of the visible plot, with all entries of the plot's context menu.
 
 class PlotViewMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// The pages must outlive the menu.
+    /// Makes the menu. The pages must outlive it.
     PlotViewMenu(PageTabs& pages, QWidget* window);
 
-    /// Shows and hides the tables below all plots; kept in the settings.
+    /// Returns the action that shows and hides the tables below all plots; the choice is stored.
     QAction* tableAction() const { return m_table; }
 
   private:
@@ -65,7 +65,7 @@ class ViewMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Parts of the window in the menu, all of which must outlive it.
+    /// Parts of the window that have entries in the menu. All must outlive it.
     struct Parts {
         UnitsChoice& units;
         PageTabs& pages;
@@ -77,7 +77,7 @@ class ViewMenu : public QMenu {
     ViewMenu(const Parts& parts, QWidget* window);
 
   signals:
-    /// The user wants the window in another language now.
+    /// Emitted when the user wants to restart the window in another language.
     void restartWanted();
 };
 

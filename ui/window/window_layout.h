@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Size and place of the window and its two docks, kept over the end of the program.
+// Size and position of the window and its two docks, stored for later sessions.
 #pragma once
 
 #include <QList>
@@ -13,19 +13,19 @@ class QWidget;
 
 namespace drillwave {
 
-// F6 and Shift+F6 take the keyboard round the areas of the window.
+// Moves the keyboard focus around the areas of the window by F6 and Shift+F6.
 
-/// The focus comes back to where it was in an area. An area that is closed is passed over; a hidden one in a
-/// row of docks is raised.
+/// Object that moves the focus from area to area, to the widget that last had it there. Closed areas are
+/// skipped; an area hidden behind another dock is raised.
 class AreaKeys : public QObject {
     Q_OBJECT
 
   public:
-    /// Takes the areas in the order of the keys.
+    /// Takes the areas in the order in which F6 visits them.
     AreaKeys(QList<QWidget*> areas, QWidget* window);
 
     void addTo(QMenu& menu);
-    /// Gives the focus to the next area, or to the one before by −1.
+    /// Gives the focus to the next area (step 1) or to the previous one (step −1).
     void go(int step);
 
   private:
@@ -34,19 +34,20 @@ class AreaKeys : public QObject {
     QList<QWidget*> m_areas;
 };
 
-/// Side by side the docks leave a narrow window no room for the page: they share one side then.
+/// Layout of the window with two docks. In a narrow window they share one side, to leave room for the page.
 class WindowLayout : public QObject {
     Q_OBJECT
 
   public:
-    /// addDock() and restoreSize() come before the window is shown.
+    /// Makes the layout. Call addDock() and restoreSize() before the window is shown.
     explicit WindowLayout(QMainWindow* window);
 
-    /// The first is on the left, the second on the right. `name` identifies it in the settings.
+    /// Adds a dock, the first on the left, the second on the right, and returns it. `name` identifies it in
+    /// the stored settings.
     QDockWidget* addDock(const QString& title, const QString& name, QWidget* content);
-    /// Raises the dock of that content, and opens it if it was closed.
+    /// Brings the dock with this content to the front, and opens it if it was closed.
     void reveal(const QWidget* content);
-    /// Docks to be shown or hidden, and everything to be put back.
+    /// Adds actions that show and hide the docks, and one that resets the layout, to a menu.
     void addTo(QMenu& menu);
     void restoreSize();
     void save() const;
@@ -68,8 +69,8 @@ class WindowLayout : public QObject {
     QMainWindow* m_window;
     QList<QDockWidget*> m_docks;
     bool m_restored = false;
-    QSize m_firstSize;       // where there is none of the last run
-    bool m_stacked = false;  // the docks share a side for want of room
+    QSize m_firstSize;       // initial size of the window if no size was stored
+    bool m_stacked = false;  // true if the docks share one side because the window is narrow
 };
 
 }  // namespace drillwave

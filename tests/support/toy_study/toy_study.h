@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smallest study that is whole: peak force over a parameter, of the rod and of one of another length.
+// Smallest complete study: the peak force over one parameter, for the rod and for one of another length.
 #pragma once
 
 #include "core/report/study.h"
 
 namespace drillwave::test {
 
-/// [N], of `rods` rods of equal steps of a parameter [SI]: forces[rod][step]. NaN where a blow is not solved.
+/// Peak forces [N] over equal steps of a parameter (`values`, SI): forces[rod][step]. NaN if a blow is not
+/// solved.
 struct PeakForces {
     std::vector<double> values;
     std::vector<std::vector<double>> forces;
     bool isStopped = false;
 };
 
-/// Solves a blow of each scenario at 41 values of a parameter.
+/// Returns the peak force of a blow for each scenario at 41 values of a parameter, from `start` to `stop`
+/// (SI).
 PeakForces peakForces(const std::vector<Scenario>& rods, const Parameter& parameter, double start,
                       double stop, const StudyWork& work);
 
