@@ -22,6 +22,7 @@ constexpr int unexplainedFrequencies = 18;
 constexpr double shareOnIncident = 0.7;  ///< of an unexplained wave
 constexpr double floorOfQuiet = 0.003;   ///< of the peak
 constexpr double defaultGain = 0.02;
+constexpr double speedOfSteel = 0.035;  ///< furthest from that of the file
 constexpr double resolvedRise = 10e-6;  ///< a rise Z/k as short as that is lost in noise of 0.5 % [s]
 constexpr double missedRise = 0.12;     ///< by so much, found with random stiff rocks (identify_scenes stiff)
 
@@ -188,7 +189,9 @@ void addAssumptions(RecordModel& model, const LawFit& fit, const IdentifyQuestio
     const double tolerance = placeTolerance(question), speed = place.waveSpeed;
     const double lag = fit.values[static_cast<Index>(model.find(Kind::lag))];
     const double allowed = 4 * tolerance / speed + record.roundTrip * 0.005;
-    const double late = std::max(0.0, std::abs(lag - record.shift) - allowed) / record.roundTrip;
+    // Another distance than in the file may as well be another wave speed, as far as steels differ.
+    const double ofPlace = std::max(0.0, std::abs(lag) - allowed) / record.roundTrip;
+    const double late = record.shift == 0 ? ofPlace : std::min(ofPlace, speedOfSteel);
     if (late > 0) {
         row = {"timing", "gauge", late, "1", false, none};
         row.effect[stiffness] = std::sqrt(2.0) * late;
@@ -428,7 +431,8 @@ FitErrors fitErrors(RecordModel& model, const LawFit& fit, const IdentifyQuestio
         const double amount = std::abs(fit.values[static_cast<Index>(u)]);
         if (amount <= 1.1 * shape.tolerance) continue;
         if (errors.remarks.empty()) errors.remarks.emplace_back("zero_line");
-        raise(amount * rmsOf(shape.returning) / record.peak);
+        // Without a step at the tolerance; twice that is believed in full.
+        raise(std::min(amount, 2 * (amount - shape.tolerance)) * rmsOf(shape.returning) / record.peak);
     }
     if (errors.unexplained > 0.01) errors.remarks.emplace_back("unexplained_wave");
     addUnexplained(model, fit, stop, errors);

@@ -20,6 +20,7 @@ constexpr double strainedMisfit = 0.01;  ///< of the peak
 constexpr double rejectedMisfit = 0.05;  ///< of the peak
 constexpr double rejectedWave = 0.08;    ///< unexplained, of the peak
 constexpr double usedUpMisfit = 0.003;   ///< of the peak
+constexpr double doubtfulWidth = 0.35;   ///< of a logarithm: no answer to 20 %
 constexpr double usedUpWidth = 0.7;      ///< of logarithms at least, where a specimen bends the zero lines
 constexpr double tooFar = 1.5;           ///< tolerances that a zero line or a size may take
 constexpr double arrivalFrom = 25e-6;    ///< [s]
@@ -220,6 +221,15 @@ bool hasLeftTolerances(const UsedUp& used, const MisfitFound& misfit) {
            std::max({used.zeroLines, used.droop, used.sizes}) > tooFar;
 }
 
+/// Whether the gain of the returning wave is far from that of the incident one and does not explain the
+/// record: then something else is wrong, such as a second hit.
+bool isGainDoubtful(const LawCandidate& chosen) {
+    constexpr double farGain = 0.025, leastMisfit = 0.0015, leastRatio = 1.3;
+    const double gain = chosen.fit.values[static_cast<Eigen::Index>(chosen.model->shapeUnknown("gain"))];
+    const MisfitFound& misfit = chosen.errors.misfit;
+    return std::abs(gain) > farGain && misfit.misfit > leastMisfit && misfit.ratio > leastRatio;
+}
+
 ModelVerdict verdictOf(const LawTrials& trials, RecordAnswer& answer, const IdentifyQuestion& question) {
     const LawCandidate& chosen = trials.chosen();
     const MisfitFound& misfit = chosen.errors.misfit;
@@ -309,6 +319,8 @@ RecordAnswer answerOf(RecordAnswer answer, const LawTrials& trials, const Identi
     // A specimen creeps and softens, which the zero lines take: its law is known to a factor only.
     if (question.barBehind && hasLeftTolerances(usedUp(*chosen.model, chosen.fit), chosen.errors.misfit))
         for (const std::size_t log : {0, 1, 3, 4}) atLeast[log] = std::max(atLeast[log], usedUpWidth);
+    if (isGainDoubtful(chosen))
+        for (const std::size_t log : {0, 1}) atLeast[log] = std::max(atLeast[log], doubtfulWidth);
     answer.model = verdictOf(trials, answer, question);
     fillMatch(trials, answer);
     fillCurves(*chosen.model, chosen.fit, answer);
@@ -333,7 +345,7 @@ RecordAnswer fittedAnswer(const RecordAnswer& before, const IdentifyQuestion& qu
     if (stop.stop_requested()) return before;
     RecordAnswer answer = answerOf(before, trials, question, given, record, sizes, stop);
     const IdentifiedParameter* gap = answer.find("bit_rock.gap");
-    if (answer.model != ModelVerdict::rejected && gap && gap->low && *gap->low > 0.02e-3 &&
+    if (answer.model != ModelVerdict::rejected && gap && gap->low && gap->high && *gap->low > 0.02e-3 &&
         gapMayBeBend(trials, record, question, sizes, stop)) {
         answer.remarks.emplace_back("gap_or_bend");
         openGap(answer);

@@ -19,8 +19,11 @@ constexpr double cornerReach = 0.95;       ///< of the largest force at most, of
 constexpr double clearly = 0.85;           ///< of the misfit: a better fit than by chance
 constexpr double jumpShare = 0.5;          ///< of that which a jump replaces
 constexpr double jumpTolerance = 0.05;     ///< of the peak
+constexpr double jumpMisfit = 0.002;       ///< of the peak: a smaller misfit needs no jump
 constexpr double jumpExplains = 0.15;      ///< of Σr² at least
-constexpr double checkedMisfit = 0.002;    ///< of the peak
+constexpr double checkedMisfit = 0.001;    ///< of the peak
+constexpr double checkedRatio = 1.25;      ///< of the residuals to noise
+constexpr double checkedDeviations = 2.5;  ///< of that ratio
 constexpr double nearbyGain = 15;          ///< of Σr²: more than noise gives to one more unknown
 constexpr double nearbyShare = 0.08;       ///< of Σr², where the bilinear law leaves more than noise
 constexpr double likelyGain = 8;           ///< of Σr²: noise seldom gives as much
@@ -28,6 +31,8 @@ constexpr double unsureShare = 1.5;        ///< of the noise, at most, by a law 
 constexpr double nearbyFactor = 1.3;       ///< of the way to a law that gains as much
 constexpr double craterShare = 1.05;       ///< of the Σr² of a corner, which has one unknown more
 constexpr double unseenMisfit = 0.3;       ///< of the noise: smaller misfits are equal
+constexpr double equalMisfit = 0.0012;     ///< of the peak: smaller misfits tell no law from another
+constexpr double besideJump = 0.85;        ///< of the misfit of the bilinear law, of a law beside a jump
 constexpr double strainedBilinear = 0.01;  ///< of the peak: beyond it the dispersion found is doubtful, too
 
 LawCandidate candidateOf(std::string name, std::shared_ptr<RecordModel> model, LawFit fit,
@@ -190,9 +195,12 @@ void addNearbyGains(LawCandidate& bilinear, const std::stop_token& stop) {
 bool counts(const LawTrials& trials, std::size_t i) {
     const LawCandidate& candidate = trials.candidates[i];
     const MisfitFound& found = trials.chosen().errors.misfit;
-    const double answer = std::max(found.misfit, unseenMisfit * found.noise);
+    const double answer = std::max({found.misfit, unseenMisfit * found.noise, equalMisfit});
     const double bilinear = trials.candidates.front().misfit();
-    if (i == trials.answer || candidate.misfit() > countsWithin * answer) return false;
+    if (i == trials.answer) return false;
+    // A jump fits half of anything: another law that explains some of the same stays open.
+    if (trials.chosen().name == "jump" && candidate.misfit() <= besideJump * bilinear) return true;
+    if (candidate.misfit() > countsWithin * answer) return false;
     return i == 0 || candidate.misfit() <= countsBelow * bilinear;
 }
 
@@ -222,14 +230,21 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         auto other = modelOf(law);
         LawFit found = fitFrom(*other, *trials.candidates[0].model, trials.candidates[0].fit,
                                trials.candidates[0].misfit() > strainedBilinear, stop);
-        trials.candidates.push_back(candidateOf(name, other, std::move(found), question, sizes, stop));
+        LawCandidate candidate = candidateOf(name, other, std::move(found), question, sizes, stop);
+        // A law that noise can move far would excuse its misfit with that: noise is that of the bilinear law
+        // at most.
+        const MisfitFound& bilinear = trials.candidates[0].errors.misfit;
+        if (candidate.errors.misfit.noise > bilinear.noise)
+            candidate.errors.misfit = misfitOf(*other, candidate.fit, bilinear.noise, bilinear.scatter);
+        trials.candidates.push_back(std::move(candidate));
     };
     const MisfitFound misfit = trials.candidates[0].errors.misfit;
     const bool isBent = addNearbyLaws(trials.candidates[0], question, tolerances, {}, stop);
     const UsedUp used = usedUp(*model, trials.candidates[0].fit);
-    const bool isOpen =
-        isBent || !isAccepted(misfit) || (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
-        (misfit.ratio > std::max(1.3, 1 + 3 * misfit.scatter) && misfit.misfit > checkedMisfit);
+    const bool isOpen = isBent || !isAccepted(misfit) ||
+                        (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
+                        (misfit.ratio > std::max(checkedRatio, 1 + checkedDeviations * misfit.scatter) &&
+                         misfit.misfit > checkedMisfit);
     if (!isOpen && question.law != LawChoice::corner) return trials;
     tryLaw("corner", TrialLaw::corner);
     if (isOpen) {
@@ -241,8 +256,9 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         refit(*further, overload, stop);
         trials.candidates.push_back(
             candidateOf("overload", further, std::move(overload), question, sizes, stop));
-        if (auto jump = jumpCandidate(trials.candidates[0], question, sizes, trials.jumpTime, stop))
-            trials.candidates.push_back(std::move(*jump));
+        if (misfit.misfit > jumpMisfit)
+            if (auto jump = jumpCandidate(trials.candidates[0], question, sizes, trials.jumpTime, stop))
+                trials.candidates.push_back(std::move(*jump));
     }
     const auto indexOf = [&](const char* name) {
         for (std::size_t i = 0; i < trials.candidates.size(); ++i)
@@ -276,6 +292,7 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     }
     if (jump < trials.candidates.size() && trials.answer == jump)
         addNearbyLaws(trials.candidates[jump], question, tolerances, trials.jumpTime, stop);
+    if (trials.answer != 0) addNearbyGains(trials.candidates[trials.answer], stop);
     const double left = trials.chosen().misfit();
     for (std::size_t i = 0; i < trials.candidates.size(); ++i) {
         const std::string& name = trials.candidates[i].name;

@@ -18,6 +18,7 @@ constexpr double enoughChange = 1e-9;  ///< of Σr² in a round: the minimum
 constexpr int dampingTries = 24;
 constexpr double quietGaussian = 20e-6;  ///< −3 dB at 6.6 kHz [s]
 constexpr double lastStretch = 120e-6;
+constexpr double largeShare = 0.3;  ///< of the tolerance of a zero line: others are tried
 
 /// Slope shapes and sizes act almost linearly: while searching they get one-sided differences.
 bool isNearlyLinear(const Unknown& unknown) {
@@ -115,7 +116,7 @@ std::vector<Start> evenStarts(const RecordModel& model, unsigned from, unsigned 
         };
         set(Kind::stiffness, middle + (evenShare(i + 1, 2) - 0.5) * 4 * std::log(10.0));
         set(Kind::gamma, std::log(0.03) * evenShare(i + 1, 3));
-        set(Kind::gap, std::pow(evenShare(i + 1, 5), 3) * 2e-3);
+        set(Kind::gap, std::pow(evenShare(i + 1, 5), 3) * 2e-3 * model.record().gapScale);
         starts.push_back(std::move(start));
     }
     return starts;
@@ -231,12 +232,59 @@ std::vector<Start> startsFrom(const RecordModel& model, RecordModel& bilinear, c
     return starts;
 }
 
+/// Holds all disturbances but dispersion and returns their unknowns: zero lines, droop, gain and bending.
+std::vector<std::size_t> holdZeroLines(RecordModel& model) {
+    std::vector<std::size_t> held;
+    for (std::size_t u = 0; u < model.unknowns().size(); ++u) {
+        Unknown& unknown = model.unknowns()[u];
+        if (unknown.kind != Unknown::Kind::shape || unknown.isHeld || unknown.deviation <= 0) continue;
+        if (model.shapes()[unknown.index].key == "dispersion") continue;
+        unknown.isHeld = true;
+        held.push_back(u);
+    }
+    return held;
+}
+
 LawFit finished(RecordModel& model, Eigen::VectorXd values) {
     LawFit fit;
     fit.law = model.law();
     fit.values = std::move(values);
     fit.linearise(model);
     return fit;
+}
+
+/// Searches again with zero lines, droop and gain of the return at their expected values, and frees them at
+/// the end, if one of them is large: together they can lead a search into a minimum of their own.
+void searchWithoutZeroLines(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
+    Eigen::VectorXd values = fit.values;
+    const std::vector<std::size_t> held = holdZeroLines(model);
+    bool isFar = false;
+    for (const std::size_t u : held) {
+        const Unknown& unknown = model.unknowns()[u];
+        double& value = values[static_cast<Index>(u)];
+        isFar = isFar || std::abs(value - unknown.mean) > largeShare * half95 * unknown.deviation;
+        value = unknown.mean;
+    }
+    const auto free = [&] {
+        for (const std::size_t u : held) model.unknowns()[u].isHeld = false;
+    };
+    if (!isFar) return free();
+    // Weights that have followed the zero lines would let them go again.
+    const double floor = 0.003 * model.record().peak;
+    model.setQuietErrors(floor, floor);
+    minimise(model, values, 40, stop);
+    free();
+    const double cost = minimise(model, values, 60, stop);
+    Eigen::VectorXd residuals;
+    model.residuals(fit.values, residuals);
+    if (cost < residuals.squaredNorm()) {
+        followQuiet(model, values, stop);
+        fit = finished(model, values);
+        return;
+    }
+    const QuietErrors errors = quietErrors(model, fit.values);
+    model.setQuietErrors(std::max(errors.before, floor), std::max(errors.last, floor));
+    fit.linearise(model);
 }
 
 }  // namespace
@@ -459,17 +507,19 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
     minimise(model, best, 60, stop);
     followQuiet(model, best, stop);
     followDispersion(model, best, stop);
-    return finished(model, best);
+    LawFit fit = finished(model, best);
+    searchWithoutZeroLines(model, fit, stop);
+    return fit;
 }
 
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
     constexpr double mostRise = 15, mostRiseOfMinimum = 8;  // of Σr²; 95 % of three unknowns are below 8
-    constexpr double sameGap = 5e-6;                        // [m]
+    const double sameGap = 5e-6 * model.record().gapScale;  // [m]
     const std::size_t unknown = model.find(Unknown::Kind::gap);
     const auto gap = static_cast<Index>(unknown);
     const double own = fit.values[gap];
     std::vector<Start> minima{{fit.values, fit.cost}}, held;
-    for (const double trial : {0.0, own / 2, own + 40e-6, own + 100e-6}) {
+    for (const double trial : {0.0, own / 2, own + 8 * sameGap, own + 20 * sameGap}) {
         if (stop.stop_requested()) return;
         if (std::abs(trial - own) < sameGap) continue;
         Start other{fit.values, 0};
@@ -563,6 +613,14 @@ LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bo
     for (const double share : shares) {
         model.setDispersion(share, false);
         Start found = bestOf(model, startsFrom(model, bilinear, from), most, stop);
+        if (model.law() == TrialLaw::corner) {
+            // Free zero lines lead some starts astray.
+            const std::vector<std::size_t> held = holdZeroLines(model);
+            Start other = bestOf(model, startsFrom(model, bilinear, from), most, stop);
+            for (const std::size_t u : held) model.unknowns()[u].isHeld = false;
+            other.cost = minimise(model, other.values, 25, stop);
+            if (other.cost < found.cost) found = std::move(other);
+        }
         if (best.values.size() > 0 && found.cost >= best.cost) continue;
         best = std::move(found);
         bestShare = share;
@@ -575,7 +633,9 @@ LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bo
     minimise(model, values, 60, stop);
     followDispersion(model, values, stop);
     followQuiet(model, values, stop);
-    return finished(model, values);
+    LawFit fit = finished(model, values);
+    searchWithoutZeroLines(model, fit, stop);
+    return fit;
 }
 
 }  // namespace drillwave

@@ -14,6 +14,7 @@ constexpr double identifiedShare = 0.2;   ///< half-width at most
 constexpr double identifiedGap = 0.1e-3;  ///< [m]
 constexpr double unloadedShare = 0.05;    ///< of the largest force
 constexpr double contactDeviations = 3;   ///< of the misfit's noise
+constexpr double leastContact = 0.015;    ///< of the peak: a smaller force says nothing of the rock
 constexpr double widestKnown = 2.3;       ///< half-width of a logarithm: a factor 10 says nothing
 constexpr double cornerReached = 0.98;    ///< of the largest force: a corner there has no effect
 constexpr double widestLog = 12;          ///< of an interval in logarithms, beyond it nothing is known
@@ -32,17 +33,15 @@ ForceSeen forceSeen(RecordModel& model, const LawFit& fit) {
     const double last = record.timeOf(model.firstReturning() + model.returningCount() - 1) -
                         record.roundTrip - lag - record.places.front().end.transitTime();
     ForceSeen seen;
-    double lastForce = 0;
     const double impedance = record.places.front().end.impedance;
     const std::vector<double>& f = model.incidentNow();
     for (std::size_t n = 0; n < chain.rockForce().size(); ++n) {
         const double t = model.gridStart() + static_cast<double>(n) * model.gridStep();
         if (t > last) break;
         seen.largest = std::max(seen.largest, chain.rockForce()[n]);
-        lastForce = chain.rockForce()[n];
+        if (chain.rockForce()[n] < (1 - unloadedShare) * seen.largest) seen.hasUnloaded = true;
         seen.advance += 2 * f[n] / impedance * model.gridStep();
     }
-    seen.hasUnloaded = lastForce < (1 - unloadedShare) * seen.largest;
     return seen;
 }
 
@@ -71,6 +70,16 @@ IdentifiedParameter parameterOf(const LawCandidate& chosen, const char* key, Unk
     const double wave = chosen.errors.unexplainedEffect[static_cast<Index>(unknown)];
     parameter.budget.push_back({"unexplained_wave", "", chosen.errors.unexplained, "1", false, wave});
     return parameter;
+}
+
+/// Adds to the budget what other laws that fit as well widen: a row that all parameters have, even with
+/// effect 0.
+void addOtherLaws(IdentifiedParameter& parameter, double effect) {
+    const auto row = std::ranges::find(parameter.budget, "law", &BudgetRow::source);
+    if (row != parameter.budget.end())
+        row->effect = std::hypot(row->effect, effect);
+    else
+        parameter.budget.push_back({"law", "", 0, "1", false, effect});
 }
 
 void judgeLog(IdentifiedParameter& parameter) {
@@ -173,8 +182,9 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
     }
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const double own = widths[static_cast<Index>(chosen.model->find(kinds[i]))];
-        const double width = std::max(widthWithLaws(trials, kinds[i], own), atLeast[i]);
-        answer.parameters.push_back(parameterOf(chosen, keys[i], kinds[i], width));
+        const double withLaws = widthWithLaws(trials, kinds[i], own);
+        answer.parameters.push_back(parameterOf(chosen, keys[i], kinds[i], std::max(withLaws, atLeast[i])));
+        addOtherLaws(answer.parameters.back(), std::sqrt(std::max(0.0, withLaws * withLaws - own * own)));
     }
     const ForceSeen force = forceSeen(*chosen.model, chosen.fit);
     const bool hasCorner =
@@ -200,14 +210,17 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
     for (std::size_t i = 3; i < answer.parameters.size(); ++i) judgeLog(answer.parameters[i]);
     if (chosen.name == "corner" && !hasCorner) {
         answer.parameters[3].verdict = ParameterVerdict::bounded;
-        answer.parameters[3].low = std::min(force.largest, answer.parameters[3].value);
+        answer.parameters[3].low =
+            std::min(force.largest, answer.parameters[3].value) * std::exp(-answer.parameters[3].halfWidth);
         answer.parameters[3].high.reset();
         notSeen(answer.parameters[4], "no_corner");
     }
-    const double noise = std::max(contactDeviations * chosen.errors.misfit.noise, 0.005) * record.peak;
+    const double noise = std::max(contactDeviations * chosen.errors.misfit.noise, leastContact) * record.peak;
     if (force.largest < noise) {
         notSeen(stiffness, "no_contact");
         notSeen(gamma, "no_contact");
+        for (std::size_t i = 3; i < answer.parameters.size(); ++i)
+            notSeen(answer.parameters[i], "no_contact");
         gap.verdict = ParameterVerdict::bounded;
         gap.low = std::max(0.0, force.advance);
         gap.high.reset();

@@ -342,7 +342,11 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
             std::sqrt(power / static_cast<double>(std::max<std::size_t>(count, 1))) / record.peak;
     }
     const double stress = record.peak * places[0].youngsModulus / places[0].axialStiffness;
-    if (stress < 15e6 || stress > 1e9) record.remarks.emplace_back("unit_doubtful");
+    if (stress < 15e6 || stress > 1e9) {
+        constexpr double usualStress = 200e6;  // [Pa]
+        record.remarks.emplace_back("unit_doubtful");
+        record.gapScale = stress / usualStress;
+    }
     return {std::move(record), std::nullopt};
 }
 

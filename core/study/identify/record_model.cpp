@@ -99,7 +99,7 @@ void RecordModel::addUnknowns(const IdentifyQuestion& question, const SizeTolera
     if (m_law != TrialLaw::held) {
         add(Kind::stiffness, 1e-3, std::log(1e5), std::log(2e11));
         add(Kind::gamma, 1e-3, std::log(0.01), 0);
-        add(Kind::gap, 2e-6, 0, 8e-3);
+        add(Kind::gap, 2e-6 * m_record->gapScale, 0, 8e-3 * m_record->gapScale);
     }
     add(Kind::lag, 0.02e-6, shift - longestLag, shift + longestLag);
     const double impedance = m_record->places.front().end.impedance;
