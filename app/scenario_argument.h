@@ -14,7 +14,8 @@
 namespace drillwave {
 
 /// The option that changes a scenario; all of them come with scenarioOptions().
-inline constexpr OptionSpec setOption{"set", "KEY=VALUE", "change parameters, e.g. rod.length=4.27m beta=0.8",
+inline constexpr OptionSpec setOption{"set", "KEY=VALUE",
+                                      "change parameters of the scenario, such as rod.length=4.27m beta=0.8",
                                       OptionSpec::Times::list};
 
 /// The options of a command that takes a scenario: --set and the presets, then those of its own.
@@ -22,8 +23,8 @@ std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own = {})
 
 /// Help for the operand FILE.
 inline constexpr std::string_view scenarioOperandHelp =
-    "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
-    "a built-in example, or - for standard input.";
+    "FILE is a scenario, a result file that contains its scenario (summary.json, histories.csv,\n"
+    "map.csv.yaml …), the name of a built-in example, or - for standard input.";
 
 /// Loads the scenario that FILE names (loadScenarioFile()), applies the presets and then every --set:
 /// pulse.shape first, then physical parameters, then groups, whatever their order. The scenario is valid.
