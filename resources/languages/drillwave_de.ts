@@ -12166,76 +12166,76 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>abgelehnt</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
-        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
+        <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
+        <translation>Die Reflexion kommt nicht zu der aus der Szenariodatei berechneten Zeit an: den Abstand der Messstelle von der Krone, die Wellengeschwindigkeit und den Abtasttakt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
-        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
+        <source>A section between gauge and bit differs from the scenario file: measure the bit head and the rod, and check whether the file lacks a section.</source>
+        <translation>Ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
-        <translation>Ein Abschnitt zur Krone hin oder der Abstand der Messstellen voneinander weicht von der Datei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
+        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file: measure this distance, the bit head and the rod.</source>
+        <translation>Der Abstand der Messstellen voneinander oder ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
     </message>
     <message>
-        <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
-        <translation>Es gibt Wellen, wo keine sein sollten: Biegung (Messstreifen auf gegenüberliegenden Seiten verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
+        <source>The record shows waves at times when the rod should be at rest. Possible causes: bending (use gauges on opposite sides of the rod), the blow before, or couplings.</source>
+        <translation>Die Aufzeichnung zeigt Wellen zu Zeiten, in denen die Stange in Ruhe sein sollte. Mögliche Ursachen: Biegung (Messstreifen auf gegenüberliegenden Seiten der Stange verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
     </message>
     <message>
-        <source>The zero line moves more than the amplifier is said to allow: check zero, drift and coupling of the amplifier.</source>
-        <translation>Die Nulllinie bewegt sich mehr, als der Verstärker laut Angabe darf: Nullpunkt, Drift und Kopplung des Verstärkers prüfen.</translation>
+        <source>The zero line of the record moves by more than the tolerance of the amplifier: check its zero, drift and coupling.</source>
+        <translation>Die Nulllinie der Aufzeichnung bewegt sich um mehr als die Toleranz des Verstärkers: seinen Nullpunkt, seine Drift und seine Kopplung prüfen.</translation>
     </message>
     <message>
-        <source>The rod still rings before the blow: measure a single blow.</source>
-        <translation>Die Stange schwingt vor dem Schlag noch nach: einen einzelnen Schlag messen.</translation>
+        <source>The rod still rings from an earlier blow when this blow starts: measure a single blow.</source>
+        <translation>Die Stange schwingt zu Beginn dieses Schlags noch von einem früheren nach: einen einzelnen Schlag messen.</translation>
     </message>
     <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Das Modell stimmt nicht mit der Aufzeichnung überein, daher ist über das Gestein nichts bekannt. %1</translation>
     </message>
     <message>
-        <source>The record agrees with the rock of the file.</source>
-        <translation>Die Aufzeichnung stimmt mit dem Gestein der Datei überein.</translation>
+        <source>The record agrees with the rock of the scenario file.</source>
+        <translation>Die Aufzeichnung stimmt mit dem Gestein der Szenariodatei überein.</translation>
     </message>
     <message>
-        <source>The record contradicts the rock of the file.</source>
-        <translation>Die Aufzeichnung widerspricht dem Gestein der Datei.</translation>
+        <source>The record contradicts the rock of the scenario file.</source>
+        <translation>Die Aufzeichnung widerspricht dem Gestein der Szenariodatei.</translation>
     </message>
     <message>
-        <source>The record differs from the rock of the file.</source>
-        <translation>Die Aufzeichnung weicht vom Gestein der Datei ab.</translation>
+        <source>The record agrees only roughly with the rock of the scenario file.</source>
+        <translation>Die Aufzeichnung stimmt nur ungefähr mit dem Gestein der Szenariodatei überein.</translation>
     </message>
     <message>
-        <source>The record agrees roughly with the model.</source>
-        <translation>Die Aufzeichnung stimmt ungefähr mit dem Modell überein.</translation>
+        <source>The record agrees only roughly with the model.</source>
+        <translation>Die Aufzeichnung stimmt nur ungefähr mit dem Modell überein.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that yields once.</source>
-        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das einmal nachgibt.</translation>
+        <source>The record agrees with a rock that yields at one force: its loading curve has one corner.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das bei einer bestimmten Kraft nachgibt: seine Belastungskurve hat eine Ecke.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that loads along one line.</source>
-        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das sich entlang einer Geraden belastet.</translation>
+        <source>The record agrees with a rock whose force rises along one straight line while the bit penetrates.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, dessen Kraft beim Eindringen längs einer einzigen Geraden steigt.</translation>
     </message>
     <message>
-        <source>Stiffness, elasticity and gap are known.</source>
-        <translation>Steifigkeit, Elastizität und Spalt sind bekannt.</translation>
+        <source>Stiffness, elasticity and gap of the rock are known.</source>
+        <translation>Steifigkeit, Elastizität und Spalt des Gesteins sind bekannt.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity are known, the gap is not.</source>
-        <translation>Steifigkeit und Elastizität sind bekannt, der Spalt nicht.</translation>
+        <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
+        <translation>Steifigkeit und Elastizität des Gesteins sind bekannt, der Spalt zwischen Bohrkrone und Gestein nicht.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the elasticity is not.</source>
-        <translation>Die Steifigkeit ist bekannt, die Elastizität nicht.</translation>
+        <source>The stiffness of the rock is known, the elasticity is not.</source>
+        <translation>Die Steifigkeit des Gesteins ist bekannt, die Elastizität nicht.</translation>
     </message>
     <message>
-        <source>The elasticity is known, the stiffness is not.</source>
-        <translation>Die Elastizität ist bekannt, die Steifigkeit nicht.</translation>
+        <source>The elasticity of the rock is known, the stiffness is not.</source>
+        <translation>Die Elastizität des Gesteins ist bekannt, die Steifigkeit nicht.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor elasticity is known to 20 %.</source>
-        <translation>Weder Steifigkeit noch Elastizität sind auf 20&#xa0;% genau bekannt.</translation>
+        <source>Neither stiffness nor elasticity of the rock is known to within 20 %.</source>
+        <translation>Weder Steifigkeit noch Elastizität des Gesteins sind auf 20&#xa0;% genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12650,12 +12650,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 mehr Andruck decken starres Gestein ab.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, then where measured and modelled wave differ.</source>
-        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin oder der Abstand der Messstellen voneinander weichen von der Datei ab: den Kronenkopf und diesen Abstand prüfen, dann, wo gemessene und berechnete Welle auseinandergehen.</translation>
+        <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
+        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder in der Szenariodatei ist ein Abschnitt zwischen Messstelle und Bohrkrone oder der Abstand der Messstellen voneinander falsch: zuerst den Kronenkopf und diesen Abstand prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, then where measured and modelled wave differ.</source>
-        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen, dann, wo gemessene und berechnete Welle auseinandergehen.</translation>
+        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file: check the bit head first, then see where the measured and the modelled wave differ.</source>
+        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder die Abschnitte zwischen Messstelle und Bohrkrone weichen von der Szenariodatei ab: zuerst den Kronenkopf prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
         <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>

@@ -12166,76 +12166,76 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avvisad</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
-        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan, och om en sektion saknas i filen.</translation>
+        <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
+        <translation>Reflexionen kommer inte vid den tid som beräknas ur scenariofilen: kontrollera givarens avstånd från kronan, våghastigheten, samplingsklockan, och om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
-        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
+        <source>A section between gauge and bit differs from the scenario file: measure the bit head and the rod, and check whether the file lacks a section.</source>
+        <translation>En sektion mellan givare och borrkrona avviker från scenariofilen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
-        <translation>En sektion mot kronan, eller avståndet mellan givarna, avviker från filen: mät det avståndet, kronhuvudet och stången.</translation>
+        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file: measure this distance, the bit head and the rod.</source>
+        <translation>Avståndet mellan givarna, eller en sektion mellan givare och borrkrona, avviker från scenariofilen: mät detta avstånd, kronhuvudet och stången.</translation>
     </message>
     <message>
-        <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
-        <translation>Det finns vågor där inga borde finnas: böjning (använd givare på motstående sidor), slaget innan, eller skarvhylsor.</translation>
+        <source>The record shows waves at times when the rod should be at rest. Possible causes: bending (use gauges on opposite sides of the rod), the blow before, or couplings.</source>
+        <translation>Mätningen visar vågor vid tider då stången borde vara i vila. Möjliga orsaker: böjning (använd givare på motsatta sidor av stången), slaget innan, eller skarvhylsor.</translation>
     </message>
     <message>
-        <source>The zero line moves more than the amplifier is said to allow: check zero, drift and coupling of the amplifier.</source>
-        <translation>Nollinjen rör sig mer än förstärkaren sägs få göra: kontrollera förstärkarens nollpunkt, drift och koppling.</translation>
+        <source>The zero line of the record moves by more than the tolerance of the amplifier: check its zero, drift and coupling.</source>
+        <translation>Mätningens nollinje rör sig mer än förstärkarens tolerans: kontrollera dess nollpunkt, drift och koppling.</translation>
     </message>
     <message>
-        <source>The rod still rings before the blow: measure a single blow.</source>
-        <translation>Stången svänger fortfarande före slaget: mät ett enstaka slag.</translation>
+        <source>The rod still rings from an earlier blow when this blow starts: measure a single blow.</source>
+        <translation>Stången svänger fortfarande efter ett tidigare slag när detta slag börjar: mät ett enstaka slag.</translation>
     </message>
     <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Modellen stämmer inte med mätningen, så inget är känt om berget. %1</translation>
     </message>
     <message>
-        <source>The record agrees with the rock of the file.</source>
-        <translation>Mätningen stämmer med filens berg.</translation>
+        <source>The record agrees with the rock of the scenario file.</source>
+        <translation>Mätningen stämmer med scenariofilens berg.</translation>
     </message>
     <message>
-        <source>The record contradicts the rock of the file.</source>
-        <translation>Mätningen motsäger filens berg.</translation>
+        <source>The record contradicts the rock of the scenario file.</source>
+        <translation>Mätningen motsäger scenariofilens berg.</translation>
     </message>
     <message>
-        <source>The record differs from the rock of the file.</source>
-        <translation>Mätningen avviker från filens berg.</translation>
+        <source>The record agrees only roughly with the rock of the scenario file.</source>
+        <translation>Mätningen stämmer bara ungefär med scenariofilens berg.</translation>
     </message>
     <message>
-        <source>The record agrees roughly with the model.</source>
-        <translation>Mätningen stämmer ungefär med modellen.</translation>
+        <source>The record agrees only roughly with the model.</source>
+        <translation>Mätningen stämmer bara ungefär med modellen.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that yields once.</source>
-        <translation>Mätningen stämmer med ett berg som ger efter en gång.</translation>
+        <source>The record agrees with a rock that yields at one force: its loading curve has one corner.</source>
+        <translation>Mätningen stämmer med ett berg som ger efter vid en viss kraft: dess belastningskurva har ett hörn.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that loads along one line.</source>
-        <translation>Mätningen stämmer med ett berg som belastas längs en rät linje.</translation>
+        <source>The record agrees with a rock whose force rises along one straight line while the bit penetrates.</source>
+        <translation>Mätningen stämmer med ett berg vars kraft stiger längs en enda rät linje när kronan tränger in.</translation>
     </message>
     <message>
-        <source>Stiffness, elasticity and gap are known.</source>
-        <translation>Styvhet, elasticitet och spalt är kända.</translation>
+        <source>Stiffness, elasticity and gap of the rock are known.</source>
+        <translation>Bergets styvhet, elasticitet och spalt är kända.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity are known, the gap is not.</source>
-        <translation>Styvhet och elasticitet är kända, men inte spalten.</translation>
+        <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
+        <translation>Bergets styvhet och elasticitet är kända, men inte spalten mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the elasticity is not.</source>
-        <translation>Styvheten är känd, men inte elasticiteten.</translation>
+        <source>The stiffness of the rock is known, the elasticity is not.</source>
+        <translation>Bergets styvhet är känd, men inte dess elasticitet.</translation>
     </message>
     <message>
-        <source>The elasticity is known, the stiffness is not.</source>
-        <translation>Elasticiteten är känd, men inte styvheten.</translation>
+        <source>The elasticity of the rock is known, the stiffness is not.</source>
+        <translation>Bergets elasticitet är känd, men inte dess styvhet.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor elasticity is known to 20 %.</source>
-        <translation>Varken styvhet eller elasticitet är känd på 20&#xa0;% när.</translation>
+        <source>Neither stiffness nor elasticity of the rock is known to within 20 %.</source>
+        <translation>Varken bergets styvhet eller dess elasticitet är känd på 20&#xa0;% när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12650,12 +12650,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 mer matning täcker stelt berg.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, then where measured and modelled wave differ.</source>
-        <translation>Berget följer en annan lag, eller sektionerna mot kronan eller avståndet mellan givarna avviker från filen: kontrollera kronhuvudet och det avståndet, och därefter var uppmätt och beräknad våg skiljer sig åt.</translation>
+        <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
+        <translation>Antingen följer berget en annan lag, eller så är en sektion mellan givare och borrkrona eller avståndet mellan givarna fel i scenariofilen: kontrollera först kronhuvudet och detta avstånd, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, then where measured and modelled wave differ.</source>
-        <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och därefter var uppmätt och beräknad våg skiljer sig åt.</translation>
+        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file: check the bit head first, then see where the measured and the modelled wave differ.</source>
+        <translation>Antingen följer berget en annan lag, eller så avviker sektionerna mellan givare och borrkrona från scenariofilen: kontrollera först kronhuvudet, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
         <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
