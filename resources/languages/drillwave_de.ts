@@ -6610,8 +6610,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Der Vorschub wird nicht beurteilt: das Szenario ist durch seine dimensionslosen Kennzahlen gegeben, nicht in physikalischen Einheiten.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: no blow frequency is given.</source>
-        <translation>Der Vorschub wird nicht beurteilt: es ist keine Schlagfrequenz angegeben.</translation>
+        <source>The feed cannot be judged: give a blow frequency.</source>
+        <translation>Der Vorschub wird nicht beurteilt: eine Schlagfrequenz angeben.</translation>
     </message>
     <message>
         <source>%1 (%2 with the weight along the hole)</source>
@@ -10826,72 +10826,72 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Schätzung aus einem Schlag gilt nicht: die Wellen eines Schlags sind noch im Strang, wenn der nächste kommt.</translation>
     </message>
     <message>
-        <source>The feed of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
+        <source>The feed force of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
         <translation>Der Andruck von %1 ist kleiner als die mittlere Kraft der Schläge, %2: die Maschine weicht zurück.</translation>
     </message>
     <message>
-        <source>%1 is below the %2 that this blow requires: penetration will probably be lost.</source>
-        <translation>%1 sind weniger als die %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
+        <source>A feed force of %1 is below the %2 that this blow requires: penetration will probably be lost.</source>
+        <translation>Ein Andruck von %1 liegt unter den %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow (%2 required).</source>
-        <translation>%1 decken jeden einzelnen Schlag ab (%2 erforderlich).</translation>
+        <source>A feed force of %1 covers every single blow (%2 required).</source>
+        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock (%2 required); gaps were not examined.</source>
-        <translation>%1 decken diesen Schlag und starres Gestein ab (%2 erforderlich); Spalte wurden nicht untersucht.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow, with return in time at every gap (%2).</source>
-        <translation>%1 decken jeden einzelnen Schlag ab, mit rechtzeitiger Rückkehr bei jedem Spalt (%2).</translation>
+        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock, with return in time (%2); gaps were not examined.</source>
-        <translation>%1 decken diesen Schlag und starres Gestein ab, mit rechtzeitiger Rückkehr (%2); Spalte wurden nicht untersucht.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2.</source>
-        <translation>Diesen Schlag decken mindestens %1 bei %2 ab.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>Um diesen Schlag abzudecken, muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2, or at most %3 with this feed.</source>
-        <translation>Diesen Schlag decken mindestens %1 bei %2 ab, oder mit diesem Andruck höchstens %3.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>Um diesen Schlag abzudecken, muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not every gap (up to %3).</source>
-        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt (bis %3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3).</source>
-        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3); gaps were not examined.</source>
-        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3); Spalte wurden nicht untersucht.</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
-        <translation>Es ist kein Andruck angegeben: bei %1 deckt das Gewicht längs des Bohrlochs allein diesen Schlag und starres Gestein ab.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 deckt schon das Gewicht von Maschine und Stange längs des Bohrlochs diesen Schlag und starres Gestein ab.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %2 erfordert dieser Schlag mindestens %1.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, every single blow at least %3.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, jeder einzelne Schlag mindestens %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and blows at other gaps or on rigid rock up to %3.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %2 erfordert dieser Schlag mindestens %1, Schläge bei anderen Spalten oder auf starres Gestein bis zu %3.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, rigid rock at least %3.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, starres Gestein mindestens %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and rigid rock at least %3.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %2 erfordert dieser Schlag mindestens %1, starres Gestein mindestens %3.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
-        <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck sind angegeben.</translation>
+        <source>The feed cannot be judged: give a blow frequency and a feed force.</source>
+        <translation>Der Vorschub wird nicht beurteilt: Schlagfrequenz und Andruck angeben.</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Dies ist eine Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -12614,12 +12614,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>stimmt nicht überein</translation>
     </message>
     <message>
-        <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
-        <translation>Einzelne Schläge brauchen nicht mehr Andruck; ab %1 wäre eine ungedämpfte Stange vor jedem nächsten Schlag zurück.</translation>
+        <source>For single blows, no additional feed force is required. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
+        <translation>Für einzelne Schläge ist kein zusätzlicher Andruck erforderlich. Ab %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückkehren.</translation>
     </message>
     <message>
-        <source>Single blows need no more feed.</source>
-        <translation>Einzelne Schläge brauchen nicht mehr Andruck.</translation>
+        <source>For single blows, no additional feed force is required.</source>
+        <translation>Für einzelne Schläge ist kein zusätzlicher Andruck erforderlich.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12634,20 +12634,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers every gap.</source>
-        <translation>%1 mehr Andruck decken diesen Schlag ab, %2 mehr jeden Spalt.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers rigid rock.</source>
-        <translation>%1 mehr Andruck decken diesen Schlag ab, %2 mehr starres Gestein.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 starres Gestein.</translation>
     </message>
     <message>
-        <source>%1 more feed covers every gap.</source>
-        <translation>%1 mehr Andruck decken jeden Spalt ab.</translation>
+        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt jeden Spalt zwischen Bohrkrone und Gestein ab.</translation>
     </message>
     <message>
-        <source>%1 more feed covers rigid rock.</source>
-        <translation>%1 mehr Andruck decken starres Gestein ab.</translation>
+        <source>An additional feed force of %1 covers rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt starres Gestein ab.</translation>
     </message>
     <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
@@ -13914,8 +13914,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Aufeinanderfolgende Schläge verfolgen (etwa %1 s)</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Dies ist eine Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>

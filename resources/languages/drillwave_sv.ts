@@ -6610,8 +6610,8 @@ en projektion av fler dimensioner</translation>
         <translation>Matningen bedöms inte: scenariot ges av sina dimensionslösa tal, inte i fysikaliska enheter.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: no blow frequency is given.</source>
-        <translation>Matningen bedöms inte: ingen slagfrekvens är angiven.</translation>
+        <source>The feed cannot be judged: give a blow frequency.</source>
+        <translation>Matningen bedöms inte: ange en slagfrekvens.</translation>
     </message>
     <message>
         <source>%1 (%2 with the weight along the hole)</source>
@@ -10826,72 +10826,72 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Uppskattningen från ett slag gäller inte: vågorna från ett slag är kvar i strängen när nästa kommer.</translation>
     </message>
     <message>
-        <source>The feed of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
+        <source>The feed force of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
         <translation>Matningskraften %1 är mindre än slagens medelkraft, %2: maskinen trycks tillbaka.</translation>
     </message>
     <message>
-        <source>%1 is below the %2 that this blow requires: penetration will probably be lost.</source>
-        <translation>%1 är mindre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
+        <source>A feed force of %1 is below the %2 that this blow requires: penetration will probably be lost.</source>
+        <translation>En matningskraft på %1 är lägre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow (%2 required).</source>
-        <translation>%1 täcker varje enskilt slag (%2 krävs).</translation>
+        <source>A feed force of %1 covers every single blow (%2 required).</source>
+        <translation>En matningskraft på %1 täcker varje enskilt slag (%2 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock (%2 required); gaps were not examined.</source>
-        <translation>%1 täcker detta slag och stelt berg (%2 krävs); spalter undersöktes inte.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 täcker detta slag och stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow, with return in time at every gap (%2).</source>
-        <translation>%1 täcker varje enskilt slag, med återkomst i tid vid varje spalt (%2).</translation>
+        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>En matningskraft på %1 täcker varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock, with return in time (%2); gaps were not examined.</source>
-        <translation>%1 täcker detta slag och stelt berg, med återkomst i tid (%2); spalter undersöktes inte.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 täcker detta slag och stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2.</source>
-        <translation>Detta slag täcks av minst %1 vid %2.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2, or at most %3 with this feed.</source>
-        <translation>Detta slag täcks av minst %1 vid %2, eller med denna matningskraft högst %3.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not every gap (up to %3).</source>
-        <translation>%1 täcker detta slag (%2 krävs), men inte varje spalt (upp till %3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
+        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3).</source>
-        <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
+        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3); gaps were not examined.</source>
-        <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3); spalter undersöktes inte.</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
-        <translation>Ingen matningskraft är angiven: vid %1 täcker enbart tyngden längs hålet detta slag och stelt berg.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 täcker redan tyngden av maskin och stång längs hålet detta slag och stelt berg.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2.</source>
-        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %2 kräver detta slag minst %1.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, every single blow at least %3.</source>
-        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, varje enskilt slag minst %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and blows at other gaps or on rigid rock up to %3.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %2 kräver detta slag minst %1, och slag vid andra spalter eller på stelt berg upp till %3.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, rigid rock at least %3.</source>
-        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, stelt berg minst %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and rigid rock at least %3.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %2 kräver detta slag minst %1, och stelt berg minst %3.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
-        <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
+        <source>The feed cannot be judged: give a blow frequency and a feed force.</source>
+        <translation>Matningen bedöms inte: ange slagfrekvens och matningskraft.</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Detta är en uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -12614,12 +12614,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>stämmer inte</translation>
     </message>
     <message>
-        <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
-        <translation>Enskilda slag behöver inte mer matning; från %1 vore en odämpad stång tillbaka före varje nästa slag.</translation>
+        <source>For single blows, no additional feed force is required. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
+        <translation>För enstaka slag krävs ingen ytterligare matningskraft. Från %1 skulle till och med en odämpad stång återvända till berget före varje nästa slag.</translation>
     </message>
     <message>
-        <source>Single blows need no more feed.</source>
-        <translation>Enskilda slag behöver inte mer matning.</translation>
+        <source>For single blows, no additional feed force is required.</source>
+        <translation>För enstaka slag krävs ingen ytterligare matningskraft.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12634,20 +12634,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers every gap.</source>
-        <translation>%1 mer matning täcker detta slag, %2 mer täcker varje spalt.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers rigid rock.</source>
-        <translation>%1 mer matning täcker detta slag, %2 mer täcker stelt berg.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker stelt berg.</translation>
     </message>
     <message>
-        <source>%1 more feed covers every gap.</source>
-        <translation>%1 mer matning täcker varje spalt.</translation>
+        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>%1 more feed covers rigid rock.</source>
-        <translation>%1 mer matning täcker stelt berg.</translation>
+        <source>An additional feed force of %1 covers rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker stelt berg.</translation>
     </message>
     <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
@@ -13914,8 +13914,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Följ på varandra följande slag (cirka %1 s)</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Detta är en uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
