@@ -11710,20 +11710,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 weitere Abschnitte</translation>
     </message>
     <message>
-        <source>First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.</source>
-        <translation>Zuerst bricht: %1, durch einen Zug von %2, %3 der Dauerfestigkeit von %4.</translation>
+        <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
+        <translation>Zuerst bricht der Abschnitt %1: ein Zug von %2 ist %3 seiner Dauerfestigkeit von %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a tension of %2, %3 of its yield strength of %4.</source>
-        <translation>Zuerst fließt: %1, durch einen Zug von %2, %3 der Streckgrenze von %4.</translation>
+        <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
+        <translation>Zuerst fließt der Abschnitt %1: ein Zug von %2 ist %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a compression of %2, %3 of its yield strength of %4.</source>
-        <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
+        <source>The section that yields first is %1: a compression of %2 is %3 of its yield strength of %4.</source>
+        <translation>Zuerst fließt der Abschnitt %1: ein Druck von %2 ist %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give %1 to find the section that breaks first.</source>
-        <translation>Kein Abschnitt hat eine Festigkeit: %1 angeben, um zu sehen, welcher zuerst bricht.</translation>
+        <source>No section has a strength. Give a strength (%1) to find the section that breaks first.</source>
+        <translation>Kein Abschnitt hat eine Festigkeit. Eine Festigkeit angeben (%1), um den Abschnitt zu finden, der zuerst bricht.</translation>
     </message>
     <message>
         <source>the rod</source>

@@ -11710,20 +11710,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 andra sektioner</translation>
     </message>
     <message>
-        <source>First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.</source>
-        <translation>Först brister: %1, av en dragspänning på %2, %3 av utmattningsgränsen på %4.</translation>
+        <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
+        <translation>Den sektion som brister först är %1: en dragspänning på %2 är %3 av dess utmattningsgräns på %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a tension of %2, %3 of its yield strength of %4.</source>
-        <translation>Först flyter: %1, av en dragspänning på %2, %3 av sträckgränsen på %4.</translation>
+        <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
+        <translation>Den sektion som flyter först är %1: en dragspänning på %2 är %3 av dess sträckgräns på %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a compression of %2, %3 of its yield strength of %4.</source>
-        <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
+        <source>The section that yields first is %1: a compression of %2 is %3 of its yield strength of %4.</source>
+        <translation>Den sektion som flyter först är %1: en tryckspänning på %2 är %3 av dess sträckgräns på %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give %1 to find the section that breaks first.</source>
-        <translation>Ingen sektion har en hållfasthet: ange %1 för att se vilken som brister först.</translation>
+        <source>No section has a strength. Give a strength (%1) to find the section that breaks first.</source>
+        <translation>Ingen sektion har en hållfasthet. Ange en hållfasthet (%1) för att hitta den sektion som brister först.</translation>
     </message>
     <message>
         <source>the rod</source>
