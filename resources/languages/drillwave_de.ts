@@ -3922,8 +3922,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Vier Diagramme über der Zeit von 0 bis %1. %2: größtes N %3, Welle zur Bohrkrone %4, von der Bohrkrone %5. Stoßkraft bis %6, Kraft des Hammers auf den Strang bis %7. Kraftstoß bis %8. Impuls des Strangs bis %9.</translation>
     </message>
     <message>
-        <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
-        <translation>Vier Diagramme über der Zeit von 0 bis %1. Wellen bei x/L = %2: größtes N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
+        <source>Four plots over time from 0 to %1. Largest values at x/L = %2: normal force N %10, incident wave N0p %3, its reflection from the bit N1n %4, then from the rear end N2p %5 and again from the bit N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
+        <translation>Vier Diagramme über der Zeit von 0 bis %1. Größte Werte bei x/L = %2: Normalkraft N %10, einlaufende Welle N0p %3, ihre Reflexion an der Krone N1n %4, dann am hinteren Ende N2p %5 und wieder an der Krone N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
     </message>
     <message>
         <source>%1, %2 from its rear</source>
@@ -4538,16 +4538,16 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Durchlauf</translation>
     </message>
     <message>
-        <source>Statistics at values of this parameter, each started at rest and started bouncing</source>
-        <translation>Die Statistik bei Werten dieses Parameters, jeweils aus der Ruhe und aus dem Springen</translation>
+        <source>Simulates the blows at several values of this parameter, each once from rest and once with a bouncing machine</source>
+        <translation>Simuliert die Schläge bei mehreren Werten dieses Parameters, jeden einmal aus der Ruhe und einmal mit springender Maschine</translation>
     </message>
     <message>
         <source>bracket</source>
         <translation>mit Grenzfällen</translation>
     </message>
     <message>
-        <source>Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: makers do not publish their dampers</source>
-        <translation>Auch unter konstanter Kraft, und mit einem Dämpfer der halben Impedanz, wo es eine Maschinenmasse gibt: kein Hersteller veröffentlicht seinen Dämpfer</translation>
+        <source>Repeats the scan with a constant feed force and, if a machine mass is given, with a dashpot of half the impedance of the rod. Makers do not publish their dampers: the results show how much this matters</source>
+        <translation>Wiederholt den Durchlauf mit konstantem Andruck und, wenn eine Maschinenmasse angegeben ist, mit einem Dämpfer von der halben Impedanz der Stange. Hersteller veröffentlichen ihre Dämpfer nicht: die Ergebnisse zeigen, wie viel das ausmacht</translation>
     </message>
     <message>
         <source>Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no blow frequency and no feed force.</source>
@@ -6742,8 +6742,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 braucht drill.blow_frequency; im Szenario oder mit --set angeben</translation>
     </message>
     <message>
-        <source>This blow has %1 wave pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
-        <translation>Dieser Schlag hat %1 Stücke, zu viele, um ihn in einem Bericht über alle Spalte zu verfolgen: `drillwave %2` tut das und nimmt sich die Zeit.</translation>
+        <source>The waves of this blow have %1 polynomial pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
+        <translation>Die Wellen dieses Schlags haben %1 Polynomstücke, zu viele, um in einem Bericht alle Spalte zu untersuchen: stattdessen `drillwave %2` aufrufen, was länger dauert.</translation>
     </message>
     <message>
         <source>The blow could not be solved at all gaps: %1</source>
@@ -7922,8 +7922,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
     </message>
     <message>
-        <source>its blows over all gaps need more wave pieces than a quick study permits</source>
-        <translation>seine Schläge über alle Spalte haben mehr Wellenstücke, als nebenbei verfolgt werden</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
+        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke (Wellenstücke), als eine schnelle Studie erlaubt</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7962,8 +7962,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
-        <source>it needs more wave pieces than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>der Schlag braucht mehr Wellenstücke als erlaubt: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Wellen haben mehr Polynomstücke (Wellenstücke), als erlaubt sind, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>

@@ -3922,8 +3922,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Fyra diagram över tiden från 0 till %1. %2: största N %3, våg mot borrkronan %4, från borrkronan %5. Stötkraft upp till %6, hammarens kraft på strängen upp till %7. Impuls upp till %8. Strängens rörelsemängd upp till %9.</translation>
     </message>
     <message>
-        <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
-        <translation>Fyra diagram över tiden från 0 till %1. Vågor vid x/L = %2: största N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stötkraft upp till %7. Impuls upp till %8. Stångens rörelsemängd upp till %9.</translation>
+        <source>Four plots over time from 0 to %1. Largest values at x/L = %2: normal force N %10, incident wave N0p %3, its reflection from the bit N1n %4, then from the rear end N2p %5 and again from the bit N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
+        <translation>Fyra diagram över tiden från 0 till %1. Största värden vid x/L = %2: normalkraft N %10, infallande våg N0p %3, dess reflexion från kronan N1n %4, sedan från bakänden N2p %5 och åter från kronan N3n %6. Stötkraft upp till %7. Impuls upp till %8. Stångens rörelsemängd upp till %9.</translation>
     </message>
     <message>
         <source>%1, %2 from its rear</source>
@@ -4538,16 +4538,16 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Svep</translation>
     </message>
     <message>
-        <source>Statistics at values of this parameter, each started at rest and started bouncing</source>
-        <translation>Statistiken vid värden på denna parameter, var och en från vila och från studsande</translation>
+        <source>Simulates the blows at several values of this parameter, each once from rest and once with a bouncing machine</source>
+        <translation>Simulerar slagen vid flera värden på denna parameter, vart och ett en gång från vila och en gång med studsande maskin</translation>
     </message>
     <message>
         <source>bracket</source>
         <translation>visa gränsfall</translation>
     </message>
     <message>
-        <source>Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: makers do not publish their dampers</source>
-        <translation>Även under konstant kraft, och med en dämpare på halva impedansen där det finns en maskinmassa: ingen tillverkare publicerar sin dämpare</translation>
+        <source>Repeats the scan with a constant feed force and, if a machine mass is given, with a dashpot of half the impedance of the rod. Makers do not publish their dampers: the results show how much this matters</source>
+        <translation>Upprepar svepet med konstant matningskraft och, om en maskinmassa är angiven, med en dämpare på halva stångens impedans. Tillverkare offentliggör inte sina dämpare: resultaten visar hur mycket det betyder</translation>
     </message>
     <message>
         <source>Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no blow frequency and no feed force.</source>
@@ -6742,8 +6742,8 @@ en projektion av fler dimensioner</translation>
         <translation>%1 förutsätter drill.blow_frequency; ange den i scenariot eller med --set</translation>
     </message>
     <message>
-        <source>This blow has %1 wave pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
-        <translation>Detta slag har %1 bitar, för många för att följas över alla spalter i en rapport: `drillwave %2` gör det, och tar tid på sig.</translation>
+        <source>The waves of this blow have %1 polynomial pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
+        <translation>Vågorna i detta slag har %1 polynombitar, för många för att undersöka alla spalter i en rapport: kör i stället `drillwave %2`, som tar längre tid.</translation>
     </message>
     <message>
         <source>The blow could not be solved at all gaps: %1</source>
@@ -7922,8 +7922,8 @@ en projektion av fler dimensioner</translation>
         <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
     </message>
     <message>
-        <source>its blows over all gaps need more wave pieces than a quick study permits</source>
-        <translation>dess slag över alla spalter har fler vågbitar än som följs i förbigående</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
+        <translation>vågorna i dess slag vid alla spalter har fler polynombitar (vågbitar) än en snabb studie tillåter</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7962,8 +7962,8 @@ en projektion av fler dimensioner</translation>
         <translation>dess förlopp behöver mer än 4 miljoner vågbitar: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
     </message>
     <message>
-        <source>it needs more wave pieces than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>det behöver fler vågbitar än tillåtet: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
+        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess vågor har fler polynombitar (vågbitar) än tillåtet, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>

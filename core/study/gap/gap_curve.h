@@ -31,8 +31,9 @@ inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
 /// GapCurve::reason of a curve that was given up because of such a limit.
-inline constexpr const char* tooManyPieces =
-    translatable("its blows over all gaps need more wave pieces than a quick study permits");
+inline constexpr const char* tooManyPieces = translatable(
+    "the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study "
+    "permits");
 
 /// The gap δ = d/d0 from which on results have period 1 in it: 0 where the hammer has ended before the first
 /// reflection is back, else the next whole number beyond which every contact is late enough (theory §4);
