@@ -30,8 +30,6 @@ class DesignNames {
     virtual std::string design(std::uint64_t design) const;
     /// "efficiency q05"
     virtual Message aim(const DesignAim& aim) const;
-    /// A choice at the beginning of a sentence: "pulse.duration".
-    virtual Message subject(const SweepAxis& choice) const;
     /// A choice within a sentence: its key for commands, "duration" in print.
     virtual Message choice(const SweepAxis& choice) const;
     /// A number of an output with its unit.

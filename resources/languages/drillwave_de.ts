@@ -6386,16 +6386,16 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1: wurde von jemand anderem dorthin gelegt oder geändert; verschieben, oder die Läufe noch einmal aufbewahren, um sie zu ersetzen</translation>
     </message>
     <message>
-        <source>The %1 = %2 is outside the usual range, %3 to %4.</source>
-        <translation>%1 = %2 liegt außerhalb des üblichen Bereichs, %3 bis %4.</translation>
+        <source>The input %1 = %2 is outside its typical range, %3 to %4.</source>
+        <translation>Die Eingabe %1 = %2 liegt außerhalb ihres üblichen Bereichs, %3 bis %4.</translation>
     </message>
     <message>
-        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Kraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
+        <source>The first reflection returns to the hammer before the last %1 % of the blow. A real hammer would feel it, but here the hammer force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zum Hammer zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Hammerkraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
     </message>
     <message>
-        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
-        <translation>Der Hammer hat die Impedanz der Stange, den Standardwert: sein Schlag ist eine Stufe. Die Daten des Kolbens angeben.</translation>
+        <source>No data of the hammer are given. By default it has the impedance of the rod, and the force of its blow is a single step. Give the data of the piston.</source>
+        <translation>Es sind keine Daten des Hammers angegeben. In der Vorgabe hat er die Impedanz der Stange, und die Kraft seines Schlags ist eine einzige Stufe. Die Daten des Kolbens angeben.</translation>
     </message>
     <message>
         <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
@@ -6410,12 +6410,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen. Rückläufe zum Hammer sind dabei vernachlässigt.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3. Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; %2 berechnet das.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%3). Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; %2 berechnet das.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2). Die Eindringung kann sich um bis zu 10&#xa0;% ändern; %3 berechnet das.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; %3 computes it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4), fast im Takt mit ihm: %1 ist nahe bei %2. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; %3 berechnet das.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6438,12 +6438,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
-        <translation>Längen mit größerem gemeinsamem Teiler wählen (z. B. 50 mm): weniger Zeitschritte.</translation>
+        <source>Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are then exact.</source>
+        <translation>Längen wählen, die Vielfache einer größeren gemeinsamen Länge sind, zum Beispiel 50 mm: dann sind längere Zeitschritte genau.</translation>
     </message>
     <message>
-        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
-        <translation>Alle Längen in ganzen Millimetern eingeben, ein Stahl: dann ist der Zeitschritt genau.</translation>
+        <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
+        <translation>Alle Längen in ganzen Millimetern eingeben, mit demselben Stahl in allen Abschnitten: dann ist der Zeitschritt genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6462,8 +6462,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Bohrkrone noch auf dem Gestein ist, wenn die nächste Reflexion ankommt</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
-        <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1: ihr e = %2 weicht um %3 ab.</translation>
+        <source>The closed form for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
+        <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1. Ihre Stoßzahl e = %2 hat einen Fehler von %3.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6474,8 +6474,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Zug</translation>
     </message>
     <message>
-        <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
-        <translation>Auf eine Bewegung als starrer Körper hat der Spalt keine Wirkung: er verschiebt nur die Zeit des Kontakts.</translation>
+        <source>The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts the time of contact and has no other effect.</source>
+        <translation>Die Stange wird als starrer Körper bewegt, daher verschiebt der Spalt zwischen Bohrkrone und Gestein nur die Zeit des Kontakts und hat keine andere Wirkung.</translation>
     </message>
     <message>
         <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
@@ -6486,48 +6486,40 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: reflektierte Wellen drücken sie zum Gestein zurück.</translation>
     </message>
     <message>
-        <source>The numerical error of e may be as large as %1.</source>
-        <translation>Der numerische Fehler von e kann bis zu %1 betragen.</translation>
+        <source>The numerical error of the coefficient of restitution e may be as large as %1.</source>
+        <translation>Der numerische Fehler der Stoßzahl e kann bis zu %1 betragen.</translation>
     </message>
     <message>
-        <source>would yield</source>
-        <translation>würde fließen</translation>
+        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are those at that time, not the final ones.</source>
+        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: Bohrkrone und Gestein oder Hammer und Strang können sich noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
     </message>
     <message>
-        <source>suffers fatigue at every blow</source>
-        <translation>überschreitet mit jedem Schlag die Dauerfestigkeit</translation>
+        <source>The largest stresses of the sections would take more work than is permitted, so they were not computed and no strength was checked. Try a shorter end_time.</source>
+        <translation>Die größten Spannungen der Abschnitte würden mehr Aufwand kosten, als erlaubt ist. Sie wurden daher nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
     </message>
     <message>
-        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
-        <translation>Nach %1 können sich Bohrkrone und Gestein oder Hammer und Strang noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it were bilinear.</source>
+        <translation>Die Kraft auf das Gestein erreicht nur %1, unter der ersten Ecke der Belastungskurve bei %2: das Gestein wirkt wie ein bilineares.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
-        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist. Sie wurden nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
+        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran, daher wächst der Spalt zwischen Bohrkrone und Gestein von Schlag zu Schlag. Den Andruck erhöhen.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
-        <translation>Die Kraft bleibt unter der ersten Ecke der Belastungskurve (%1 von %2): das Gesetz wirkt wie das bilineare.</translation>
+        <source>Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Nichts dämpft die Wellen, daher klingen ihre Fronten nie ab. Einen Wellenverlust angeben; 1 bis 30&#xa0;% je Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
-        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
-        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran: Spalte wachsen ohne Grenze. Den Andruck erhöhen.</translation>
+        <source>After the piston has separated from the string, the string rebounds against it and takes over up to %1 % of its momentum. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Nachdem sich der Kolben vom Strang getrennt hat, prallt der Strang gegen ihn zurück und übernimmt bis zu %1&#xa0;% seines Impulses. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
-        <translation>Nichts dämpft die Wellen: Sprünge klingen nie ab. Einen Wellenverlust angeben; 1 bis 30&#xa0;% je Hin- und Rücklauf ist üblich.</translation>
+        <source>At the moment of a blow, the shank is up to %1 away from its mean position in the machine. A real machine would then have another stroke and another blow. With only a dashpot the shank drifts: add a spring to the damper.</source>
+        <translation>Im Augenblick eines Schlags ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt. Eine wirkliche Maschine hätte dann einen anderen Hub und einen anderen Schlag. Nur mit einem Dämpfer wandert das Einsteckende: dem Dämpfer eine Feder hinzufügen.</translation>
     </message>
     <message>
-        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Nach der Trennung gibt der Kolben noch bis zu %1&#xa0;% seines Impulses ab: er ist dem zurückprallenden Strang im Weg. Hat die Maschine ihn bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
-    </message>
-    <message>
-        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
-        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: Hub und Schlag wären andere. Nur mit einem Dämpfer kriecht es; dem Dämpfer eine Feder geben.</translation>
-    </message>
-    <message>
-        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
-        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
+        <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
+        <translation>Die Schlagfrequenz ist auf %1 gerundet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
     </message>
     <message>
         <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
@@ -6538,16 +6530,16 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Zwei stetige Bewegungen sind möglich. Anfang oder Zeitschritt entscheiden, welche berechnet wird; eine wirkliche Maschine kann jede der beiden annehmen.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: use the means, not the values of single blows.</source>
-        <translation>Die Bewegung wiederholt sich nicht: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
+        <source>The motion does not repeat from blow to blow: use the means, not the values of single blows.</source>
+        <translation>Die Bewegung wiederholt sich nicht von Schlag zu Schlag: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
-        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%: der Zeitschritt ist lang für diese Kontakte. Ein kürzerer verringert den Fehler im gleichen Verhältnis.</translation>
+        <source>The energy balance of all blows has an error of %1 %, because the time step is long for these contacts. A shorter time step reduces the error in proportion.</source>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%, weil der Zeitschritt für diese Kontakte lang ist. Ein kürzerer Zeitschritt verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
-        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
-        <translation>Der Dämpfer ist angenommen, weil Hersteller ihren nicht veröffentlichen. Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
+        <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Die Daten des Dämpfers sind angenommen, weil Hersteller sie nicht veröffentlichen. Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6562,12 +6554,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>einer Feder von %1</translation>
     </message>
     <message>
-        <source>Not solved: %1.</source>
-        <translation>Nicht gelöst: %1.</translation>
+        <source>The blows could not be solved: %1.</source>
+        <translation>Die Schläge konnten nicht gelöst werden: %1.</translation>
     </message>
     <message>
-        <source>Stopped before all blows were done.</source>
-        <translation>Angehalten, bevor alle Schläge fertig waren.</translation>
+        <source>The computation was stopped before all blows were solved.</source>
+        <translation>Die Rechnung wurde angehalten, bevor alle Schläge gelöst waren.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -7284,22 +7276,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>in SI</source>
         <translation>in SI-Einheiten</translation>
-    </message>
-    <message>
-        <source>compression reaches %1</source>
-        <translation>der Druck erreicht %1</translation>
-    </message>
-    <message>
-        <source>tension reaches %1</source>
-        <translation>der Zug erreicht %1</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den Restwellen (hier ungedämpft); ihre Festigkeit ist %5.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags; ihre Festigkeit ist %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -8702,24 +8678,24 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Größter in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
-        <source>%1 sample could not be solved and is left out: %2.</source>
-        <translation>%1 Stichprobe konnte nicht gelöst werden und ist weggelassen: %2.</translation>
+        <source>%1 sample could not be solved and is left out of the statistics. Reason: %2.</source>
+        <translation>%1 Stichprobe konnte nicht gelöst werden und fehlt in der Statistik. Grund: %2.</translation>
     </message>
     <message>
-        <source>%1 samples could not be solved and are left out: %2.</source>
-        <translation>%1 Stichproben konnten nicht gelöst werden und sind weggelassen: %2.</translation>
+        <source>%1 samples could not be solved and are left out of the statistics. Reason: %2.</source>
+        <translation>%1 Stichproben konnten nicht gelöst werden und fehlen in der Statistik. Grund: %2.</translation>
     </message>
     <message>
-        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 Auslegung hat zu viele ungelöste Stichproben (über 0,1&#xa0;%) und keine Statistik.</translation>
+        <source>%1 design has no statistics, because more than 0.1 % of its samples could not be solved.</source>
+        <translation>%1 Auslegung hat keine Statistik, weil mehr als 0,1&#xa0;% ihrer Stichproben nicht gelöst werden konnten.</translation>
     </message>
     <message>
-        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 Auslegungen haben zu viele ungelöste Stichproben (über 0,1&#xa0;%) und keine Statistik.</translation>
+        <source>%1 designs have no statistics, because more than 0.1 % of their samples could not be solved.</source>
+        <translation>%1 Auslegungen haben keine Statistik, weil mehr als 0,1&#xa0;% ihrer Stichproben nicht gelöst werden konnten.</translation>
     </message>
     <message>
-        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
-        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung ist der numerische Fehler größer als der der Statistik: die Bohrkrone rattert bei diesen Schlägen.</translation>
+        <source>In up to %1 % of the samples of a design, the bit chatters on the rock; the numerical error of these blows is larger than the error of the statistics.</source>
+        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung rattert die Bohrkrone auf dem Gestein; der numerische Fehler dieser Schläge ist größer als der Fehler der Statistik.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8730,32 +8706,32 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 oder %2 weitere</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den größten Wert (%3), %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the largest value of %3, %4.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den größten Wert von %3, %4.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den kleinsten Wert (%3), %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the smallest value of %3, %4.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den kleinsten Wert von %3, %4.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein liegt am oberen Ende von %1: die Wahl erweitern.</translation>
+        <source>The best design for uncertain rock has the largest value of %1: extend the range of this variable.</source>
+        <translation>Die beste Auslegung für unsicheres Gestein hat den größten Wert von %1: den Bereich dieser Größe erweitern.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein liegt am unteren Ende von %1: die Wahl erweitern.</translation>
+        <source>The best design for uncertain rock has the smallest value of %1: extend the range of this variable.</source>
+        <translation>Die beste Auslegung für unsicheres Gestein hat den kleinsten Wert von %1: den Bereich dieser Größe erweitern.</translation>
     </message>
     <message>
-        <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
-        <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
+        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1&#xa0;%: es werden Maschinen verschiedener Leistung verglichen. --keep-energy vergleicht bei gleicher Energie.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit gamma. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from the elasticity gamma of the rock. To compare hammers, choose the loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit der Elastizität gamma des Gesteins. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10782,36 +10758,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>unterbrochen; %1 von %2 Zeilen stehen in %3, derselbe Befehl geht dahinter weiter</translation>
     </message>
     <message>
-        <source>none of %1 designs</source>
-        <translation>keine von %1 Auslegungen</translation>
+        <source>Keep the present design, %1: none of the %2 designs compared has a better objective (%3 = %4).</source>
+        <translation>Die jetzige Auslegung behalten, %1: keine der %2 verglichenen Auslegungen hat eine bessere Zielgröße (%3 = %4).</translation>
     </message>
     <message>
-        <source>nothing from %1 to %2</source>
-        <translation>nichts von %1 bis %2</translation>
+        <source>Take the design %1: its objective %2 is %3.</source>
+        <translation>Die Auslegung %1 nehmen: ihre Zielgröße %2 ist %3.</translation>
     </message>
     <message>
-        <source>%1 makes no difference: %2 is %3, within %4, for all %5 designs.</source>
-        <translation>%1 macht keinen Unterschied: %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
+        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 wird %4 statt %5.</translation>
     </message>
     <message>
-        <source>The choice</source>
-        <translation>Die Wahl</translation>
-    </message>
-    <message>
-        <source>Keep %1: %2 has a better %3 (%4).</source>
-        <translation>%1 behalten: %2 ist besser (%3: %4).</translation>
-    </message>
-    <message>
-        <source>Take %1: %2 is %3.</source>
-        <translation>%1 nehmen: %2 ist %3.</translation>
-    </message>
-    <message>
-        <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
-        <translation>Von %1 auf %2 wechseln: %3 wird %4 statt %5.</translation>
-    </message>
-    <message>
-        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
-        <translation>%1 von %2 auf %3 ändern: %4 wird %5 statt %6.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
+        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 wird %5 statt %6.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10930,60 +10890,60 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Längen keine ganze Zahl von Zeitschritten sind</translation>
     </message>
     <message>
-        <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
-        <translation>Einen Wellenverlust angeben (%1); üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
+        <source>Give a wave loss (%1): waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Einen Wellenverlust angeben (%1): üblich sind 1 bis 30&#xa0;% je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>More blows (%1) lower the error.</source>
-        <translation>Mehr Schläge (%1) verkleinern den Fehler.</translation>
+        <source>Increase the number of blows (%1) to reduce the error.</source>
+        <translation>Die Zahl der Schläge (%1) erhöhen, um den Fehler zu verkleinern.</translation>
     </message>
     <message>
-        <source>Shorter time steps, or lengths with a common step, lower it.</source>
-        <translation>Kürzere Zeitschritte oder Längen mit gemeinsamem Schritt verringern ihn.</translation>
+        <source>Use shorter time steps, or lengths that are multiples of a common length, to reduce the error.</source>
+        <translation>Kürzere Zeitschritte verwenden, oder Längen, die Vielfache einer gemeinsamen Länge sind, um den Fehler zu verkleinern.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2.</source>
-        <translation>%1 je Schlag, %2.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2.</source>
+        <translation>Die Bohrkrone dringt %1 je Schlag ein, bei einem Bohrfortschritt von %2.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2: %3 of a single blow from rest.</source>
-        <translation>%1 je Schlag, %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest.</source>
+        <translation>Die Bohrkrone dringt %1 je Schlag ein, bei einem Bohrfortschritt von %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
     </message>
     <message>
-        <source>The machine is pushed back without limit.</source>
-        <translation>Die Maschine wird ohne Grenze zurückgedrückt.</translation>
+        <source>The blows push the machine back without limit: increase the feed force.</source>
+        <translation>Die Schläge drücken die Maschine ohne Grenze zurück: den Andruck erhöhen.</translation>
     </message>
     <message>
-        <source>A feed of %1</source>
-        <translation>Ein Andruck von %1</translation>
+        <source>a feed force of %1</source>
+        <translation>einem Andruck von %1</translation>
     </message>
     <message>
-        <source>From %1 to %2 the rate is the same within the errors.</source>
-        <translation>Von %1 bis %2 ist der Bohrfortschritt innerhalb der Fehler gleich.</translation>
+        <source>All values from %1 to %2 give the same penetration rate within the errors.</source>
+        <translation>Alle Werte von %1 bis %2 ergeben innerhalb der Fehler denselben Bohrfortschritt.</translation>
     </message>
     <message>
         <source>a constant force</source>
         <translation>konstanter Kraft</translation>
     </message>
     <message>
-        <source>This mean is not resolved, its error is above %1, because %2.</source>
-        <translation>Dieses Mittel ist nicht aufgelöst, sein Fehler liegt über %1, weil %2.</translation>
+        <source>This mean is inaccurate: its error is above %1, because %2.</source>
+        <translation>Dieses Mittel ist ungenau: sein Fehler liegt über %1, weil %2.</translation>
     </message>
     <message>
-        <source>The bit starts in contact at %1 of blows.</source>
-        <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt.</translation>
+        <source>The bit starts in contact with the rock in %1 of the blows.</source>
+        <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt mit dem Gestein.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1 (assumed).</source>
-        <translation>Der Vorschub ist mit %1 modelliert (angenommen).</translation>
+        <source>The feed is modelled as %1, which is an assumption.</source>
+        <translation>Der Vorschub ist mit %1 modelliert; das ist eine Annahme.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1.</source>
+        <source>The feed is modelled as %1.</source>
         <translation>Der Vorschub ist mit %1 modelliert.</translation>
     </message>
     <message>
-        <source>All values give the same rate within the errors, %1.</source>
-        <translation>Alle Werte ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
+        <source>All values of the scan give the same penetration rate within the errors, %1.</source>
+        <translation>Alle Werte des Durchlaufs ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -11070,16 +11030,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>auf diesen Bohrstrang schlägt eine vorgegebene Kraft, die keine Voreinstellung ersetzt; wählen Sie Zahlen wie pulse.duration</translation>
     </message>
     <message>
-        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
-        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1 %: es werden Hämmer verschiedener Leistung verglichen.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1&#xa0;%: es werden Hämmer verschiedener Leistung verglichen.</translation>
     </message>
     <message>
-        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
-        <translation>Von %1 auf %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <source>Change the design from %1 to %2: the objective %3 is then %4. The present design does not meet all limits.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 ist dann %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
-        <translation>%1 von %2 auf %3 ändern: %4 ist %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 is then %5. The present design does not meet all limits.</source>
+        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 ist dann %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11088,14 +11048,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Warning for %1: %2</source>
         <translation>Warnung zu %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 There is %2 more warning.</source>
-        <translation>%1 Es gibt %2 weitere Warnung.</translation>
-    </message>
-    <message>
-        <source>%1 There are %2 more warnings.</source>
-        <translation>%1 Es gibt %2 weitere Warnungen.</translation>
     </message>
     <message>
         <source>tab</source>
@@ -11742,11 +11694,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
-        <translation>%1 %2: %3, %4 von ihrem hinteren Ende, nach %5; die Festigkeit ist %6.</translation>
-    </message>
-    <message>
-        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser model of the string, whose COR and efficiency differ by at most %1.</source>
         <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Wellen und Kräfte in den Diagrammen gehören zu einem gröber geteilten Strang, dessen Stoßzahl und Wirkungsgrad um höchstens %1 abweichen.</translation>
     </message>
     <message>
@@ -11758,16 +11706,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 braucht Zeilen mit Punkten und Kommas; --decimal-comma weglassen</translation>
     </message>
     <message>
-        <source>%1 makes no difference.</source>
-        <translation>%1 macht keinen Unterschied.</translation>
+        <source>Enter a wave loss under “%1”: waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Unter „%1“ einen Wellenverlust eingeben: üblich sind 1 bis 30&#xa0;% je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>Give a value under “%1”; 1 to 30 % of a round trip is usual.</source>
-        <translation>Unter „%1“ einen Wert angeben; üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
-    </message>
-    <message>
-        <source>A larger number under “%1” lowers the error.</source>
-        <translation>Eine größere Zahl unter „%1“ verkleinert den Fehler.</translation>
+        <source>Enter a larger number under “%1” to reduce the error.</source>
+        <translation>Unter „%1“ eine größere Zahl eingeben, um den Fehler zu verkleinern.</translation>
     </message>
     <message>
         <source>undamped</source>
@@ -11782,8 +11726,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
-        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
+        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are those at that time, not the final ones.</source>
+        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: die Bohrkrone kann das Gestein noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -12630,8 +12574,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--goal nimmt nur den Wert: --outputs cor --goal 1</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
-        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so the coefficient of restitution e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass die Stoßzahl e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
         <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
@@ -12658,12 +12602,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Entweder folgt das Gestein einem anderen Gesetz, oder die Abschnitte zwischen Messstelle und Bohrkrone weichen von der Szenariodatei ab: zuerst den Kronenkopf prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
-        <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
-        <translation>Der Durchlauf kann die Werte nicht unterscheiden: Eindringungen sind auf +- %1 bekannt, weil %2.</translation>
-    </message>
-    <message>
-        <source>%1 gives the highest rate of the values tried, %2%3.</source>
-        <translation>%1 ergibt die höchste Rate der berechneten Werte, %2%3.</translation>
+        <source>The scan cannot decide which value is best: the penetrations have errors of +- %1, because %2.</source>
+        <translation>Der Durchlauf kann nicht entscheiden, welcher Wert der beste ist: die Eindringungen haben Fehler von +- %1, weil %2.</translation>
     </message>
     <message>
         <source>gain within the record</source>
@@ -12896,6 +12836,66 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>W and E₀ are the work of the force on the string.</source>
         <translation>W und E₀ sind die Arbeit der Kraft am Strang.</translation>
+    </message>
+    <message>
+        <source>%1 would yield: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its yield strength is %5.</source>
+        <translation>%1 würde fließen: die Spannung in diesem Abschnitt erreicht %2, %3 von seinem hinteren Ende und %4 nach Beginn des Schlags. Seine Streckgrenze ist %5.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Die Stange würde fließen: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Die Stange würde fließen: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
+    </message>
+    <message>
+        <source>%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its fatigue strength is %5.</source>
+        <translation>%1 ermüdet mit jedem Schlag: die Spannung in diesem Abschnitt erreicht %2, %3 von seinem hinteren Ende und %4 nach Beginn des Schlags. Seine Dauerfestigkeit ist %5.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Die Stange ermüdet mit jedem Schlag: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Dauerfestigkeit ist %4.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Die Stange ermüdet mit jedem Schlag: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Dauerfestigkeit ist %4.</translation>
+    </message>
+    <message>
+        <source>%1 in compression</source>
+        <translation>%1 Druck</translation>
+    </message>
+    <message>
+        <source>%1 in tension</source>
+        <translation>%1 Zug</translation>
+    </message>
+    <message>
+        <source>The choice of %1</source>
+        <translation>Die Wahl von %1</translation>
+    </message>
+    <message>
+        <source>The choice of the design</source>
+        <translation>Die Wahl der Auslegung</translation>
+    </message>
+    <message>
+        <source>%1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
+        <translation>%1 macht keinen Unterschied: die Zielgröße %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
+    </message>
+    <message>
+        <source>The choice of %1 makes no difference to the objectives and limits.</source>
+        <translation>Die Wahl von %1 macht für Zielgrößen und Grenzen keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warning.</source>
+        <translation>Diese Auslegung hat %1 weitere Warnung.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warnings.</source>
+        <translation>Diese Auslegung hat %1 weitere Warnungen.</translation>
+    </message>
+    <message>
+        <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
+        <translation>Der höchste Bohrfortschritt des Durchlaufs, %1, wird mit %2 erreicht.</translation>
     </message>
 </context>
 <context>

@@ -6386,16 +6386,16 @@ en projektion av fler dimensioner</translation>
         <translation>%1: har lagts dit eller ändrats av någon annan; flytta undan den, eller spara körningarna igen för att ersätta den</translation>
     </message>
     <message>
-        <source>The %1 = %2 is outside the usual range, %3 to %4.</source>
-        <translation>%1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
+        <source>The input %1 = %2 is outside its typical range, %3 to %4.</source>
+        <translation>Indata %1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
     </message>
     <message>
-        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Den första reflexionen kommer tillbaka före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är kraften given. En borrsträng med hammare tar hänsyn till den.</translation>
+        <source>The first reflection returns to the hammer before the last %1 % of the blow. A real hammer would feel it, but here the hammer force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Den första reflexionen kommer tillbaka till hammaren före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är hammarkraften given. En borrsträng med hammare tar hänsyn till den.</translation>
     </message>
     <message>
-        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
-        <translation>Hammaren har stångens impedans, som är standardvärdet: dess slag är ett steg. Ange kolvens data.</translation>
+        <source>No data of the hammer are given. By default it has the impedance of the rod, and the force of its blow is a single step. Give the data of the piston.</source>
+        <translation>Inga data för hammaren är angivna. Som standard har den stångens impedans, och kraften i dess slag är ett enda steg. Ange kolvens data.</translation>
     </message>
     <message>
         <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
@@ -6410,12 +6410,12 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg. Reflexer tillbaka till hammaren försummas här.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3. Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; %2 beräknar det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%3). Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; %2 beräknar det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2). Inträngningen kan ändras med upp till 10&#xa0;%; %3 beräknar det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; %3 computes it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4), nästan i takt med det: %1 är nära %2. Inträngningen kan ändras med upp till 10&#xa0;%; %3 beräknar det.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6438,12 +6438,12 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
-        <translation>Välj längder med större gemensam delare (t.ex. 50 mm): färre tidssteg.</translation>
+        <source>Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are then exact.</source>
+        <translation>Välj längder som är multiplar av en större gemensam längd, t.ex. 50 mm: då är längre tidssteg exakta.</translation>
     </message>
     <message>
-        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
-        <translation>Ange alla längder i hela millimeter, ett stål: då är tidssteget exakt.</translation>
+        <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
+        <translation>Ange alla längder i hela millimeter, med samma stål i alla sektioner: då är tidssteget exakt.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6462,8 +6462,8 @@ en projektion av fler dimensioner</translation>
         <translation>borrkronan ännu är på berget när nästa reflexion kommer</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
-        <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1: dess e = %2 avviker med %3.</translation>
+        <source>The closed form for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
+        <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1. Dess studstal e = %2 har ett fel på %3.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6474,8 +6474,8 @@ en projektion av fler dimensioner</translation>
         <translation>drag</translation>
     </message>
     <message>
-        <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
-        <translation>Spalten har ingen verkan på en rörelse som stel kropp: den flyttar bara tiden för kontakten.</translation>
+        <source>The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts the time of contact and has no other effect.</source>
+        <translation>Stången rör sig som en stel kropp, så spalten mellan borrkrona och berg flyttar bara kontaktens tid och har ingen annan verkan.</translation>
     </message>
     <message>
         <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
@@ -6486,48 +6486,40 @@ en projektion av fler dimensioner</translation>
         <translation>Borrkronan träffar berget %1 gånger i detta slag: reflekterade vågor trycker den tillbaka mot berget.</translation>
     </message>
     <message>
-        <source>The numerical error of e may be as large as %1.</source>
-        <translation>Det numeriska felet i e kan vara så stort som %1.</translation>
+        <source>The numerical error of the coefficient of restitution e may be as large as %1.</source>
+        <translation>Det numeriska felet i studstalet e kan vara så stort som %1.</translation>
     </message>
     <message>
-        <source>would yield</source>
-        <translation>skulle flyta</translation>
+        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are those at that time, not the final ones.</source>
+        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkrona och berg, eller hammare och sträng, kan träffas igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
     </message>
     <message>
-        <source>suffers fatigue at every blow</source>
-        <translation>överskrider utmattningsgränsen vid varje slag</translation>
+        <source>The largest stresses of the sections would take more work than is permitted, so they were not computed and no strength was checked. Try a shorter end_time.</source>
+        <translation>Sektionernas största spänningar skulle kräva mer arbete än vad som är tillåtet. De beräknades därför inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
     </message>
     <message>
-        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
-        <translation>Efter %1 kan borrkrona och berg, eller hammare och sträng, träffas igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it were bilinear.</source>
+        <translation>Kraften på berget når bara %1, under belastningskurvans första hörn vid %2: berget verkar som ett bilinjärt.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
-        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet. De beräknades inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
+        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den, så att spalten mellan borrkrona och berg växer från slag till slag. Öka matningskraften.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
-        <translation>Kraften stannar under belastningskurvans första hörn (%1 av %2): lagen verkar som den bilinjära.</translation>
+        <source>Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Inget dämpar vågorna, så deras fronter klingar aldrig av. Ange en vågförlust; 1 till 30&#xa0;% per varv fram och åter är vanlig.</translation>
     </message>
     <message>
-        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
-        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den: spalter växer utan gräns. Öka matningskraften.</translation>
+        <source>After the piston has separated from the string, the string rebounds against it and takes over up to %1 % of its momentum. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Efter att kolven har skilts från strängen studsar strängen mot den och tar över upp till %1&#xa0;% av dess rörelsemängd. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
-        <translation>Inget dämpar vågorna: språng klingar aldrig av. Ange en vågförlust; 1 till 30&#xa0;% per varv fram och åter är vanlig.</translation>
+        <source>At the moment of a blow, the shank is up to %1 away from its mean position in the machine. A real machine would then have another stroke and another blow. With only a dashpot the shank drifts: add a spring to the damper.</source>
+        <translation>I slagögonblicket är nacken upp till %1 från sitt medelläge i maskinen. En verklig maskin skulle då ha en annan slaglängd och ett annat slag. Med bara en dämpare vandrar nacken: lägg till en fjäder i dämparen.</translation>
     </message>
     <message>
-        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Efter separationen avger kolven ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen. Om maskinen då har dragit den tillbaka, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
-    </message>
-    <message>
-        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
-        <translation>Vid ett slag är nacken upp till %1 från sitt medelläge i maskinen: slaglängd och slag skulle bli andra. Med bara en dämpare kryper den; ge dämparen en fjäder.</translation>
-    </message>
-    <message>
-        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
-        <translation>Slagfrekvensen räknas som %1, så att varje slag faller på ett tidssteg.</translation>
+        <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
+        <translation>Slagfrekvensen är avrundad till %1, så att varje slag faller på ett tidssteg.</translation>
     </message>
     <message>
         <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
@@ -6538,16 +6530,16 @@ en projektion av fler dimensioner</translation>
         <translation>Två jämna rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; en verklig maskin kan hamna i vilken som helst av dem.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: use the means, not the values of single blows.</source>
-        <translation>Rörelsen upprepar sig inte: använd medelvärdena, inte värden för enstaka slag.</translation>
+        <source>The motion does not repeat from blow to blow: use the means, not the values of single blows.</source>
+        <translation>Rörelsen upprepar sig inte från slag till slag: använd medelvärdena, inte värden för enstaka slag.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
-        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%: tidssteget är långt för dessa kontakter. Ett kortare minskar felet i samma mån.</translation>
+        <source>The energy balance of all blows has an error of %1 %, because the time step is long for these contacts. A shorter time step reduces the error in proportion.</source>
+        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%, eftersom tidssteget är långt för dessa kontakter. Ett kortare tidssteg minskar felet i samma mån.</translation>
     </message>
     <message>
-        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
-        <translation>Dämparen är antagen, eftersom tillverkare inte offentliggör sin. Prova dämpare från 0,05 till 0,5 gånger stångens impedans.</translation>
+        <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Dämparens data är antagna, eftersom tillverkare inte offentliggör dem. Prova dämpare från 0,05 till 0,5 gånger stångens impedans.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6562,12 +6554,12 @@ en projektion av fler dimensioner</translation>
         <translation>en fjäder på %1</translation>
     </message>
     <message>
-        <source>Not solved: %1.</source>
-        <translation>Inte löst: %1.</translation>
+        <source>The blows could not be solved: %1.</source>
+        <translation>Slagen kunde inte lösas: %1.</translation>
     </message>
     <message>
-        <source>Stopped before all blows were done.</source>
-        <translation>Stoppat innan alla slag var klara.</translation>
+        <source>The computation was stopped before all blows were solved.</source>
+        <translation>Beräkningen stoppades innan alla slag var lösta.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -7284,22 +7276,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>in SI</source>
         <translation>i SI-enheter</translation>
-    </message>
-    <message>
-        <source>compression reaches %1</source>
-        <translation>trycket når %1</translation>
-    </message>
-    <message>
-        <source>tension reaches %1</source>
-        <translation>draget når %1</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i restvågorna (odämpade här); dess hållfasthet är %5.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget; dess hållfasthet är %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -8702,24 +8678,24 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
-        <source>%1 sample could not be solved and is left out: %2.</source>
-        <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
+        <source>%1 sample could not be solved and is left out of the statistics. Reason: %2.</source>
+        <translation>%1 stickprov kunde inte lösas och saknas i statistiken. Orsak: %2.</translation>
     </message>
     <message>
-        <source>%1 samples could not be solved and are left out: %2.</source>
-        <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
+        <source>%1 samples could not be solved and are left out of the statistics. Reason: %2.</source>
+        <translation>%1 stickprov kunde inte lösas och saknas i statistiken. Orsak: %2.</translation>
     </message>
     <message>
-        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 konstruktion har för många olösta stickprov (över 0,1&#xa0;%) och saknar statistik.</translation>
+        <source>%1 design has no statistics, because more than 0.1 % of its samples could not be solved.</source>
+        <translation>%1 konstruktion saknar statistik, eftersom mer än 0,1&#xa0;% av dess stickprov inte kunde lösas.</translation>
     </message>
     <message>
-        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 konstruktioner har för många olösta stickprov (över 0,1&#xa0;%) och saknar statistik.</translation>
+        <source>%1 designs have no statistics, because more than 0.1 % of their samples could not be solved.</source>
+        <translation>%1 konstruktioner saknar statistik, eftersom mer än 0,1&#xa0;% av deras stickprov inte kunde lösas.</translation>
     </message>
     <message>
-        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
-        <translation>För upp till %1&#xa0;% av stickproven i en konstruktion är det numeriska felet större än statistikens: borrkronan skallrar i dessa slag.</translation>
+        <source>In up to %1 % of the samples of a design, the bit chatters on the rock; the numerical error of these blows is larger than the error of the statistics.</source>
+        <translation>I upp till %1&#xa0;% av stickproven i en konstruktion skallrar borrkronan mot berget; det numeriska felet i dessa slag är större än statistikens fel.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8730,32 +8706,32 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 eller %2 andra</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 störst %3, %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the largest value of %3, %4.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det största värdet på %3, %4.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 minst %3, %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the smallest value of %3, %4.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det minsta värdet på %3, %4.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Den bästa konstruktionen för osäkert berg ligger vid övre änden av %1: vidga valet.</translation>
+        <source>The best design for uncertain rock has the largest value of %1: extend the range of this variable.</source>
+        <translation>Den bästa konstruktionen för osäkert berg har det största värdet på %1: vidga området för denna variabel.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Den bästa konstruktionen för osäkert berg ligger vid nedre änden av %1: vidga valet.</translation>
+        <source>The best design for uncertain rock has the smallest value of %1: extend the range of this variable.</source>
+        <translation>Den bästa konstruktionen för osäkert berg har det minsta värdet på %1: vidga området för denna variabel.</translation>
     </message>
     <message>
-        <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
-        <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
+        <translation>Slagenergin skiljer sig med upp till %1&#xa0;% mellan konstruktionerna: maskiner med olika effekt jämförs. Använd --keep-energy för att jämföra vid samma energi.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
-        <translation>Verkningsgraden sprider nästan bara med gamma. Välj belastningsarbetet som målstorhet för att jämföra hammare: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from the elasticity gamma of the rock. To compare hammers, choose the loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Verkningsgraden sprider nästan bara med bergets elasticitet gamma. Välj belastningsarbetet som målstorhet för att jämföra hammare: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10782,36 +10758,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avbruten; %1 av %2 rader finns i %3, och samma kommando fortsätter efter dem</translation>
     </message>
     <message>
-        <source>none of %1 designs</source>
-        <translation>ingen av %1 konstruktioner</translation>
+        <source>Keep the present design, %1: none of the %2 designs compared has a better objective (%3 = %4).</source>
+        <translation>Behåll den nuvarande konstruktionen, %1: ingen av de %2 jämförda konstruktionerna har en bättre målstorhet (%3 = %4).</translation>
     </message>
     <message>
-        <source>nothing from %1 to %2</source>
-        <translation>inget från %1 till %2</translation>
+        <source>Take the design %1: its objective %2 is %3.</source>
+        <translation>Ta konstruktionen %1: dess målstorhet %2 är %3.</translation>
     </message>
     <message>
-        <source>%1 makes no difference: %2 is %3, within %4, for all %5 designs.</source>
-        <translation>%1 gör ingen skillnad: %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
+        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
+        <translation>Byt konstruktion från %1 till %2: målstorheten %3 blir %4 i stället för %5.</translation>
     </message>
     <message>
-        <source>The choice</source>
-        <translation>Valet</translation>
-    </message>
-    <message>
-        <source>Keep %1: %2 has a better %3 (%4).</source>
-        <translation>Behåll %1: %2 är bättre (%3: %4).</translation>
-    </message>
-    <message>
-        <source>Take %1: %2 is %3.</source>
-        <translation>Ta %1: %2 är %3.</translation>
-    </message>
-    <message>
-        <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
-        <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
-    </message>
-    <message>
-        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
-        <translation>Ändra %1 från %2 till %3: %4 blir %5 i stället för %6.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
+        <translation>Ändra %1 från %2 till %3: målstorheten %4 blir %5 i stället för %6.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10930,60 +10890,60 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>längderna inte är ett helt antal tidssteg</translation>
     </message>
     <message>
-        <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
-        <translation>Ange en vågförlust (%1); 1 till 30 % per varv är vanligt.</translation>
+        <source>Give a wave loss (%1): waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Ange en vågförlust (%1): vågor förlorar vanligen 1 till 30&#xa0;% per varv fram och åter.</translation>
     </message>
     <message>
-        <source>More blows (%1) lower the error.</source>
-        <translation>Fler slag (%1) minskar felet.</translation>
+        <source>Increase the number of blows (%1) to reduce the error.</source>
+        <translation>Öka antalet slag (%1) för att minska felet.</translation>
     </message>
     <message>
-        <source>Shorter time steps, or lengths with a common step, lower it.</source>
-        <translation>Kortare tidssteg, eller längder med ett gemensamt steg, minskar det.</translation>
+        <source>Use shorter time steps, or lengths that are multiples of a common length, to reduce the error.</source>
+        <translation>Använd kortare tidssteg, eller längder som är multiplar av en gemensam längd, för att minska felet.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2.</source>
-        <translation>%1 per slag, %2.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2.</source>
+        <translation>Borrkronan tränger in %1 per slag, med en borrsjunkning på %2.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2: %3 of a single blow from rest.</source>
-        <translation>%1 per slag, %2: %3 av ett enstaka slag från vila.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest.</source>
+        <translation>Borrkronan tränger in %1 per slag, med en borrsjunkning på %2: %3 av ett enstaka slag från vila.</translation>
     </message>
     <message>
-        <source>The machine is pushed back without limit.</source>
-        <translation>Maskinen trycks tillbaka utan gräns.</translation>
+        <source>The blows push the machine back without limit: increase the feed force.</source>
+        <translation>Slagen trycker tillbaka maskinen utan gräns: öka matningskraften.</translation>
     </message>
     <message>
-        <source>A feed of %1</source>
-        <translation>En matningskraft på %1</translation>
+        <source>a feed force of %1</source>
+        <translation>en matningskraft på %1</translation>
     </message>
     <message>
-        <source>From %1 to %2 the rate is the same within the errors.</source>
-        <translation>Från %1 till %2 är borrsjunkningen densamma inom felen.</translation>
+        <source>All values from %1 to %2 give the same penetration rate within the errors.</source>
+        <translation>Alla värden från %1 till %2 ger samma borrsjunkning inom felen.</translation>
     </message>
     <message>
         <source>a constant force</source>
         <translation>en konstant kraft</translation>
     </message>
     <message>
-        <source>This mean is not resolved, its error is above %1, because %2.</source>
-        <translation>Detta medelvärde är inte upplöst, dess fel är över %1, eftersom %2.</translation>
+        <source>This mean is inaccurate: its error is above %1, because %2.</source>
+        <translation>Detta medelvärde är osäkert: dess fel är över %1, eftersom %2.</translation>
     </message>
     <message>
-        <source>The bit starts in contact at %1 of blows.</source>
-        <translation>Borrkronan börjar i kontakt vid %1 av slagen.</translation>
+        <source>The bit starts in contact with the rock in %1 of the blows.</source>
+        <translation>Borrkronan börjar i kontakt med berget vid %1 av slagen.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1 (assumed).</source>
-        <translation>Matningen är modellerad som %1 (antagen).</translation>
+        <source>The feed is modelled as %1, which is an assumption.</source>
+        <translation>Matningen är modellerad som %1, vilket är ett antagande.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1.</source>
+        <source>The feed is modelled as %1.</source>
         <translation>Matningen är modellerad som %1.</translation>
     </message>
     <message>
-        <source>All values give the same rate within the errors, %1.</source>
-        <translation>Alla värden ger samma borrsjunkning inom felen, %1.</translation>
+        <source>All values of the scan give the same penetration rate within the errors, %1.</source>
+        <translation>Alla värden i svepet ger samma borrsjunkning inom felen, %1.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -11070,16 +11030,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>denna borrsträng slås av en given kraft, som inget förval ersätter; välj tal som pulse.duration</translation>
     </message>
     <message>
-        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
-        <translation>Slagenergin skiljer sig med upp till %1 % mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Slagenergin skiljer sig med upp till %1&#xa0;% mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
     </message>
     <message>
-        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
-        <translation>Byt från %1 till %2: %3 är %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+        <source>Change the design from %1 to %2: the objective %3 is then %4. The present design does not meet all limits.</source>
+        <translation>Byt konstruktion från %1 till %2: målstorheten %3 är då %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
-        <translation>Ändra %1 från %2 till %3: %4 är %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 is then %5. The present design does not meet all limits.</source>
+        <translation>Ändra %1 från %2 till %3: målstorheten %4 är då %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11088,14 +11048,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Warning for %1: %2</source>
         <translation>Varning för %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 There is %2 more warning.</source>
-        <translation>%1 Det finns %2 varning till.</translation>
-    </message>
-    <message>
-        <source>%1 There are %2 more warnings.</source>
-        <translation>%1 Det finns %2 varningar till.</translation>
     </message>
     <message>
         <source>tab</source>
@@ -11742,11 +11694,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
-        <translation>%1 %2: %3, %4 från bakänden, efter %5; hållfastheten är %6.</translation>
-    </message>
-    <message>
-        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser model of the string, whose COR and efficiency differ by at most %1.</source>
         <translation>Slaget har för många vågor för att alla ska kunna sparas: vågor och krafter i diagrammen är från en grövre indelad sträng, vars studstal och verkningsgrad avviker med högst %1.</translation>
     </message>
     <message>
@@ -11758,16 +11706,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 kräver rader med punkter och kommatecken; utelämna --decimal-comma</translation>
     </message>
     <message>
-        <source>%1 makes no difference.</source>
-        <translation>%1 gör ingen skillnad.</translation>
+        <source>Enter a wave loss under “%1”: waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Ange en vågförlust under ”%1”: vågor förlorar vanligen 1 till 30&#xa0;% per varv fram och åter.</translation>
     </message>
     <message>
-        <source>Give a value under “%1”; 1 to 30 % of a round trip is usual.</source>
-        <translation>Ange ett värde under ”%1”; 1 till 30 % per varv är vanligt.</translation>
-    </message>
-    <message>
-        <source>A larger number under “%1” lowers the error.</source>
-        <translation>Ett större tal under ”%1” minskar felet.</translation>
+        <source>Enter a larger number under “%1” to reduce the error.</source>
+        <translation>Ange ett större tal under ”%1” för att minska felet.</translation>
     </message>
     <message>
         <source>undamped</source>
@@ -11782,8 +11726,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
-        <translation>Efter %1 kan borrkronan träffa berget igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
+        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are those at that time, not the final ones.</source>
+        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkronan kan träffa berget igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -12630,8 +12574,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--goal tar bara värdet: --outputs cor --goal 1</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
-        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so the coefficient of restitution e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att studstalet e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
         <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
@@ -12658,12 +12602,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Antingen följer berget en annan lag, eller så avviker sektionerna mellan givare och borrkrona från scenariofilen: kontrollera först kronhuvudet, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
-        <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
-        <translation>Svepet kan inte skilja värdena åt: inträngningarna är kända på +- %1, eftersom %2.</translation>
-    </message>
-    <message>
-        <source>%1 gives the highest rate of the values tried, %2%3.</source>
-        <translation>%1 ger den högsta takten av de beräknade värdena, %2%3.</translation>
+        <source>The scan cannot decide which value is best: the penetrations have errors of +- %1, because %2.</source>
+        <translation>Svepet kan inte avgöra vilket värde som är bäst: inträngningarna har fel på +- %1, eftersom %2.</translation>
     </message>
     <message>
         <source>gain within the record</source>
@@ -12896,6 +12836,66 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>W and E₀ are the work of the force on the string.</source>
         <translation>W och E₀ är kraftens arbete på strängen.</translation>
+    </message>
+    <message>
+        <source>%1 would yield: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its yield strength is %5.</source>
+        <translation>%1 skulle flyta: spänningen i denna sektion når %2, %3 från dess bakände och %4 efter slagets början. Dess sträckgräns är %5.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Stången skulle flyta: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Stången skulle flyta: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
+    </message>
+    <message>
+        <source>%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its fatigue strength is %5.</source>
+        <translation>%1 utmattas vid varje slag: spänningen i denna sektion når %2, %3 från dess bakände och %4 efter slagets början. Dess utmattningsgräns är %5.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Stången utmattas vid varje slag: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess utmattningsgräns är %4.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Stången utmattas vid varje slag: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess utmattningsgräns är %4.</translation>
+    </message>
+    <message>
+        <source>%1 in compression</source>
+        <translation>%1 tryck</translation>
+    </message>
+    <message>
+        <source>%1 in tension</source>
+        <translation>%1 drag</translation>
+    </message>
+    <message>
+        <source>The choice of %1</source>
+        <translation>Valet av %1</translation>
+    </message>
+    <message>
+        <source>The choice of the design</source>
+        <translation>Valet av konstruktion</translation>
+    </message>
+    <message>
+        <source>%1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
+        <translation>%1 gör ingen skillnad: målstorheten %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
+    </message>
+    <message>
+        <source>The choice of %1 makes no difference to the objectives and limits.</source>
+        <translation>Valet av %1 gör ingen skillnad för målstorheter och gränser.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warning.</source>
+        <translation>Denna konstruktion har %1 varning till.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warnings.</source>
+        <translation>Denna konstruktion har %1 varningar till.</translation>
+    </message>
+    <message>
+        <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
+        <translation>Den högsta borrsjunkningen i svepet, %1, nås med %2.</translation>
     </message>
 </context>
 <context>

@@ -518,7 +518,8 @@ void TestCommandLine::implausibleValuesAreRemarkedOnBeforeTheWork() {
         const Finished finished =
             run({command, example("t38_medium_rock"), "--set", "rod.density=9001kg/m^3"});
         QCOMPARE(finished.exitCode, 0);
-        QVERIFY2(finished.error.contains("warning: The density ρ = 9001 kg/m^3 is outside the usual range"),
+        QVERIFY2(finished.error.contains(
+                     "warning: The input density ρ = 9001 kg/m^3 is outside its typical range"),
                  finished.error);
     }
 }

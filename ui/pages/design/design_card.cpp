@@ -37,11 +37,6 @@ class CardNames : public DesignNames {
         return m_units.designName(design).toStdString();
     }
     Message aim(const DesignAim& aim) const override { return aimName(aim).toStdString(); }
-    Message subject(const SweepAxis& choice) const override {
-        QString name = choiceName(choice);
-        name[0] = name[0].toUpper();
-        return name.toStdString();
-    }
     Message choice(const SweepAxis& choice) const override { return choiceName(choice).toStdString(); }
     std::string value(const Output& output, double number, int significant) const override {
         return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();

@@ -480,7 +480,7 @@ void TestDesignPage::parametersAreCalledAsInTheForm() {
     const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
     card.present(answer, DesignUnits(answer.report.study, ShownUnits(), unit, QLocale::c()));
     const QString text = card.toPlainText();  // of two values either is an end
-    QVERIFY2(text.contains(QStringLiteral("end of length of hammer 1: widen")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("value of length of hammer 1: extend")), qPrintable(text));
     QVERIFY2(!text.contains(QStringLiteral("hammer.1")), qPrintable(text));
 }
 
@@ -779,7 +779,8 @@ void TestDesignPage::theHeadlineHasTheUnitsAndWordsOfThePage() {
     const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
     const DesignUnits units(answer.report.study, ShownUnits(), unit, QLocale::c());
     const QString headline = DesignCard::headline(answer.report, units);
-    QVERIFY2(headline.startsWith(QStringLiteral("Duration t₀ makes no difference")), qPrintable(headline));
+    QVERIFY2(headline.startsWith(QStringLiteral("The choice of duration t₀ makes no difference")),
+             qPrintable(headline));
 }
 
 // "Best for uncertain rock" of another design stood below "Keep", with a link that loaded it.
