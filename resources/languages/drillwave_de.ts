@@ -4166,28 +4166,28 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not distinguish it from %1: any of them will do.</source>
-        <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
+        <source>The samples do not distinguish this design from %1: any of them will do.</source>
+        <translation>Die Stichproben unterscheiden diese Auslegung nicht von %1: jede davon ist recht.</translation>
     </message>
     <message>
         <source>Among them, %1 has the %2: %3.</source>
         <translation>Unter ihnen hat %1 %2: %3.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would lose %2&#xa0;% of it %3.</source>
-        <translation>Die nominal beste, %1, verlöre davon %2 % %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% smaller %3.</source>
+        <translation>Bei der besten Auslegung für die eingegebenen Werte, %1, ist die Zielgröße %3 um %2&#xa0;% kleiner.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would have %2&#xa0;% more of it %3.</source>
-        <translation>Die nominal beste, %1, hätte davon %2 % mehr %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% larger %3.</source>
+        <translation>Bei der besten Auslegung für die eingegebenen Werte, %1, ist die Zielgröße %3 um %2&#xa0;% größer.</translation>
     </message>
     <message>
         <source>the draws</source>
         <translation>die Ziehungen</translation>
     </message>
     <message>
-        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 % of its scatter.</source>
-        <translation>Für %1 zuerst &lt;b&gt;%2&lt;/b&gt; messen: %3&#xa0;% der Streuung.</translation>
+        <source>To know the %1 better, measure &lt;b&gt;%2&lt;/b&gt; first: it causes %3 % of the scatter.</source>
+        <translation>Um %1 genauer zu kennen, zuerst &lt;b&gt;%2&lt;/b&gt; messen: das verursacht %3&#xa0;% der Streuung.</translation>
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -4230,12 +4230,12 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Bisher %1 Stichproben, %2 folgen.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% weniger.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% smaller.</source>
+        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für unsicheres Gestein um %1&#xa0;% kleiner.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% mehr.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% larger.</source>
+        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für unsicheres Gestein um %1&#xa0;% größer.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4562,8 +4562,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Anhalten %1/%2</translation>
     </message>
     <message>
-        <source>φ = %1, %2 round trips between blows</source>
-        <translation>φ = %1, %2 Hin- und Rückläufe zwischen Schlägen</translation>
+        <source>Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
+        <translation>Andruck durch mittlere Kraft der Schläge φ = %1; %2 Hin- und Rückläufe einer Welle zwischen zwei Schlägen</translation>
     </message>
     <message>
         <source>No scan: %1</source>

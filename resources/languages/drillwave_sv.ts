@@ -4166,28 +4166,28 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not distinguish it from %1: any of them will do.</source>
-        <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
+        <source>The samples do not distinguish this design from %1: any of them will do.</source>
+        <translation>Stickproven skiljer inte denna konstruktion från %1: vilken som helst duger.</translation>
     </message>
     <message>
         <source>Among them, %1 has the %2: %3.</source>
         <translation>Av dem har %1 %2: %3.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would lose %2&#xa0;% of it %3.</source>
-        <translation>Den nominellt bästa, %1, skulle förlora %2 % av det %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% smaller %3.</source>
+        <translation>För den bästa konstruktionen för de angivna värdena, %1, är målstorheten %2&#xa0;% mindre %3.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would have %2&#xa0;% more of it %3.</source>
-        <translation>Den nominellt bästa, %1, skulle ha %2 % mer av det %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% larger %3.</source>
+        <translation>För den bästa konstruktionen för de angivna värdena, %1, är målstorheten %2&#xa0;% större %3.</translation>
     </message>
     <message>
         <source>the draws</source>
         <translation>dragningarna</translation>
     </message>
     <message>
-        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 % of its scatter.</source>
-        <translation>För %1, mät &lt;b&gt;%2&lt;/b&gt; först: %3&#xa0;% av spridningen.</translation>
+        <source>To know the %1 better, measure &lt;b&gt;%2&lt;/b&gt; first: it causes %3 % of the scatter.</source>
+        <translation>För att känna %1 bättre, mät först &lt;b&gt;%2&lt;/b&gt;: den orsakar %3&#xa0;% av spridningen.</translation>
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -4230,12 +4230,12 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Hittills %1 stickprov, %2 återstår.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% smaller.</source>
+        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mer.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% larger.</source>
+        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för osäkert berg %1&#xa0;% större.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4562,8 +4562,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Stoppa %1/%2</translation>
     </message>
     <message>
-        <source>φ = %1, %2 round trips between blows</source>
-        <translation>φ = %1, %2 varv fram och åter mellan slagen</translation>
+        <source>Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
+        <translation>Matningskraft genom slagens medelkraft φ = %1; en våg gör %2 varv mellan två slag</translation>
     </message>
     <message>
         <source>No scan: %1</source>

@@ -261,9 +261,10 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     const DrillingResult& result = *answer.result;
     const LocalStyle style = LocalStyle::of(document().units());
     QStringList sentences = translatedEach(sequenceSentences(result, style));
-    QString numbers = tr("φ = %1, %2 round trips between blows")
-                          .arg(numberText(result.groups.phi, 4, locale()),
-                               numberText(result.groups.roundTrips, 4, locale()));
+    QString numbers =
+        tr("Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows")
+            .arg(numberText(result.groups.phi, 4, locale()),
+                 numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers +=
             tr("; in contact means within %1 of the rock; %2")
