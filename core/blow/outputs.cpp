@@ -237,10 +237,10 @@ constexpr auto drillTable = std::to_array<Output>({
         "drill_penetration",
         "mean penetration per blow; an upper limit, as all rock under the bit is assumed to break",
         Measure::penetration, "mean penetration of a blow"),
-    row<&D::penetrationError>(
-        errorName,
-        "95 % error of drill_penetration. Simulates the blows a second time, with other time steps",
-        Measure::penetration, "error of the mean penetration"),
+    row<&D::penetrationError>(errorName,
+                              "95 % error of drill_penetration, the mean penetration per blow. Needs a "
+                              "second simulation of all blows, with other time steps",
+                              Measure::penetration, "error of the mean penetration"),
     row<&D::penetrationRate>("drill_penetration_rate",
                              "penetration rate, m/s: mean penetration per blow times blow frequency; an "
                              "upper limit, as all rock under the bit is assumed to break",
@@ -252,18 +252,19 @@ constexpr auto drillTable = std::to_array<Output>({
                        Measure::force, "mean peak force"),
     row<&D::damperForce>("drill_damper_force", "largest force in the damper between machine and rod",
                          Measure::force, "largest force in the damper between machine and rod"),
-    row<&D::contactShare>("drill_contact_share",
-                          "contact share: share of blows that start with the bit on the rock, or less than "
-                          "0.05 d0 away from it (d0 = 2 I0/Z)",
-                          Measure::number, "contact share: blows that start with the bit on the rock"),
+    row<&D::contactShare>(
+        "drill_contact_share",
+        "contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from "
+        "it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)",
+        Measure::number, "contact share: blows that start with the bit on the rock"),
     row<&D::contacts>("drill_contacts", "mean number of contacts between bit and rock in a blow",
                       Measure::number, "contacts of a blow"),
     row<&D::period>("drill_period",
                     "number of blows after which the motion repeats, 1 to 16; 0 if it does not repeat",
                     Measure::number, "period of the motion"),
     row<&D::lyapunov>(lyapunovName,
-                      "Lyapunov exponent: growth of a small disturbance per blow. Above 0, single blows are "
-                      "not reproducible: use means. Simulates the blows a second time",
+                      "Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are "
+                      "not reproducible and only means count. Needs a second simulation of all blows",
                       Measure::number, "Lyapunov exponent"),
     row<&D::thrustNumber>("drill_thrust_number",
                           "effective feed force over blow frequency times impulse of a blow (phi); below 1 "

@@ -277,9 +277,10 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 "The largest stresses of the sections would take more work than is permitted, so they were "
                 "not computed and no strength was checked. Try a shorter end_time.");
         case AlertCode::cornersWithoutEffect:
-            return {translatable("The force on the rock reaches only %1, below the first corner of the "
-                                 "loading curve at %2: the rock acts as if it were bilinear."),
-                    {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
+            return {
+                translatable("The force on the rock reaches only %1, below the first corner of the loading "
+                             "curve at %2: the rock acts as if it loaded along one straight line."),
+                {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
         case AlertCode::pushedBack:
             return {translatable(
                         "The feed force of %1 is below the mean force of the blows, %2, or too close to it, "

@@ -198,13 +198,19 @@ Message noDifferenceMessage(const DesignReport& report, const DesignNames& names
         apart = std::max({apart, std::abs(value.value - chosen.value),
                           aim.statistic.hasError() ? errorOfDifference(value, chosen) : 0.0});
     }
+    std::vector<Message> values{names.aim(aim), names.value(*aim.output, chosen.value, 5),
+                                names.value(*aim.output, apart, 1),
+                                std::to_string(report.findings.designs.size())};
     const std::vector<SweepAxis>& choices = report.study.choices;
-    const Message choice = choices.size() == 1
-                               ? Message(translatable("The choice of %1"), {names.choice(choices.front())})
-                               : Message(translatable("The choice of the design"));
-    return {translatable("%1 makes no difference: the objective %2 is %3, within %4, for all %5 designs."),
-            {choice, names.aim(aim), names.value(*aim.output, chosen.value, 5),
-             names.value(*aim.output, apart, 1), std::to_string(report.findings.designs.size())}};
+    if (choices.size() != 1)
+        return {translatable("The choice of the design makes no difference: the objective %1 is %2, within "
+                             "%3, for all %4 designs."),
+                std::move(values)};
+    values.insert(values.begin(), names.choice(choices.front()));
+    return {
+        translatable(
+            "The choice of %1 makes no difference: the objective %2 is %3, within %4, for all %5 designs."),
+        std::move(values)};
 }
 
 /// Which of several choices make no difference, a sentence each.

@@ -173,10 +173,12 @@ std::vector<Message> sequenceSentences(const DrillingResult& result, const Readi
     }
     sentences.push_back({translatable("The bit starts in contact with the rock in %1 of the blows."),
                          {percentText(sequence->contactShare, style)}});
-    sentences.push_back({feedModelOf(result.scenario) == FeedModel::damper
-                             ? translatable("The feed is modelled as %1, which is an assumption.")
-                             : translatable("The feed is modelled as %1."),
-                         {feedModelWords(result.scenario, style)}});
+    sentences.push_back(
+        {feedModelOf(result.scenario) == FeedModel::damper
+             ? translatable(
+                   "The connection between machine and rod is modelled as %1, which is an assumption.")
+             : translatable("The connection between machine and rod is modelled as %1."),
+         {feedModelWords(result.scenario, style)}});
     return sentences;
 }
 

@@ -2546,12 +2546,12 @@ Trotzdem löschen?</translation>
         <translation>Median des Spalts zwischen Bohrkrone und Gestein zu Beginn der Schläge</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow. Above 0, single blows are not reproducible: use means. Simulates the blows a second time</source>
-        <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag. Über 0 sind einzelne Schläge nicht reproduzierbar: Mittelwerte verwenden. Simuliert die Schläge ein zweites Mal</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
-        <source>95 % error of drill_penetration. Simulates the blows a second time, with other time steps</source>
-        <translation>95-%-Fehler von drill_penetration. Simuliert die Schläge ein zweites Mal, mit anderen Zeitschritten</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95-%-Fehler von drill_penetration, der mittleren Eindringung je Schlag. Braucht eine zweite Simulation aller Schläge, mit anderen Zeitschritten</translation>
     </message>
     <message>
         <source>largest force in the damper between machine and rod</source>
@@ -2618,8 +2618,8 @@ Trotzdem löschen?</translation>
         <translation>Hin- und Rückläufe von Schlag zu Schlag</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z)</source>
-        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z; I0: Kraftstoß eines Schlags, Z: Impedanz der Stange)</translation>
     </message>
     <message>
         <source>standard deviation of the gap between bit and rock at the start of the blows</source>
@@ -6498,8 +6498,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die größten Spannungen der Abschnitte würden mehr Aufwand kosten, als erlaubt ist. Sie wurden daher nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
     </message>
     <message>
-        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it were bilinear.</source>
-        <translation>Die Kraft auf das Gestein erreicht nur %1, unter der ersten Ecke der Belastungskurve bei %2: das Gestein wirkt wie ein bilineares.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it loaded along one straight line.</source>
+        <translation>Die Kraft auf das Gestein erreicht nur %1, unter der ersten Ecke der Belastungskurve bei %2: das Gestein wirkt, als würde es längs einer einzigen Geraden belastet.</translation>
     </message>
     <message>
         <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
@@ -10934,12 +10934,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt mit dem Gestein.</translation>
     </message>
     <message>
-        <source>The feed is modelled as %1, which is an assumption.</source>
-        <translation>Der Vorschub ist mit %1 modelliert; das ist eine Annahme.</translation>
+        <source>The connection between machine and rod is modelled as %1, which is an assumption.</source>
+        <translation>Die Verbindung von Maschine und Stange ist mit %1 modelliert; das ist eine Annahme.</translation>
     </message>
     <message>
-        <source>The feed is modelled as %1.</source>
-        <translation>Der Vorschub ist mit %1 modelliert.</translation>
+        <source>The connection between machine and rod is modelled as %1.</source>
+        <translation>Die Verbindung von Maschine und Stange ist mit %1 modelliert.</translation>
     </message>
     <message>
         <source>All values of the scan give the same penetration rate within the errors, %1.</source>
@@ -12870,16 +12870,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Zug</translation>
     </message>
     <message>
-        <source>The choice of %1</source>
-        <translation>Die Wahl von %1</translation>
+        <source>The choice of the design makes no difference: the objective %1 is %2, within %3, for all %4 designs.</source>
+        <translation>Die Wahl der Auslegung macht keinen Unterschied: die Zielgröße %1 ist bei allen %4 Auslegungen %2, auf %3 genau.</translation>
     </message>
     <message>
-        <source>The choice of the design</source>
-        <translation>Die Wahl der Auslegung</translation>
-    </message>
-    <message>
-        <source>%1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
-        <translation>%1 macht keinen Unterschied: die Zielgröße %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
+        <source>The choice of %1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
+        <translation>Die Wahl von %1 macht keinen Unterschied: die Zielgröße %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
     </message>
     <message>
         <source>The choice of %1 makes no difference to the objectives and limits.</source>
@@ -16164,8 +16160,8 @@ Kolbenschlägen.</translation>
         <translation>mittlere Eindringung je Schlag; eine obere Grenze, da alles Gestein unter der Krone als gebrochen gilt</translation>
     </message>
     <message>
-        <source>95 % error of drill_penetration. Simulates the blows a second time, with other time steps</source>
-        <translation>95-%-Fehler von drill_penetration. Simuliert die Schläge ein zweites Mal, mit anderen Zeitschritten</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95-%-Fehler von drill_penetration, der mittleren Eindringung je Schlag. Braucht eine zweite Simulation aller Schläge, mit anderen Zeitschritten</translation>
     </message>
     <message>
         <source>penetration rate, m/s: mean penetration per blow times blow frequency; an upper limit, as all rock under the bit is assumed to break</source>
@@ -16184,8 +16180,8 @@ Kolbenschlägen.</translation>
         <translation>größte Kraft im Dämpfer zwischen Maschine und Stange</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z)</source>
-        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z; I0: Kraftstoß eines Schlags, Z: Impedanz der Stange)</translation>
     </message>
     <message>
         <source>mean number of contacts between bit and rock in a blow</source>
@@ -16196,8 +16192,8 @@ Kolbenschlägen.</translation>
         <translation>Zahl der Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wenn sie sich nicht wiederholt</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow. Above 0, single blows are not reproducible: use means. Simulates the blows a second time</source>
-        <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag. Über 0 sind einzelne Schläge nicht reproduzierbar: Mittelwerte verwenden. Simuliert die Schläge ein zweites Mal</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
         <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
@@ -16296,8 +16292,8 @@ Schreiben verändert, nennt ihn die Meldung, mit Exit-Code 5.</translation>
         <translation>diese gemessene Aufzeichnung als Schlag verwenden; die Optionen darunter sagen, wie sie gelesen wird</translation>
     </message>
     <message>
-        <source>keep all samples of --signal (default: thinned until impulse and e change by 1e-4)</source>
-        <translation>alle Abtastwerte von --signal behalten (Vorgabe: ausgedünnt, bis sich Kraftstoß und e um 1e-4 ändern)</translation>
+        <source>keep all samples of --signal; by default some are left out, as long as impulse and coefficient of restitution change by less than 1e-4</source>
+        <translation>alle Abtastwerte von --signal behalten; in der Vorgabe werden einige weggelassen, solange sich Kraftstoß und Stoßzahl um weniger als 1e-4 ändern</translation>
     </message>
     <message>
         <source>sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)</source>
@@ -16503,8 +16499,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Zahlen in SI-Einheiten ausgeben (Vorgabe)</translation>
     </message>
     <message>
-        <source>limit the work, counted in time steps times ends of sections: a longer computation is refused (default: 4e9)</source>
-        <translation>den Aufwand begrenzen, gezählt in Zeitschritten mal Enden von Abschnitten: eine längere Rechnung wird abgelehnt (Vorgabe: 4e9)</translation>
+        <source>limit the work: refuse a computation if its time steps times the ends of its sections exceed N (default: 4e9)</source>
+        <translation>den Aufwand begrenzen: eine Rechnung ablehnen, deren Zeitschritte mal Enden ihrer Abschnitte N überschreiten (Vorgabe: 4e9)</translation>
     </message>
     <message>
         <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>

@@ -2546,12 +2546,12 @@ Ta bort ändå?</translation>
         <translation>median av spalten mellan borrkrona och berg när slagen börjar</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow. Above 0, single blows are not reproducible: use means. Simulates the blows a second time</source>
-        <translation>Lyapunovexponent: tillväxt av en liten störning per slag. Över 0 är enstaka slag inte reproducerbara: använd medelvärden. Simulerar slagen en andra gång</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
-        <source>95 % error of drill_penetration. Simulates the blows a second time, with other time steps</source>
-        <translation>95&#xa0;%-fel för drill_penetration. Simulerar slagen en andra gång, med andra tidssteg</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95&#xa0;%-fel för drill_penetration, medelinträngningen per slag. Kräver en andra simulering av alla slag, med andra tidssteg</translation>
     </message>
     <message>
         <source>largest force in the damper between machine and rod</source>
@@ -2618,8 +2618,8 @@ Ta bort ändå?</translation>
         <translation>varv fram och åter från slag till slag</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z)</source>
-        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z; I0: ett slags impuls, Z: stångens impedans)</translation>
     </message>
     <message>
         <source>standard deviation of the gap between bit and rock at the start of the blows</source>
@@ -6498,8 +6498,8 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas största spänningar skulle kräva mer arbete än vad som är tillåtet. De beräknades därför inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
     </message>
     <message>
-        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it were bilinear.</source>
-        <translation>Kraften på berget når bara %1, under belastningskurvans första hörn vid %2: berget verkar som ett bilinjärt.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it loaded along one straight line.</source>
+        <translation>Kraften på berget når bara %1, under belastningskurvans första hörn vid %2: berget verkar som om det belastades längs en enda rät linje.</translation>
     </message>
     <message>
         <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
@@ -10934,12 +10934,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Borrkronan börjar i kontakt med berget vid %1 av slagen.</translation>
     </message>
     <message>
-        <source>The feed is modelled as %1, which is an assumption.</source>
-        <translation>Matningen är modellerad som %1, vilket är ett antagande.</translation>
+        <source>The connection between machine and rod is modelled as %1, which is an assumption.</source>
+        <translation>Förbindelsen mellan maskin och stång är modellerad som %1, vilket är ett antagande.</translation>
     </message>
     <message>
-        <source>The feed is modelled as %1.</source>
-        <translation>Matningen är modellerad som %1.</translation>
+        <source>The connection between machine and rod is modelled as %1.</source>
+        <translation>Förbindelsen mellan maskin och stång är modellerad som %1.</translation>
     </message>
     <message>
         <source>All values of the scan give the same penetration rate within the errors, %1.</source>
@@ -12870,16 +12870,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 drag</translation>
     </message>
     <message>
-        <source>The choice of %1</source>
-        <translation>Valet av %1</translation>
+        <source>The choice of the design makes no difference: the objective %1 is %2, within %3, for all %4 designs.</source>
+        <translation>Valet av konstruktion gör ingen skillnad: målstorheten %1 är %2, inom %3, för alla %4 konstruktioner.</translation>
     </message>
     <message>
-        <source>The choice of the design</source>
-        <translation>Valet av konstruktion</translation>
-    </message>
-    <message>
-        <source>%1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
-        <translation>%1 gör ingen skillnad: målstorheten %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
+        <source>The choice of %1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
+        <translation>Valet av %1 gör ingen skillnad: målstorheten %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
     </message>
     <message>
         <source>The choice of %1 makes no difference to the objectives and limits.</source>
@@ -16159,8 +16155,8 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
         <translation>medelinträngning per slag; en övre gräns, eftersom allt berg under kronan antas brytas</translation>
     </message>
     <message>
-        <source>95 % error of drill_penetration. Simulates the blows a second time, with other time steps</source>
-        <translation>95&#xa0;%-fel för drill_penetration. Simulerar slagen en andra gång, med andra tidssteg</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95&#xa0;%-fel för drill_penetration, medelinträngningen per slag. Kräver en andra simulering av alla slag, med andra tidssteg</translation>
     </message>
     <message>
         <source>penetration rate, m/s: mean penetration per blow times blow frequency; an upper limit, as all rock under the bit is assumed to break</source>
@@ -16179,8 +16175,8 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
         <translation>största kraft i dämparen mellan maskin och stång</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z)</source>
-        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z; I0: ett slags impuls, Z: stångens impedans)</translation>
     </message>
     <message>
         <source>mean number of contacts between bit and rock in a blow</source>
@@ -16191,8 +16187,8 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
         <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 om den inte upprepas</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow. Above 0, single blows are not reproducible: use means. Simulates the blows a second time</source>
-        <translation>Lyapunovexponent: tillväxt av en liten störning per slag. Över 0 är enstaka slag inte reproducerbara: använd medelvärden. Simulerar slagen en andra gång</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
         <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
@@ -16290,8 +16286,8 @@ körning eller har ändrats sedan den skrevs nämns den i meddelandet, med slutk
         <translation>använd denna mätning som slag; alternativen nedan säger hur den läses</translation>
     </message>
     <message>
-        <source>keep all samples of --signal (default: thinned until impulse and e change by 1e-4)</source>
-        <translation>behåll alla mätvärden från --signal (standard: gallrade tills impuls och e ändras med 1e-4)</translation>
+        <source>keep all samples of --signal; by default some are left out, as long as impulse and coefficient of restitution change by less than 1e-4</source>
+        <translation>behåll alla mätvärden från --signal; som standard utelämnas några, så länge impuls och studstal ändras med mindre än 1e-4</translation>
     </message>
     <message>
         <source>sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)</source>
@@ -16496,8 +16492,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv tal i SI-enheter (standard)</translation>
     </message>
     <message>
-        <source>limit the work, counted in time steps times ends of sections: a longer computation is refused (default: 4e9)</source>
-        <translation>begränsa arbetet, räknat i tidssteg gånger sektionsändar: en längre beräkning avvisas (standard: 4e9)</translation>
+        <source>limit the work: refuse a computation if its time steps times the ends of its sections exceed N (default: 4e9)</source>
+        <translation>begränsa arbetet: avvisa en beräkning vars tidssteg gånger dess sektionsändar överstiger N (standard: 4e9)</translation>
     </message>
     <message>
         <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>

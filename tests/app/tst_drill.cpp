@@ -68,10 +68,11 @@ class TestDrill : public QObject {
 
 void TestDrill::theModelOfTheFeedIsNamed() {
     QVERIFY(
-        output(soft()).contains("The feed is modelled as a dashpot of 6300 N s/m, which is an assumption."));
+        output(soft()).contains("The connection between machine and rod is modelled as a dashpot of 6300 N "
+                                "s/m, which is an assumption."));
     QVERIFY(output({"drill", example("t38_medium_rock"), "--set", "drill.damper_damping=0Ns/m",
                     "drill.damper_stiffness=0MN/m", "--blows", "40", "--cells", "20"})
-                .contains("The feed is modelled as a constant force."));
+                .contains("The connection between machine and rod is modelled as a constant force."));
 }
 
 void TestDrill::numbersAreSiOrMultiples() {

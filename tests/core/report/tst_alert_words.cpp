@@ -97,7 +97,7 @@ const std::vector<Example>& examples() {
           "bit_rock.law",
           {{"peak_force", 80e3, Quantity::force}, {"corner_force", 90e3, Quantity::force}}},
          "The force on the rock reaches only 80 kN, below the first corner of the loading curve at 90 kN: "
-         "the rock acts as if it were bilinear."},
+         "the rock acts as if it loaded along one straight line."},
         {{note,
           AlertCode::closedFormInvalid,
           "beta",

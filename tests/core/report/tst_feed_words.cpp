@@ -293,7 +293,8 @@ void TestFeedWords::noSentenceContradictsTheNumbers() {
         QCOMPARE(first.contains("covers every single blow") || first.contains("this blow and rigid rock"),
                  installed >= required);
         QCOMPARE(first.contains("even returns an undamped rod"), installed >= inTime);
-        QCOMPARE(first.contains("gaps between bit and rock were not examined"), !feed.isOfAllGaps() && installed >= own);
+        QCOMPARE(first.contains("gaps between bit and rock were not examined"),
+                 !feed.isOfAllGaps() && installed >= own);
         if (installed >= required && report.study.shareFull) QCOMPARE(*report.study.shareFull, 1.0);
         // An estimate says nothing of what the bit does.
         for (const char* word : {"rests", "bounces", "full rate", "enough", "off the rock"})
