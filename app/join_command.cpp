@@ -201,15 +201,14 @@ const Command& joinCommand() {
         .operands = "PART…",
         .summary = "put the parts of a sweep, table or map together that --shard has split",
         .details =
-            "Writes the FILE, its record FILE.yaml and the exit code that the command would have given "
-            "without\n"
-            "--shard. A PART is a file of rows with its record PART.yaml beside it, or a folder with all "
-            "parts,\n"
-            "in any order. All parts must come from the same run: same scenario, varied parameters, table "
-            "of\n"
-            "cases, build and number of parts. If a part is missing, given twice, from another run or "
-            "changed\n"
-            "since it was written, the message names it, with exit code 5.",
+            "Writes FILE and its record FILE.yaml as the command would have written them without --shard, "
+            "and\n"
+            "ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or "
+            "a\n"
+            "folder with all parts, in any order. All parts must come from the same run: same scenario, "
+            "varied\n"
+            "parameters, table of cases, build and number of parts. If a part is missing, given twice, from\n"
+            "another run or changed since it was written, the message names it, with exit code 5.",
         .options = {{"o", "FILE", "file to write, with its record FILE.yaml beside it; -o - prints the file"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 1,

@@ -113,11 +113,11 @@ Message residualWaves(const Alert& alert, const ReadingStyle& style) {
     if (!alert.has("whole"))
         return {translatable("The waves of a blow make only %1 round trips in the string before the next "
                              "blow and still act on it (%3). Penetration may change by up to 10 % with blow "
-                             "frequency and string length; %2 computes it."),
+                             "frequency and string length; to compute it, use %2."),
                 {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
     return {translatable("The waves of a blow make only %1 round trips in the string before the next blow "
                          "and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration "
-                         "may change by up to 10 %; %3 computes it."),
+                         "may change by up to 10 %; to compute it, use %3."),
             {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
 }
 

@@ -6410,12 +6410,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen. Rückläufe zum Hammer sind dabei vernachlässigt.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%3). Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; %2 berechnet das.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; to compute it, use %2.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%3). Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; zum Berechnen %2 verwenden.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4), fast im Takt mit ihm: %1 ist nahe bei %2. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; %3 berechnet das.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; to compute it, use %3.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4), fast im Takt mit ihm: %1 ist nahe bei %2. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; zum Berechnen %3 verwenden.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -16263,17 +16263,17 @@ ausgegeben, an denen es vorkommt, die besten zuerst.</translation>
         <translation>fertige Zeilen in FILE.csv.partial behalten; nach einer Unterbrechung fährt derselbe Befehl nach ihnen fort</translation>
     </message>
     <message>
-        <source>Writes the FILE, its record FILE.yaml and the exit code that the command would have given without
---shard. A PART is a file of rows with its record PART.yaml beside it, or a folder with all parts,
-in any order. All parts must come from the same run: same scenario, varied parameters, table of
-cases, build and number of parts. If a part is missing, given twice, from another run or changed
-since it was written, the message names it, with exit code 5.</source>
-        <translation>Schreibt die Datei FILE, ihr Protokoll FILE.yaml und den Exit-Code, die der Befehl ohne --shard
-ergeben hätte. Ein PART ist eine Datei mit Zeilen und ihrem Protokoll PART.yaml daneben, oder ein
-Ordner mit allen Teilen, in beliebiger Reihenfolge. Alle Teile müssen aus demselben Lauf sein:
-dasselbe Szenario, dieselben veränderten Parameter, dieselbe Tabelle der Fälle, dasselbe Programm,
-dieselbe Zahl der Teile. Fehlt ein Teil, ist er doppelt, aus einem anderen Lauf oder seit dem
-Schreiben verändert, nennt ihn die Meldung, mit Exit-Code 5.</translation>
+        <source>Writes FILE and its record FILE.yaml as the command would have written them without --shard, and
+ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or a
+folder with all parts, in any order. All parts must come from the same run: same scenario, varied
+parameters, table of cases, build and number of parts. If a part is missing, given twice, from
+another run or changed since it was written, the message names it, with exit code 5.</source>
+        <translation>Schreibt FILE und ihr Protokoll FILE.yaml, wie der Befehl sie ohne --shard geschrieben hätte, und
+endet mit demselben Exit-Code. Ein PART ist eine Datei mit Zeilen und ihrem Protokoll PART.yaml
+daneben, oder ein Ordner mit allen Teilen, in beliebiger Reihenfolge. Alle Teile müssen aus
+demselben Lauf sein: dasselbe Szenario, dieselben veränderten Parameter, dieselbe Tabelle der
+Fälle, dasselbe Programm, dieselbe Zahl der Teile. Fehlt ein Teil, ist er doppelt, aus einem
+anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit-Code 5.</translation>
     </message>
     <message>
         <source>list the built-in scenarios, print the named ones, or write them into a folder</source>

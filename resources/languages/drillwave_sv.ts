@@ -6410,12 +6410,12 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg. Reflexer tillbaka till hammaren försummas här.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%3). Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; %2 beräknar det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; to compute it, use %2.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%3). Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; använd %2 för att beräkna det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4), nästan i takt med det: %1 är nära %2. Inträngningen kan ändras med upp till 10&#xa0;%; %3 beräknar det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; to compute it, use %3.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4), nästan i takt med det: %1 är nära %2. Inträngningen kan ändras med upp till 10&#xa0;%; använd %3 för att beräkna det.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -16258,16 +16258,17 @@ de bästa först.</translation>
         <translation>behåll färdiga rader i FILE.csv.partial; efter ett avbrott fortsätter samma kommando efter dem</translation>
     </message>
     <message>
-        <source>Writes the FILE, its record FILE.yaml and the exit code that the command would have given without
---shard. A PART is a file of rows with its record PART.yaml beside it, or a folder with all parts,
-in any order. All parts must come from the same run: same scenario, varied parameters, table of
-cases, build and number of parts. If a part is missing, given twice, from another run or changed
-since it was written, the message names it, with exit code 5.</source>
-        <translation>Skriver filen FILE, dess protokoll FILE.yaml och den slutkod som kommandot hade gett utan --shard.
-En PART är en fil med rader och dess protokoll PART.yaml intill, eller en mapp med alla delar, i
-valfri ordning. Alla delar måste komma från samma körning: samma scenario, varierade parametrar,
-falltabell, program och antal delar. Om en del saknas, är angiven två gånger, kommer från en annan
-körning eller har ändrats sedan den skrevs nämns den i meddelandet, med slutkod 5.</translation>
+        <source>Writes FILE and its record FILE.yaml as the command would have written them without --shard, and
+ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or a
+folder with all parts, in any order. All parts must come from the same run: same scenario, varied
+parameters, table of cases, build and number of parts. If a part is missing, given twice, from
+another run or changed since it was written, the message names it, with exit code 5.</source>
+        <translation>Skriver FILE och dess protokoll FILE.yaml som kommandot hade skrivit dem utan --shard, och slutar
+med samma slutkod. En PART är en fil med rader och dess protokoll PART.yaml intill, eller en mapp
+med alla delar, i valfri ordning. Alla delar måste komma från samma körning: samma scenario,
+varierade parametrar, falltabell, program och antal delar. Om en del saknas, är angiven två
+gånger, kommer från en annan körning eller har ändrats sedan den skrevs nämns den i meddelandet,
+med slutkod 5.</translation>
     </message>
     <message>
         <source>list the built-in scenarios, print the named ones, or write them into a folder</source>

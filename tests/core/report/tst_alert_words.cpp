@@ -131,16 +131,16 @@ const std::vector<Example>& examples() {
          "fatigue strength is 150 MPa."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
          "The waves of a blow make only 4.5 round trips in the string before the next blow and still act on "
-         "it (undamped). Penetration may change by up to 10 % with blow frequency and string length; `drill` "
-         "computes it."},
+         "it (undamped). Penetration may change by up to 10 % with blow frequency and string length; to "
+         "compute it, use `drill`."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 2}, {"wave_loss", 0.1}}},
          "The waves of a blow make only 2 round trips in the string before the next blow and still act on it "
          "(with 81 % left at a wave loss of 10 %). Penetration may change by up to 10 % with blow frequency "
-         "and string length; `drill` computes it."},
+         "and string length; to compute it, use `drill`."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
          "The waves of a blow make only 4.06 round trips in the string before the next blow and still act on "
          "it (undamped), nearly in step with it: 4.06 is close to 4. Penetration may change by up to 10 %; "
-         "`drill` computes it."},
+         "to compute it, use `drill`."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",
