@@ -119,17 +119,23 @@ const Command& accuracyCommand() {
     static const Command command{
         .name = "accuracy",
         .operands = "FILE",
-        .summary = "error against run time, every method and resolution",
+        .summary = "compare error and run time of every method and resolution",
         .details =
-            "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
-            "100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For "
-            "drill\nstrings: polynomial cells of several sizes beside a plain lattice.",
+            "Solves the blow exactly, in closed form if it applies, and on the paper's lattice with 100 to\n"
+            "20000 segments. Compares the errors and run times of these methods, which takes some ten "
+            "seconds.\n"
+            "For drill strings, compares the solver of this program (polynomial cells) at several cell "
+            "sizes\n"
+            "with a plain lattice.",
         .options = scenarioOptions(
-            {{"segments", "A,B,C", "numbers of lattice segments (default: from 100 to 20000)"},
+            {{"segments", "A,B,C",
+              "numbers of segments of the lattice method to compare (default: from 100 to 20000)"},
              {"work-limit", "N",
-              "most moves of waves by a segment in the lattices (default: 1000000000, half a minute)"},
+              "limit the work of the lattice method, counted in moves of a wave by one segment (default: "
+              "1000000000, half a minute)"},
              {"json", "", "print one JSON object instead of the table"},
-             {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
+             {"o", "DIR",
+              "also write the table to accuracy.csv in DIR; -o - prints this CSV instead of the table"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()}),

@@ -176,23 +176,29 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
 
 std::vector<OptionSpec> curveOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
-        {{"along", "KEY=RANGE", "parameter to vary: START:STOP or START:STOP:log"},
-         {"family", "KEY=VALUES", "one line per value: A,B,C, or START:STOP:COUNT[:log]"},
-         {"outputs", "A,B|all", "outputs to follow, see below (default: cor)"},
-         {"level", "X", "also where the outputs cross this value, in the unit of their columns",
+        {{"along", "KEY=RANGE",
+          "vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)"},
+         {"family", "KEY=VALUES",
+          "vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, "
+          "START:STOP:COUNT:log (equal ratios) or A,B,C"},
+         {"outputs", "A,B|all",
+          "outputs to follow, listed below (default: cor, the coefficient of restitution)"},
+         {"level", "X", "also print where the outputs cross this value, in the unit of their columns",
           OptionSpec::Times::repeated},
          {"goal", "X",
-          "find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there "
-          "is none"},
+          "print every value of the parameter at which the output is X, in the unit of its column; exit code "
+          "6 if there is none"},
          {"json", "", "print one JSON object instead of the tables"},
-         {"si", "", "outputs in SI"}});
+         {"si", "", "print and write outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
-             {"work-limit", "N", "skip a blow that needs more than N wave pieces (default: 1000000)"},
+             {"work-limit", "N",
+              "limit the work: a blow is left out if the exact solver splits its waves into more than N "
+              "polynomial pieces (default: 1000000)"},
              {"j", "N", "number of threads (default: all)"},
              {"o", "FILE.csv",
-              "also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to "
-              "FILE_goal.csv; - prints the points instead"},
+              "also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values "
+              "that --goal finds to FILE_goal.csv; -o - prints the points instead of the tables"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})
@@ -204,17 +210,17 @@ std::vector<OptionSpec> curveOptions() {
 
 const Command& curveCommand() {
     static constexpr std::string_view details =
-        "Follows outputs continuously along a parameter and finds every kink and jump on the way. Prints\n"
-        "where each output is least and largest, its local extremes, kinks, jumps and crossings of the\n"
-        "levels, each with its error. Where an output would take too much computing, only points of it\n"
-        "are known, and the table says so.\n"
-        "--goal X prints the values of KEY at which the output is X, each with its error, and whether\n"
-        "there may be others; where there is none, the nearest value.\n"
-        "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
+        "Follows outputs over a whole range of a parameter, between any grid points, and finds every kink\n"
+        "and jump. For each output, prints where it is smallest and largest, its local extremes, its kinks\n"
+        "and jumps, and where it crosses a --level, all with their errors. If this needs too much computing\n"
+        "for an output, it is solved only at single points, and the table says so.\n"
+        "--goal X prints the values of the parameter at which the output is X, each with its error, and\n"
+        "whether there may be others. If no value gives X, it prints the value that comes nearest. Values\n"
+        "carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
     static const Command command{
         .name = "curve",
         .operands = "FILE",
-        .summary = "follow outputs along a parameter; print extremes, kinks and crossings with errors",
+        .summary = "follow outputs along a parameter: extremes, kinks, jumps and crossings, with errors",
         .details = details,
         .furtherHelp = outputHelp,
         .options = curveOptions(),

@@ -117,44 +117,61 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
 const Command& designCommand() {
     using Times = OptionSpec::Times;
     static constexpr std::string_view details =
-        "Solves every design of the choices at the same samples of the uncertain inputs. Prints the best\n"
-        "design by the first aim (robust best), the best one where all is as in FILE (nominal best), the\n"
-        "designs that are equally good within the errors, what is worth measuring, and the worst case\n"
-        "found in the ranges. A warning about the strength of the design to take is in the first sentence.\n"
-        "  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and\n"
-        "                                       :lognormal with LOW and HIGH as the limits of 95 %\n"
-        "  --uncertain KEY=+-P%                 about the value of FILE or of the design\n"
-        "  --choose hammer=NAME,NAME            presets by name, or hammer=all; also rod=, and\n"
-        "                                       bit= of a drill string, whose hammers are pistons\n"
-        "Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:\n"
-        "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE\n"
-        "stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,\n"
-        "worst.csv, best.yaml, design.json and, with --plots, design.png.";
+        "Solves every design, that is, every combination of the --choose values, with the same random\n"
+        "samples of the uncertain inputs. Prints which design is best over all samples (best for uncertain\n"
+        "rock) and which is best with the inputs of FILE (best for the values entered), both by the first\n"
+        "--aim. Also prints which designs are equally good within the errors, which input to measure first,\n"
+        "and the worst case found in the ranges. The first sentence includes a warning if the recommended\n"
+        "design exceeds a strength.\n"
+        "  --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, equally likely\n"
+        "                             in the logarithm; with :normal or :lognormal, a normal distribution\n"
+        "                             with 95 % of the values from LOW to HIGH\n"
+        "  --uncertain KEY=+-P%       range around the value of FILE, or of the design\n"
+        "  --choose hammer=NAME,NAME  hammer presets by name, or all of them: hammer=all; also rod=. For\n"
+        "                             drill strings, hammer= takes pistons, and bit= takes bits\n"
+        "A STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs of FILE).\n"
+        "Without --aim, the objectives are max:efficiency@q05 and, if FILE has a blow frequency,\n"
+        "min:thrust@q95. Options that are not given are taken from the block `design` of FILE. -o DIR\n"
+        "writes designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with\n"
+        "--plots, design.png.";
     static const Command command{
         .name = "design",
         .operands = "FILE",
-        .summary = "find the best design for uncertain inputs, its cost, and what to measure",
+        .summary = "find the best design for uncertain inputs, and which input to measure",
         .details = details,
         .furtherHelp = outputHelp,
         .options = scenarioOptions(
-            {{"uncertain", "KEY=LOW:HIGH", "uncertain input; see below", Times::list},
-             {"draws", "FILE.csv", "samples of uncertain inputs, one per row; header as for table",
+            {{"uncertain", "KEY=LOW:HIGH",
+              "uncertain input and the range of its values; see the description of the command", Times::list},
+             {"draws", "FILE.csv",
+              "take the samples of uncertain inputs from this table, one per row; its header names "
+              "parameters",
               Times::repeated},
-             {"choose", "KEY=START:STOP:COUNT",
-              "design variable and its values; also :log, KEY=A,B,C or hammer=NAME", Times::list},
+             {"choose", "KEY=VALUES",
+              "design variable to vary; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or "
+              "A,B,C; to compare presets: hammer=NAME,NAME",
+              Times::list},
              {"aim", "max:OUTPUT@STATISTIC",
-              "objective to maximise, or min:… to minimise; up to three, the first ranks the designs",
+              "objective: a statistic of an output to maximise, or with min:… to minimise; up to three, the "
+              "first ranks the designs",
               Times::repeated},
-             {"at-most", "OUTPUT@STATISTIC=VALUE", "upper limit for every design", Times::list},
-             {"at-least", "OUTPUT@STATISTIC=VALUE", "lower limit for every design", Times::list},
-             {"keep-energy", "", "scale the blow of every design to the blow energy of FILE"},
+             {"at-most", "OUTPUT@STATISTIC=VALUE",
+              "limit: accept only designs for which this statistic of the output is at most VALUE",
+              Times::list},
+             {"at-least", "OUTPUT@STATISTIC=VALUE",
+              "limit: accept only designs for which this statistic of the output is at least VALUE",
+              Times::list},
+             {"keep-energy", "",
+              "give every design the blow energy of FILE, by scaling its impulse or hammer velocity"},
              {"samples", "N",
-              "samples of a design, rounded up to a power of two (default: 4096, for a string 1024)"},
-             {"seed", "S", "seed of the samples (default: 1)"},
+              "number of random samples for each design, rounded up to a power of two (default: 4096, for a "
+              "drill string 1024)"},
+             {"seed", "S", "seed of the random samples (default: 1)"},
              {"j", "N", "number of threads (default: all)"},
              workLimitSpec(),
              {"json", "", "print one JSON object instead of the tables"},
-             {"o", "DIR", "also write tables, the best design and the JSON object into DIR"},
+             {"o", "DIR",
+              "also write the tables, the scenario of the best design and the JSON object into DIR"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()}),

@@ -137,37 +137,47 @@ const Command& drillCommand() {
     static const Command command{
         .name = "drill",
         .operands = "FILE",
-        .summary = "a sequence of blows under a feed: penetration rate, gap and contact, with errors",
+        .summary = "simulate consecutive blows under a feed force: penetration rate, gaps, errors",
         .details =
-            "Follows blow after blow: waves, and the motion of the machine on its damper, carry over from "
-            "one\n"
-            "blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how\n"
-            "many blows start in contact, whether the motion repeats and where the energy goes. FILE needs\n"
-            "drill.blow_frequency and drill.thrust. Penetrations are upper limits.\n"
-            "With --scan the same over a parameter; each value is followed twice, from rest and from "
-            "bouncing.\n"
-            "DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with "
-            "--plots\n"
-            "drilling.png.",
+            "Simulates consecutive blows. The residual waves and the motion of the machine on its damper "
+            "carry\n"
+            "over from one blow to the next; each blow meets new rock. Prints penetration and penetration "
+            "rate\n"
+            "with their errors, the share of blows that start with the bit on the rock, whether the motion\n"
+            "repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust, the feed\n"
+            "force. Penetrations are upper limits, because all rock under the bit is assumed to break.\n"
+            "--scan compares values of a parameter. Each value is simulated twice: starting at rest and\n"
+            "starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into\n"
+            "DIR, with --histories also histories.csv, with --plots also drilling.png.",
         .options = scenarioOptions(
             {shortFor("drill.blows", "blows",
-                      "short for --set drill.blows=N (default: 1000, for a scan 300)"),
+                      "number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)"),
              shortFor("drill.settle", "settle",
-                      "short for --set drill.settle=N: transient blows, excluded from statistics"),
+                      "number of first blows (transient blows) that the statistics exclude: short for --set "
+                      "drill.settle=N"),
              shortFor("drill.seed", "seed",
-                      "short for --set drill.seed=N, seed of the random blow intervals"),
-             {"cells", "N", "time steps per t0, 10 to 400 (default: 40, for a scan 20)"},
-             {"scan", "KEY=START:STOP:COUNT", "scan these values; :log after the count, or KEY=A,B,C"},
-             {"gaps", "FILE.csv", "with --scan, also write the gap of every counted blow"},
-             {"histories", "A:B", "with -o DIR, also write the histories from blow A to blow B"},
+                      "seed of the random intervals between blows: short for --set drill.seed=N"),
+             {"cells", "N",
+              "time steps per duration t0 of the blow, 10 to 400 (default: 40, with --scan 20)"},
+             {"scan", "KEY=VALUES",
+              "vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log "
+              "(equal ratios) or A,B,C"},
+             {"gaps", "FILE.csv",
+              "with --scan, also write the gap of each blow to this file, except for transient blows"},
+             {"histories", "A:B",
+              "with -o DIR, also write the motion and forces over time from blow A to blow B"},
              {"json", "", "print one JSON object instead of the table"},
-             {"si", "", "numbers in SI (default)"},
-             {"dimensionless", "", "numbers as multiples of d0, v0, I0, F0 and t0"},
+             {"si", "", "print numbers in SI units (default)"},
+             {"dimensionless", "",
+              "print numbers as multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help "
+              "glossary 2`)"},
              {"j", "N", "number of threads (default: all)"},
-             {"work-limit", "N", "most cells times nodes (default: 4e9)"},
+             {"work-limit", "N",
+              "limit the work: refuse a computation if its time steps times the ends of its sections exceed "
+              "N (default: 4e9)"},
              {"o", "FILE.csv|DIR",
-              "also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints "
-              "the rows"},
+              "also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files "
+              "into DIR; -o - prints the rows"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()}),

@@ -86,9 +86,9 @@ const Command& examplesCommand() {
     static const Command command{
         .name = "examples",
         .operands = "[NAME]…",
-        .summary = "list the built-in scenarios, print those of NAME, or write them into a folder",
-        .details = "`drillwave examples t38_string > my.yaml` writes a file to start from.",
-        .options = {{"o", "DIR", "write them as scenario files into DIR; - prints them"},
+        .summary = "list the built-in scenarios, print the named ones, or write them into a folder",
+        .details = "`drillwave examples t38_string > my.yaml` saves a built-in scenario as a file to edit.",
+        .options = {{"o", "DIR", "write the scenarios into DIR, one file each; -o - prints them"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 0,
         .mostOperands = SIZE_MAX,

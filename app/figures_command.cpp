@@ -101,10 +101,17 @@ const Command& figuresCommand() {
         .operands = "-o DIR",
         .summary = "reproduce the figures of the paper; compare each printed number with the exact one",
         .details =
-            "DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and\n"
-            "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them\n"
-            "(T: time of a wave along the rod), and with k0 = Z/t0, as its text defines it.",
-        .options = {{"o", "DIR", "where to write; - prints only discrepancies.csv"},
+            "Writes into DIR the data of Figs 3 to 8 of the paper as CSV, the figures as pictures, and\n"
+            "discrepancies.csv, which compares each number printed in the paper with the exact one. "
+            "index.html\n"
+            "shows all of them. The reference curves of the paper are written twice, because its plots and "
+            "its\n"
+            "text scale stiffness differently: with k0 = Z/(2T), as in the plots, and with k0 = Z/t0, as in "
+            "the\n"
+            "text. Z is the impedance of the rod, T the time of a wave along the rod, t0 the duration of "
+            "the\n"
+            "blow.",
+        .options = {{"o", "DIR", "folder to write into; -o - prints only discrepancies.csv"},
                     {"plots", "png,svg,pdf", "formats of the figures (default: png,svg)"},
                     {"force", "", "overwrite existing files"},
                     decimalCommaSpec()},

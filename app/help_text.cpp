@@ -20,19 +20,20 @@ constexpr const char* usageHeader =
     "       drillwave COMMAND ARGUMENTS  work without a window\n"
     "\nCommands:\n";
 constexpr const char* usageFooter =
-    "\n  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter\n"
-    "  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual\n"
-    "  or a section of it (help theory 10), and for any other word (help feed) the places of the\n"
-    "  manual that have it. drillwave version prints the version.\n"
+    "\n"
+    "  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do. TOPIC can also be\n"
+    "  a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of\n"
+    "  the manual or a section of it (help theory 10). For any other word (help feed) it prints the\n"
+    "  places of the manual that contain the word. drillwave version prints the version.\n"
     "  Chapters: %1.\n"
-    "  Without a display the window needs `-platform offscreen`.\n"
-    "  drillwave --reset-ui  opens the window with its first layout, page, units and choices;\n"
-    "  drillwave --language de  in German this once (sv: Swedish, en: English).\n"
-    "  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.\n"
-    "\nExit codes: %2.\n";
+    "  Without a display, the window needs `-platform offscreen`.\n"
+    "  drillwave --reset-ui  opens the window with its default layout, page, units and choices.\n"
+    "  drillwave --language de  opens it in German, only this time (sv: Swedish, en: English).\n"
+    "  Commands also have --language; DRILLWAVE_LANGUAGE=de in the environment sets it for all of them.\n\n"
+    "Exit codes: %2.\n";
 constexpr std::string_view optionsTitle = "Options:";
-constexpr std::string_view thisText = "this help";
-constexpr std::string_view versionHelp = "version of the program";
+constexpr std::string_view thisText = "print this help";
+constexpr std::string_view versionHelp = "print the version of the program";
 
 constexpr std::size_t helpColumns = 80;
 constexpr std::size_t widestLeft = 24;  // a longer left part has a line of its own

@@ -17,11 +17,12 @@ inline constexpr std::string_view exitCodesHelp =
 
 /// Summary of the command `help`, and the description of its TOPIC.
 inline constexpr std::string_view helpSummary =
-    "print the help of a command, a chapter of the manual, a parameter, an output";
+    "print the help of a command, parameter or output, or a chapter of the manual";
 inline constexpr std::string_view helpDetails =
     "TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a\n"
-    "parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word\n"
-    "(feed, units, exit codes): then the places of the manual that have it, the best first.";
+    "parameter (bit_rock.gamma), an output (cor), a symbol (e) or an option (--shard). For any other\n"
+    "word (feed, units, exit codes), the places of the manual that contain it are printed, the best\n"
+    "first.";
 
 /// Summary of the command `version`.
 inline constexpr std::string_view versionSummary = "print the version of the program";

@@ -106,22 +106,24 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing* drawing) 
 
 const Command& identifyCommand() {
     static constexpr std::string_view details =
-        "Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a\n"
-        "string. Prints the values with their 95 % intervals, what limits them, and what to measure better.\n"
-        "The bit_rock of FILE is not used, except with --law file.\n"
-        "  --known gain=+-5% zero=+-1%          of the amplifier; zero in % of the peak\n"
-        "  --known gauge=+-2mm                  place of the gauges\n"
-        "  --known rod.diameter=+-0.1mm         sizes of gauge's section and of the sections towards the "
-        "bit\n"
-        "Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),\n"
-        "match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, "
-        "records.csv.\n"
-        "Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.\n"
-        "Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).";
+        "Finds stiffness, elasticity (gamma) and gap of the rock from the waves that strain gauges record\n"
+        "on the rod, or on the last rod of a string. Prints the values with their 95 % intervals, what\n"
+        "limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law\n"
+        "file. --known KEY=+-TOL states how well the inputs are known:\n"
+        "  --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak\n"
+        "  --known gauge=+-2mm           distance of the gauges from the bit face\n"
+        "  --known rod.diameter=+-0.1mm  a size of the section with the gauge, or of a section between\n"
+        "                                gauge and bit\n"
+        "Records are read with the options of `signal`. -o DIR writes identified.yaml, posterior.csv\n"
+        "(random samples of the rock for design --draws), match.csv, force_penetration.csv, incident.csv,\n"
+        "identify.json and, for several records, records.csv. Exit code 0: stiffness or gamma is known.\n"
+        "Exit code 6: neither is known, or the record contradicts the model. The intervals can be too\n"
+        "narrow if the rock does not load along one straight line and unload along another (commands\n"
+        "§4.17).";
     static const Command command{
         .name = "identify",
         .operands = "FILE",
-        .summary = "rock properties from strain gauges, with their uncertainty",
+        .summary = "find stiffness and elasticity of the rock from strain gauges, with uncertainty",
         .details = details,
         .options = identifyOptionSpecs(),
         .leastOperands = 1,

@@ -125,23 +125,36 @@ Choice choiceOf(const Arguments& arguments, const char* option,
 std::vector<OptionSpec> identifyOptionSpecs() {
     using Times = OptionSpec::Times;
     std::vector<OptionSpec> specs{
-        {"signals", "REC.csv …", "read these records of strain gauges, in their order along the hole",
-         Times::repeated},
+        {"signals", "REC.csv …",
+         "read these records of strain gauges; give several in their order along the hole", Times::repeated},
         {"gauge", "COLUMN@DISTANCE",
-         "use one gauge or two, by their distance from the bit face; A+B@… averages", Times::repeated},
+         "column of a gauge and its distance from the bit face, once or twice; A+B@… takes the mean of two "
+         "gauges on opposite sides",
+         Times::repeated},
         {"law", "LAW",
-         "law to fit: auto, bilinear or corner; with file, the law of FILE is tested (default: auto)"},
-        {"known", "KEY=+-TOL", "95 % tolerance of gain, zero, gauge or a size; see below", Times::list},
-        {"backing", "KIND", "support: rigid, or bar for a specimen between two like bars (default: rigid)"},
+         "rock law to fit to the record: auto, bilinear or corner; file tests the law of FILE instead "
+         "(default: auto)"},
+        {"known", "KEY=+-TOL",
+         "tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its "
+         "value with 95 % probability; see the description of the command",
+         Times::list},
+        {"backing", "KIND",
+         "support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars "
+         "(default: rigid)"},
         {"check", "COLUMN@DISTANCE",
-         "predict the gauge on the bar behind, by its distance from the specimen"},
-        {"dispersion", "KIND", "take dispersion as fit, bar or none (default: fit)"},
-        {"end", "TIME", "end the window this long after the returning wave arrives"},
-        {"blows", "WHICH", "identify the first or all fronts of a record (default: first)"},
-        {"seed", "S", "seed of noise and draws (default: 1)"},
+         "predict the wave at a gauge on the bar behind the specimen, by its distance from the specimen, and "
+         "print the error; needs --backing bar"},
+        {"dispersion", "KIND",
+         "dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) "
+         "or none (default: fit)"},
+        {"end", "TIME",
+         "ignore the record later than this time after the reflected wave arrives at the gauge"},
+        {"blows", "WHICH", "blows of a record to evaluate: first, or all (default: first)"},
+        {"seed", "S", "seed of the random numbers for noise and samples (default: 1)"},
         {"j", "N", "number of threads (default: all)"},
         {"json", "", "print one JSON object instead of the table"},
-        {"o", "DIR", "also write tables, draws and the identified scenario into DIR"},
+        {"o", "DIR",
+         "also write tables, random samples of the rock and the scenario with the identified rock into DIR"},
         plotsOptionSpec(),
         {"force", "", "overwrite existing files"}};
     std::vector<OptionSpec> all = scenarioOptions();

@@ -199,16 +199,17 @@ const Command& joinCommand() {
     static const Command command{
         .name = "join",
         .operands = "PART…",
-        .summary = "put the parts of a sweep, table or map of --shard together",
+        .summary = "put the parts of a sweep, table or map together that --shard has split",
         .details =
-            "FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A\n"
-            "PART is a file of rows with its record beside it, or a folder with all parts; any order will "
-            "do.\n"
-            "All must be of one run (scenario, axes, table of cases, build, number of parts), be there once\n"
-            "and have the size and checksum of their records: what is missing, doubled, foreign or changed "
-            "is\n"
-            "named, with exit code 5.",
-        .options = {{"o", "FILE", "where to write, with FILE.yaml beside it; - is standard output"},
+            "Writes FILE and its record FILE.yaml as the command would have written them without --shard, "
+            "and\n"
+            "ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or "
+            "a\n"
+            "folder with all parts, in any order. All parts must come from the same run: same scenario, "
+            "varied\n"
+            "parameters, table of cases, build and number of parts. If a part is missing, given twice, from\n"
+            "another run or changed since it was written, the message names it, with exit code 5.",
+        .options = {{"o", "FILE", "file to write, with its record FILE.yaml beside it; -o - prints the file"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,

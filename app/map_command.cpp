@@ -213,23 +213,28 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
 
 std::vector<OptionSpec> mapOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
-        {{"x", "KEY=START:STOP:COUNT",
-          "parameter across and its values; :log after the count for even ratios"},
-         {"y", "KEY=START:STOP:COUNT", "parameter upwards and its values; also :log"},
-         {"output", "A", "output to map, see below (default: cor)"},
-         {"level", "X", "place the contour of this value; may be given again", OptionSpec::Times::repeated},
-         {"si", "", "the output in SI, and levels too, which may then carry units"},
+        {{"x", "KEY=VALUES",
+          "vary this parameter on the horizontal axis; VALUES is START:STOP:COUNT or START:STOP:COUNT:log "
+          "(equal ratios)"},
+         {"y", "KEY=VALUES",
+          "vary this parameter on the vertical axis; VALUES is START:STOP:COUNT or START:STOP:COUNT:log "
+          "(equal ratios)"},
+         {"output", "A", "output to map, listed below (default: cor, the coefficient of restitution)"},
+         {"level", "X", "find the contour on which the output has this value; may be repeated",
+          OptionSpec::Times::repeated},
+         {"si", "", "use SI units for the output and for the value of --level, which may then carry a unit"},
          {"json", "", "print one JSON object, with the contours, instead of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)"},
+              "limit the work: a point is left out if the exact solver splits the waves of its blow into "
+              "more than N polynomial pieces (default: 1000000, at worst 2 s)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
              {"o", "FILE.csv",
-              "also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints "
-              "the points instead"},
+              "also write the points of the map to FILE.csv, with its record FILE.csv.yaml, and the contours "
+              "to FILE_contours.csv; -o - prints the points instead of the summary"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})
@@ -241,14 +246,15 @@ std::vector<OptionSpec> mapOptions() {
 
 const Command& mapCommand() {
     static constexpr std::string_view details =
-        "FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one\n"
-        "point between two neighbouring points on either side of the level, placed there by the solver, not\n"
-        "by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps "
-        "there.";
+        "Solves the output at every point of a grid of two parameters. FILE.csv has one row for each point,\n"
+        "with the same columns as from `drillwave sweep`; --y varies fastest. With --level X, also finds\n"
+        "the contour on which the output is X. Each point of a contour lies between two neighbouring grid\n"
+        "points and is solved for, not interpolated. FILE_contours.csv lists these points, how near to X\n"
+        "each one is, and where the output jumps over X.";
     static const Command command{
         .name = "map",
         .operands = "FILE",
-        .summary = "an output over two parameters, and its contours",
+        .summary = "map one output over two parameters, with contours",
         .details = details,
         .furtherHelp = outputHelp,
         .options = mapOptions(),

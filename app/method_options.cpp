@@ -9,8 +9,11 @@ namespace drillwave {
 
 std::vector<OptionSpec> methodOptionSpecs() {
     return {{"method", "NAME",
-             "exact, lattice or closed_form (default: the method of the result FILE, else exact)"},
-            {"segments", "N", "number of lattice segments (default: 10000, as in the paper)"}};
+             "method of solution: exact, lattice or closed_form (default: that of FILE if it is a result, "
+             "else exact)"},
+            {"segments", "N",
+             "number of segments into which the lattice method divides the rod (default: 10000, as in the "
+             "paper)"}};
 }
 
 MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult) {

@@ -57,7 +57,7 @@ void checkAboutFiles(const Arguments& arguments, std::initializer_list<const cha
 }
 
 OptionSpec decimalCommaSpec() {
-    return {"decimal-comma", "", "CSV with semicolons and decimal commas"};
+    return {"decimal-comma", "", "write CSV with semicolons between cells and decimal commas"};
 }
 
 void useCsvSigns(const Arguments& arguments) {

@@ -45,10 +45,10 @@ std::string_view name(PresetKind kind) {
 }
 
 std::vector<OptionSpec> presetOptionSpecs() {
-    return {{"rod", "NAME", "use this rod; `drillwave presets` lists rods, hammers and rocks"},
-            {"hammer", "NAME", "use this hammer"},
-            {"rock", "NAME", "use this rock"},
-            {"presets", "FILE.yaml", "a file of presets of your own instead of the built-in ones"}};
+    return {{"rod", "NAME", "use the rod of this preset; `drillwave presets` lists rods, hammers and rocks"},
+            {"hammer", "NAME", "use the hammer of this preset"},
+            {"rock", "NAME", "use the rock of this preset"},
+            {"presets", "FILE.yaml", "take presets from this file instead of the built-in ones"}};
 }
 
 PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle& style) {

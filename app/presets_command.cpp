@@ -124,18 +124,17 @@ const Command& presetsCommand() {
     static const Command command{
         .name = "presets",
         .operands = "[KIND] [FILE.yaml]",
-        .summary = "list rods, hammers, rocks and pieces of drill strings, with their sources",
+        .summary = "list rods, hammers, rocks and sections of drill strings, with their sources",
         .details =
-            "Lists the built-in presets, or those of a file in the same format; with KIND only rod, hammer, "
+            "Lists the built-in presets, or those of FILE.yaml. KIND restricts the list to rod, hammer, "
             "rock,\n"
-            "piston, adapter, coupling or bit. A command takes them with "
-            "--rod\nNAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has "
-            "it. "
-            "Pistons,\n"
-            "adapters, couplings and bits are pieces of drill strings, to be put in on the page String of "
-            "the window.",
+            "piston, adapter, coupling or bit. Other commands use a preset with --rod NAME, --hammer NAME "
+            "or\n"
+            "--rock NAME; the beginning of the name suffices if only one preset has it. Pistons, adapters,\n"
+            "couplings and bits are sections of drill strings: insert them on the page String of the window.",
         .options = {{"search", "WORDS",
-                     "only those with all of these words in kind, name, numbers or source: \"T38 bit\""}},
+                     "list only presets with all of these words in kind, name, numbers or source, such as "
+                     "\"T38 bit\""}},
         .leastOperands = 0,
         .mostOperands = 2,
         .draws = [](const Arguments&) { return false; },

@@ -155,21 +155,25 @@ const Command& reportCommand() {
         .operands = "FILE",
         .summary = "write a report: inputs with sources, results, verdict, plots, scenario",
         .details =
-            "FILE.html holds everything in one file, its pictures and the scenario too, and can be run\n"
-            "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.\n"
-            "DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
-            "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
-            "For\ndrill strings also the sections, drawn to scale, with their largest stresses.",
-        .options = scenarioOptions({{"project", "TEXT", "project, shown below the title"},
-                                    {"author", "TEXT", "author"},
-                                    {"customer", "TEXT", "customer"},
-                                    {"date", "TEXT", "date printed in the report, any text (default: none)"},
-                                    reportStudiesSpec(),
-                                    {withoutPlots, "", "write no plots and no PDF; needs no display"},
-                                    {"j", "N", "number of threads of --with (default: all)"},
-                                    workLimitSpec(),
-                                    {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
-                                    {"force", "", "overwrite existing files"}}),
+            "FILE.html is a single file with inputs, results, pictures and the scenario. It can be run "
+            "again:\n"
+            "`drillwave run FILE.html`. FILE.pdf has the same content for printing on A4. -o DIR writes "
+            "both,\n"
+            "as report.html and report.pdf. The numbers are those of `run --json`, in SI if the scenario "
+            "has\n"
+            "physical units. The source of a value is the comment after it in the scenario file. For drill\n"
+            "strings, the report also shows the sections, drawn to scale, with their largest stresses.",
+        .options = scenarioOptions(
+            {{"project", "TEXT", "name of the project, shown below the title"},
+             {"author", "TEXT", "author"},
+             {"customer", "TEXT", "customer"},
+             {"date", "TEXT", "date printed in the report, any text (default: none)"},
+             reportStudiesSpec(),
+             {withoutPlots, "", "write no plots and no PDF; a display is then not needed"},
+             {"j", "N", "number of threads for the studies of --with (default: all)"},
+             workLimitSpec(),
+             {"o", "DIR|FILE.html|FILE.pdf", "file or folder to write the report to; -o - prints the HTML"},
+             {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments& arguments) { return !arguments.has(withoutPlots); },

@@ -45,7 +45,8 @@ DesignStudy designOf(const Arguments& arguments, const ScenarioDocument& documen
 
 OptionSpec reportStudiesSpec() {
     return {"with", "drill,design",
-            "add studies: drill (continuous drilling), design (block `design` of FILE)"};
+            "add studies to the report: drill (consecutive blows), design (best design, from the block "
+            "`design` of FILE)"};
 }
 
 ReportStudyPlan::ReportStudyPlan(const Arguments& arguments, const ScenarioDocument& document,

@@ -126,22 +126,26 @@ Message couldNotBeSolved(const std::string& path, const Message& reason) {
 
 OptionSpec workLimitSpec() {
     return {"work-limit", "N",
-            "give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)"};
+            "limit the work: a blow is not solved if the exact solver splits its waves into more than N "
+            "polynomial pieces (default: 1000000, at worst some seconds)"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {
-    std::vector<OptionSpec> options =
-        scenarioOptions({{"outputs", "A,B|all", "output columns, see below (default: cor)"},
-                         {"si", "", "outputs in SI, with units in the header"}});
+    std::vector<OptionSpec> options = scenarioOptions(
+        {{"outputs", "A,B|all",
+          "outputs to write as columns, listed below (default: cor, the coefficient of restitution)"},
+         {"si", "", "write outputs in SI, with units in the header"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at "
-              "worst 2 s)"},
+              "limit the work: a row has no outputs if the exact solver splits the waves of its blow into "
+              "more than N polynomial pieces (default: 1000000, at worst 2 s)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
-             {"o", "FILE.csv", "write FILE.csv, and FILE.csv.yaml beside it; - or no -o prints the rows"},
+             {"o", "FILE.csv",
+              "write the rows to FILE.csv, with their record FILE.csv.yaml beside it; -o - prints the rows "
+              "(default)"},
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})
         options.push_back(option);
@@ -150,12 +154,14 @@ std::vector<OptionSpec> rowOptionSpecs() {
 
 OptionSpec shardOptionSpec() {
     return {"shard", "I/N",
-            "only the I-th of N contiguous parts, for `drillwave join`; header only in part 1"};
+            "solve only the I-th of N parts of the rows, which `drillwave join` puts together; only part 1 "
+            "has the header"};
 }
 
 OptionSpec resumeOptionSpec() {
     return {"resume", "",
-            "keep completed rows in FILE.csv.partial, and resume an interrupted run after them"};
+            "keep completed rows in FILE.csv.partial; after an interruption, the same command continues "
+            "after them"};
 }
 
 std::string outputHelp(const ReadingStyle& style) {

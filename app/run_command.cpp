@@ -186,15 +186,17 @@ std::vector<OptionSpec> runOptions() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     options.push_back(workLimitSpec());
     for (const OptionSpec& option :
-         {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes no files"},
-          OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
-          OptionSpec{"si", "", "with -o, CSV columns in SI (default for scenarios with units)"},
-          OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless"},
+         {OptionSpec{"o", "DIR", "write the files of the run into DIR; -o - writes none"},
+          OptionSpec{"plots", "png,svg,pdf", "with -o, also write plots in these formats"},
+          OptionSpec{"si", "", "with -o, write CSV columns in SI (default for scenarios with units)"},
+          OptionSpec{"dimensionless", "", "with -o, write CSV columns in dimensionless form"},
           OptionSpec{"record", "COLUMN@DISTANCE",
-                     "with -o, also the record of a strain gauge, by its distance from the bit face",
+                     "with -o, also write the strain that a gauge at this distance from the bit face would "
+                     "record; COLUMN names it",
                      OptionSpec::Times::repeated},
-          OptionSpec{"noise", "SHARE", "white noise in that record (default: 0%)"},
-          OptionSpec{"seed", "S", "seed of that noise (default: 1)"},
+          OptionSpec{"noise", "SHARE",
+                     "white noise to add to --record, in % of its largest strain (default: 0%)"},
+          OptionSpec{"seed", "S", "seed of the random numbers for --noise (default: 1)"},
           OptionSpec{"force", "", "overwrite existing files"}, decimalCommaSpec()})
         options.push_back(option);
     return options;
@@ -204,17 +206,17 @@ std::vector<OptionSpec> runOptions() {
 
 const Command& runCommand() {
     static const std::string details =
-        "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
-        "events.csv and the plots: each of the\n"
-        "first four can be run again. For drill strings, the histories are taken at the middle of the "
-        "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.\n"
-        "--record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:\n"
-        "the strain at one or two gauges in 1e6 samples a second; --record top+bottom@1.13m that of "
-        "gauges\non opposite sides, each with noise of its own.";
+        "-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains the\n"
+        "scenario, so that `drillwave run` can run it again. With --plots, it also writes the plots blow.*,\n"
+        "rock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle of the\n"
+        "longest section. To rehearse a measurement for `identify`, --record near@1.13m --record far@2.93m\n"
+        "--noise 1% also writes record.csv, the strain that two gauges would record in 1e6 samples per\n"
+        "second. --record top+bottom@1.13m records two gauges on opposite sides of the rod, each with its\n"
+        "own noise.";
     static const Command command{
         .name = "run",
         .operands = "FILE",
-        .summary = "solve one blow; a summary, and histories, events and plots into a folder",
+        .summary = "solve one blow; print a summary, write histories, events and plots",
         .details = details,
         .options = runOptions(),
         .leastOperands = 1,

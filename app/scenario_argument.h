@@ -14,7 +14,8 @@
 namespace drillwave {
 
 /// Option --set, which changes parameters of the scenario; scenarioOptions() includes it.
-inline constexpr OptionSpec setOption{"set", "KEY=VALUE", "change parameters, e.g. rod.length=4.27m beta=0.8",
+inline constexpr OptionSpec setOption{"set", "KEY=VALUE",
+                                      "change parameters of the scenario, such as rod.length=4.27m beta=0.8",
                                       OptionSpec::Times::list};
 
 /// Returns the options of a command that reads a scenario: --set, the presets, those in `own`, and --signal
@@ -23,8 +24,8 @@ std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own = {})
 
 /// Help on the operand FILE.
 inline constexpr std::string_view scenarioOperandHelp =
-    "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
-    "a built-in example, or - for standard input.";
+    "FILE is a scenario, a result file that contains its scenario (summary.json, histories.csv,\n"
+    "map.csv.yaml …), the name of a built-in example, or - for standard input.";
 
 /// Returns the scenario that FILE names, with the presets, --signal and then every --set applied. Settings
 /// are applied in a fixed order: pulse.shape, physical parameters, groups. The scenario is valid. Notes on

@@ -97,22 +97,25 @@ ExitCode runSignal(const Arguments& arguments, const Drawing*) {
 
 const Command& signalCommand() {
     static constexpr std::string_view details =
-        "Finds encoding, separator, decimal sign, columns and units, and asks for what the table does not\n"
-        "state: exit code 5, the questions last. Several FILEs are one series: a row for each.\n"
-        "Commands that take a scenario take a blow from a record by --signal FILE with the same options.";
+        "Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns\n"
+        "and units. If the table does not state something, the last lines ask for it, and the exit code is\n"
+        "5. Several FILEs are read as one series and give one row each. Commands that take a scenario can\n"
+        "use such a record as the blow, with --signal FILE and the same options.";
     static const Command command{
         .name = "signal",
         .operands = "FILE…",
-        .summary = "read records of force, strain or voltage; their units, blow and quality",
+        .summary = "read records of force, strain or voltage; print their units, blow and quality",
         .details = details,
         .options =
             [] {
                 std::vector<OptionSpec> specs = signalOptionSpecs();
-                specs.push_back({"save-recorder", "NAME", "keep these options under a name for --recorder"});
-                specs.push_back({"json", "", "Print JSON, of several FILEs an array"});
-                specs.push_back({"o", "FILE.csv", "Write the signal as read: time [us],force [kN]"});
+                specs.push_back({"save-recorder", "NAME",
+                                 "save these options under this name, for later use with --recorder NAME"});
+                specs.push_back({"json", "", "print JSON; for several FILEs, an array"});
+                specs.push_back(
+                    {"o", "FILE.csv", "write the signal as read, with the columns time [us] and force [kN]"});
                 specs.push_back(decimalCommaSpec());
-                specs.push_back({"force", "", "Overwrite FILE.csv"});
+                specs.push_back({"force", "", "overwrite FILE.csv if it exists"});
                 return specs;
             }(),
         .leastOperands = 1,

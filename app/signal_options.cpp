@@ -20,7 +20,8 @@ namespace drillwave {
 
 namespace {
 
-constexpr OptionSpec recorderOption{"recorder", "NAME", "read with the settings kept under this name"};
+constexpr OptionSpec recorderOption{
+    "recorder", "NAME", "read with the options that `drillwave signal --save-recorder NAME` has saved"};
 
 /// Most points of a tabulated blow.
 constexpr std::size_t mostPoints = 10'000;
@@ -61,8 +62,10 @@ std::vector<OptionSpec> signalOptionSpecs() {
 
 std::vector<OptionSpec> recordOptionSpecs() {
     std::vector<OptionSpec> specs{
-        {"signal", "FILE", "take the blow from a record; the options below say how it is read"},
-        {"all-samples", "", "keep all samples of --signal instead of thinning them to an error of 1e-4"}};
+        {"signal", "FILE", "use this measured record as the blow; the options below say how to read it"},
+        {"all-samples", "",
+         "keep all samples of --signal; by default some are left out, as long as impulse and coefficient of "
+         "restitution change by less than 1e-4"}};
     for (const OptionSpec& option : signalOptionSpecs()) specs.push_back(option);
     return specs;
 }

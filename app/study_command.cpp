@@ -107,7 +107,7 @@ Command studyCommand(const Study& study) {
     if (study.hasWorkLimit) options.push_back(workLimitSpec());
     options.push_back({"json", "", "print one JSON object instead of the table"});
     options.push_back({"o", "FILE.csv", study.csvHelp});
-    if (study.hasSi) options.push_back({"si", "", "with -o, columns in SI, with units in the header"});
+    if (study.hasSi) options.push_back({"si", "", "with -o, write columns in SI, with units in the header"});
     for (const OptionSpec& option :
          {plotsOptionSpec(), OptionSpec{"force", "", "overwrite existing files"}, decimalCommaSpec()})
         options.push_back(option);

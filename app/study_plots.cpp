@@ -34,7 +34,7 @@ bool asksForPlots(const Arguments& arguments) {
 }
 
 OptionSpec plotsOptionSpec() {
-    return {"plots", "png,svg,pdf", "with -o, also pictures in these formats, as in the window"};
+    return {"plots", "png,svg,pdf", "with -o, also write the picture of the window in these formats"};
 }
 
 StudyPlots StudyPlots::besideFile(const Arguments& arguments) {

@@ -83,9 +83,10 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
 }
 
 std::vector<OptionSpec> sweepOptions() {
-    std::vector<OptionSpec> options{{"vary", "KEY=VALUES",
-                                     "an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C",
-                                     OptionSpec::Times::list}};
+    std::vector<OptionSpec> options{
+        {"vary", "KEY=VALUES",
+         "vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C",
+         OptionSpec::Times::list}};
     for (const OptionSpec& option : rowOptionSpecs()) options.push_back(option);
     options.push_back(plotsOptionSpec());
     return options;
@@ -95,14 +96,16 @@ std::vector<OptionSpec> sweepOptions() {
 
 const Command& sweepCommand() {
     static constexpr std::string_view details =
-        "Every combination of the values of the axes is one row, later axes fastest. Values carry units\n"
-        "where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
-        "FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.\n"
-        "--plots draws one axis or two: curves along the one with more values, one for each of the other.";
+        "Solves one blow for every combination of the --vary values. Each combination is one row; the\n"
+        "parameter given last varies fastest. Values carry units where the parameter has one: --vary\n"
+        "rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
+        "FILE.csv.yaml beside FILE.csv records version, command, varied parameters and scenario. --plots\n"
+        "can draw one or two varied parameters: the one with more values is the horizontal axis, and each\n"
+        "value of the other one gives a curve.";
     static const Command command{
         .name = "sweep",
         .operands = "FILE",
-        .summary = "solve a grid of parameters, one CSV row per point",
+        .summary = "solve one blow for every combination of parameter values, one CSV row each",
         .details = details,
         .furtherHelp = outputHelp,
         .options = sweepOptions(),

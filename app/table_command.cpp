@@ -63,14 +63,14 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
 
 const Command& tableCommand() {
     static constexpr std::string_view details =
-        "The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length "
-        "[m].\n"
-        "An empty cell leaves the value of FILE. Columns that are no parameters are passed through.\n"
-        "CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.";
+        "CASES.csv is a table with one case in each row. Its header names parameters, with a unit in\n"
+        "brackets, as in rod.length [m], or with units in the cells. An empty cell keeps the value of FILE.\n"
+        "Columns that are not parameters are copied to the output. CASES can be - (standard input) or a\n"
+        "pipe. FILE.csv.yaml beside FILE.csv records version, command and scenario.";
     static const Command command{
         .name = "table",
         .operands = "FILE CASES.csv",
-        .summary = "solve every row of a table of cases; its columns and the outputs",
+        .summary = "solve every row of a table of cases; write its columns and the outputs",
         .details = details,
         .furtherHelp = outputHelp,
         .options = rowOptionSpecs(),

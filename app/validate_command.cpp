@@ -51,8 +51,10 @@ const Command& validateCommand() {
     static const Command command{
         .name = "validate",
         .operands = "FILE…",
-        .summary = "list the problems of scenarios, one per line",
-        .details = "Prints nothing for a file without problems. Also checks files of presets.",
+        .summary = "list the errors of scenario files, one per line",
+        .details =
+            "Checks scenario files and preset files. Prints one line for each error, and nothing for a file "
+            "without errors.",
         .options = {},
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,

@@ -37,7 +37,7 @@ Message implausible(const Alert& alert, const ReadingStyle& style) {
     const bool isByRatio = alert.argument("value").quantity != named->quantity;
     const KeptParameter parameter = isByRatio ? inScales(*named) : named;
     const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
-    return {translatable("The %1 = %2 is outside the usual range, %3 to %4."),
+    return {translatable("The input %1 = %2 is outside its typical range, %3 to %4."),
             {parameter->address ? labelMessage(*parameter, alert.subject)
                                 : titleMessage(*parameter, parameter->symbol),
              inUnit(alert, "value", style), end(parameter->plausible.low), end(parameter->plausible.high)}};
@@ -46,17 +46,17 @@ Message implausible(const Alert& alert, const ReadingStyle& style) {
 Message longPulse(const Alert& alert, const ReadingStyle& style) {
     const double percent =
         static_cast<double>(static_cast<int>(alert.argument("late_impulse").value * 1000)) / 10;
-    return {translatable(
-                "The first reflection returns before the last %1 % of the blow. A real hammer would feel it, "
-                "but here the force is prescribed. To include it, use a drill string with a hammer."),
+    return {translatable("The first reflection returns to the hammer before the last %1 % of the blow. A "
+                         "real hammer would feel it, but here the hammer force is prescribed. To include it, "
+                         "use a drill string with a hammer."),
             {style.number(percent, 4)}};
 }
 
 Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
     if (alert.arguments.empty())
         return translatable(
-            "The hammer has the impedance of the rod, which is the default: its blow is one step. Give the "
-            "data of the piston.");
+            "No data of the hammer are given. By default it has the impedance of the rod, and the force of "
+            "its blow is a single step. Give the data of the piston.");
     Message values;
     for (const AlertArgument& argument : alert.arguments) {
         const KeptParameter parameter = findParameter(argument.name);
@@ -111,15 +111,14 @@ Message dampingOfWaves(const Alert& alert, const ReadingStyle& style) {
 Message residualWaves(const Alert& alert, const ReadingStyle& style) {
     const std::string roundTrips = fourDigits(alert, "round_trips", style);
     if (!alert.has("whole"))
-        return {
-            translatable("The waves of a blow make only %1 round trips before the next blow, and meet it %3. "
-                         "Penetration may change by up to 10 % with blow frequency and string length; %2 "
-                         "computes it."),
-            {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
-    return {
-        translatable("The waves of a blow make only %1 round trips before the next blow, and meet it %4 and "
-                     "nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it."),
-        {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
+        return {translatable("The waves of a blow make only %1 round trips in the string before the next "
+                             "blow and still act on it (%3). Penetration may change by up to 10 % with blow "
+                             "frequency and string length; to compute it, use %2."),
+                {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
+    return {translatable("The waves of a blow make only %1 round trips in the string before the next blow "
+                         "and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration "
+                         "may change by up to 10 %; to compute it, use %3."),
+            {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
 }
 
 Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
@@ -136,13 +135,12 @@ Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
                       {bound(alert, "cor_error", style)})
             : Message(translatable("the efficiency may have an error of %1"),
                       {bound(alert, "efficiency_error", style)});
-    return {
-        translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
-        {cell, inUnit(alert, "time", style), off,
-         isShared
-             ? translatable("Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.")
-             : translatable(
-                   "Enter all lengths in whole millimetres, with one steel: the time step is then exact.")}};
+    return {translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
+            {cell, inUnit(alert, "time", style), off,
+             isShared ? translatable("Choose lengths that are multiples of a longer common length, such as "
+                                     "50 mm: longer time steps are then exact.")
+                      : translatable("Enter all lengths in whole millimetres, with the same steel in all "
+                                     "sections: the time step is then exact.")}};
 }
 
 /// Why the closed form is not for the blow: the group to blame says it.
@@ -160,38 +158,60 @@ Message closedFormObstacle(const Alert& alert, const ReadingStyle& style) {
 }
 
 Message closedFormInvalid(const Alert& alert, const ReadingStyle& style) {
-    return {
-        translatable(
-            "The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3."),
-        {closedFormObstacle(alert, style), fourDigits(alert, "closed_form_cor", style),
-         fourDigits(alert, "difference", style)}};
+    return {translatable("The closed form for elastic rock does not apply, because %1. Its coefficient of "
+                         "restitution, e = %2, has an error of %3."),
+            {closedFormObstacle(alert, style), fourDigits(alert, "closed_form_cor", style),
+             fourDigits(alert, "difference", style)}};
 }
 
 Message inputDecides(const Alert& alert, const ReadingStyle& style) {
-    return {translatable("The bit chatters on the rock (%1 contacts), so e depends on the last digits of the "
-                         "input and can be known only to within %2. A longer rod, a shorter blow "
-                         "or a softer rock reduces the chatter."),
+    return {translatable("The bit chatters on the rock (%1 contacts), so the coefficient of restitution e "
+                         "depends on the last digits of the input and can be known only to within %2. A "
+                         "longer rod, a shorter blow or a softer rock reduces the chatter."),
             {whole(alert, "contacts"), bound(alert, "cor_error", style)}};
 }
 
-/// Which stress, where, when, and what it is held against.
-Message overload(const Alert& alert, const Message& consequence, const ReadingStyle& style) {
-    const bool isAfter = alert.level == AlertLevel::information;
+/// The sentences of a stress above a strength: in a section of a string, and in a rod during and after the
+/// blow.
+struct OverloadWords {
+    const char* ofSection;
+    const char* duringBlow;
+    const char* afterBlow;
+};
+constexpr OverloadWords yieldWords{
+    translatable(
+        "%1 would yield: the stress in this section reaches %2, at %3 from its rear end and %4 after "
+        "the start of the blow. Its yield strength is %5."),
+    translatable(
+        "The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after "
+        "the start of the blow. Its yield strength is %4."),
+    translatable(
+        "The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at "
+        "%2 from the hammer and %3 after the start of the blow. Its yield strength is %4.")};
+constexpr OverloadWords fatigueWords{
+    translatable(
+        "%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear "
+        "end and %4 after the start of the blow. Its fatigue strength is %5."),
+    translatable(
+        "The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the "
+        "hammer and %3 after the start of the blow. Its fatigue strength is %4."),
+    translatable(
+        "The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a "
+        "stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength "
+        "is %4.")};
+
+Message overload(const Alert& alert, const OverloadWords& words, const ReadingStyle& style) {
     const bool isCompression = alert.has("compression");
-    const Message stress{
-        isCompression ? translatable("compression reaches %1") : translatable("tension reaches %1"),
-        {inUnit(alert, isCompression ? "compression" : "tension", style)}};
-    const std::string place = inUnit(alert, "place", style), time = inUnit(alert, "time", style),
-                      strength = inUnit(alert, "strength", style);
-    if (alert.has("section"))
-        return {translatable("%1 %2: %3, %4 from its rear end at %5; its strength is %6."),
-                {alert.subject, consequence, stress, place, time, strength}};
-    if (isAfter)
-        return {translatable("The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual "
-                             "waves (undamped here); its strength is %5."),
-                {consequence, stress, place, time, strength}};
-    return {translatable("The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5."),
-            {consequence, stress, place, time, strength}};
+    std::vector<Message> values{
+        {isCompression ? translatable("%1 in compression") : translatable("%1 in tension"),
+         {inUnit(alert, isCompression ? "compression" : "tension", style)}},
+        inUnit(alert, "place", style),
+        inUnit(alert, "time", style),
+        inUnit(alert, "strength", style)};
+    const bool isOfSection = alert.has("section");
+    if (isOfSection) values.insert(values.begin(), alert.subject);
+    const bool isAfter = alert.level == AlertLevel::information;
+    return {isOfSection ? words.ofSection : isAfter ? words.afterBlow : words.duringBlow, std::move(values)};
 }
 
 }  // namespace
@@ -208,7 +228,9 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
             return pistonImpedance(alert);
         case AlertCode::gapWithoutEffect:
             return translatable(
-                "The gap has no effect on a rigid body motion: it only shifts the time of contact.");
+                "The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only "
+                "shifts the time of "
+                "contact and has no other effect.");
         case AlertCode::thrustBelowNeeded:
             return thrustBelowNeeded(alert, style);
         case AlertCode::superRebound:
@@ -225,56 +247,63 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::inputDecides:
             return inputDecides(alert, style);
         case AlertCode::reducedAccuracy:
-            return {translatable("The numerical error of e may be as large as %1."),
+            return {translatable(
+                        "The numerical error of the coefficient of restitution e may be as large as %1."),
                     {bound(alert, "cor_error", style)}};
         case AlertCode::stressAboveYield:
-            return overload(alert, translatable("would yield"), style);
+            return overload(alert, yieldWords, style);
         case AlertCode::stressAboveFatigue:
-            return overload(alert, translatable("suffers fatigue at every blow"), style);
+            return overload(alert, fatigueWords, style);
         case AlertCode::residualWaves:
             return residualWaves(alert, style);
         case AlertCode::lengthsRounded:
             return lengthsRounded(alert, style);
         case AlertCode::wavesThinned:
-            return {translatable("This blow has too many waves to keep. Plots of waves and forces show a "
-                                 "coarser string, whose COR and efficiency differ by at most %1."),
-                    {bound(alert, "difference", style)}};
+            return {
+                translatable("This blow has too many waves to keep. Plots of waves and forces show a coarser "
+                             "model of the string, whose COR and efficiency differ by at most %1."),
+                {bound(alert, "difference", style)}};
         case AlertCode::blowNotOver:
             return {alert.has("forced")
-                        ? translatable("After %1 the bit may still hit the rock again: these are the values "
-                                       "at the next blow, not the final ones.")
-                        : translatable("After %1 bit and rock, or hammer and string, may still meet again: "
-                                       "these are the values at the next blow, not the final ones."),
+                        ? translatable(
+                              "This blow is not over after %1, when the next blow starts: the bit may hit "
+                              "the rock again. The values are those at that time, not the final ones.")
+                        : translatable("This blow is not over after %1, when the next blow starts: bit and "
+                                       "rock, or hammer and string, may meet again. The values are those at "
+                                       "that time, not the final ones."),
                     {inUnit(alert, "time", style)}};
         case AlertCode::stressesLeftOut:
             return translatable(
-                "The largest stresses of the sections take more work than is permitted. They were not "
-                "computed, and no strength was checked. Try a shorter end_time.");
+                "The largest stresses of the sections would take more work than is permitted, so they were "
+                "not computed and no strength was checked. Try a shorter end_time.");
         case AlertCode::cornersWithoutEffect:
-            return {translatable("The force stays below the first corner of the loading curve (%1 of %2): "
-                                 "the law acts like a bilinear one."),
-                    {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
+            return {
+                translatable("The force on the rock reaches only %1, below the first corner of the loading "
+                             "curve at %2: the rock acts as if it loaded along one straight line."),
+                {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
         case AlertCode::pushedBack:
-            return {translatable("The feed force of %1 is below the mean force of the blows, %2, or too "
-                                 "close to it: gaps grow without bound. Increase the feed force."),
+            return {translatable(
+                        "The feed force of %1 is below the mean force of the blows, %2, or too close to it, "
+                        "so the gap between bit and rock grows from blow to blow. Increase the feed force."),
                     {inUnit(alert, "force", style), inUnit(alert, "needed", style)}};
         case AlertCode::noWaveLoss:
             return translatable(
-                "Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is "
-                "usual.");
+                "Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round "
+                "trip is usual.");
         case AlertCode::restrikeInTheWay:
-            return {translatable("After separation the piston still transfers up to %1 % of its momentum: it "
-                                 "is in the way of the rebounding string. If the machine has drawn it back "
-                                 "by then, switch off “may strike again” (restrike: false in the file)."),
-                    {style.number(100 * alert.argument("share").value, 3)}};
+            return {
+                translatable("After the piston has separated from the string, the string rebounds against it "
+                             "and takes over up to %1 % of its momentum. If the machine has drawn the piston "
+                             "back by then, switch off “may strike again” (restrike: false in the file)."),
+                {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
-            return {translatable(
-                        "At a blow the shank is up to %1 away from its mean position in the machine: stroke "
-                        "and blow would differ. With only a dashpot it creeps; give the damper a spring."),
+            return {translatable("At the moment of a blow, the shank is up to %1 away from its mean position "
+                                 "in the machine. A real machine would then have another stroke and another "
+                                 "blow. With only a dashpot the shank drifts: add a spring to the damper."),
                     {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {
-                translatable("The blow frequency is computed as %1, so that each blow falls on a time step."),
+                translatable("The blow frequency is rounded to %1, so that each blow falls on a time step."),
                 {inUnit(alert, "used", style)}};
         case AlertCode::notSettled:
             return translatable(
@@ -285,15 +314,18 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 "Two steady motions are possible. The start or the time step decides which one is computed; "
                 "a real drill may settle into either.");
         case AlertCode::irregularMotion:
-            return translatable("The motion does not repeat: use the means, not the values of single blows.");
+            return translatable(
+                "The motion does not repeat from blow to blow: use the means, not the values of single "
+                "blows.");
         case AlertCode::energyUnbalanced:
-            return {translatable("The energy balance of all blows has an error of %1 %: the time step is "
-                                 "long for these contacts. A shorter one reduces the error in proportion."),
-                    {style.number(100 * alert.argument("share").value, 2)}};
+            return {
+                translatable("The energy balance of all blows has an error of %1 %, because the time step is "
+                             "long for these contacts. A shorter time step reduces the error in proportion."),
+                {style.number(100 * alert.argument("share").value, 2)}};
         case AlertCode::damperAssumed:
             return translatable(
-                "The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 "
-                "times the impedance of the rod.");
+                "The data of the damper are assumed, because makers do not publish them. Try dashpots from "
+                "0.05 to 0.5 times the impedance of the rod.");
     }
     return {};
 }

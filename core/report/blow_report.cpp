@@ -15,8 +15,8 @@ constexpr double shareOfThrust = 0.5;
 /// A reason of a study, in a sentence; where the study was given up, how to have it all the same.
 Message sentenceOf(const Message& reason, const Blow& blow, std::string_view command) {
     if (reason != tooManyPieces) return reason;
-    return {translatable("This blow has %1 wave pieces, too many to study all gaps in a report: run "
-                         "`drillwave %2` instead, which takes longer."),
+    return {translatable("The waves of this blow have %1 polynomial pieces, too many to study all gaps in a "
+                         "report: run `drillwave %2` instead, which takes longer."),
             {std::to_string(blow.impact.pieces), std::string(command)}};
 }
 

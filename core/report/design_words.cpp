@@ -24,15 +24,17 @@ void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks)
         if (reason.isEmpty()) reason = design.reason;
     }
     if (unsolved == 0) return;
-    Message text{unsolved == 1 ? translatable("%1 sample could not be solved and is left out: %2.")
-                               : translatable("%1 samples could not be solved and are left out: %2."),
-                 {std::to_string(unsolved), reason}};
+    Message text{
+        unsolved == 1
+            ? translatable("%1 sample could not be solved and is left out of the statistics. Reason: %2.")
+            : translatable("%1 samples could not be solved and are left out of the statistics. Reason: %2."),
+        {std::to_string(unsolved), reason}};
     if (without > 0) {
-        const Message more{
-            without == 1
-                ? translatable("%1 design has too many unsolved samples (above 0.1 %) and no statistics.")
-                : translatable("%1 designs have too many unsolved samples (above 0.1 %) and no statistics."),
-            {std::to_string(without)}};
+        const Message more{without == 1 ? translatable("%1 design has no statistics, because more than 0.1 % "
+                                                       "of its samples could not be solved.")
+                                        : translatable("%1 designs have no statistics, because more than 0.1 "
+                                                       "% of their samples could not be solved."),
+                           {std::to_string(without)}};
         text = {"%1 %2", {text, more}};
     }
     remarks.push_back({without > 0, "points_unsolved", text});
@@ -46,8 +48,8 @@ void addUncertain(const DesignReport& report, const ReadingStyle& style, std::ve
         remarks.push_back(
             {false,
              "points_uncertain",
-             {translatable("For up to %1 % of the samples of a design, the numerical error is larger than "
-                           "that of the statistics: the bit chatters in these blows."),
+             {translatable("In up to %1 % of the samples of a design, the bit chatters on the rock; the "
+                           "numerical error of these blows is larger than the error of the statistics."),
               {style.number(share * 100, 2)}}});
 }
 
@@ -73,17 +75,19 @@ void addTies(const DesignReport& report, const DesignNames& names, std::vector<D
         remarks.push_back(
             {false,
              "flat_optimum",
-             {translatable("The samples cannot distinguish the best designs: take any of %1."), {list}}});
+             {translatable("The samples cannot distinguish the best designs: take any of these: %1."),
+              {list}}});
         return;
     }
     const DesignAim& next = report.study.aims[1];
     remarks.push_back(
         {false,
          "flat_optimum",
-         {next.sense == Sense::largest ? translatable("The samples cannot distinguish the best designs: take "
-                                                      "any of %1. Among them, %2 has the largest %3, %4.")
-                                       : translatable("The samples cannot distinguish the best designs: take "
-                                                      "any of %1. Among them, %2 has the smallest %3, %4."),
+         {next.sense == Sense::largest
+              ? translatable("The samples cannot distinguish the best designs: take any of these: %1. Among "
+                             "them, the design %2 has the largest value of %3, %4.")
+              : translatable("The samples cannot distinguish the best designs: take any of these: %1. Among "
+                             "them, the design %2 has the smallest value of %3, %4."),
           {list, names.design(*best.nextBest), names.aim(next),
            names.value(*next.output, aimedValue(report, next, *best.nextBest).value, 5)}}});
 }
@@ -122,11 +126,10 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
         remarks.push_back(
             {false,
              "optimum_at_edge",
-             {value == most
-                  ? translatable(
-                        "The best design for uncertain rock is at the upper end of %1: widen the choice.")
-                  : translatable(
-                        "The best design for uncertain rock is at the lower end of %1: widen the choice."),
+             {value == most ? translatable("The best design for uncertain rock has the largest value of %1: "
+                                           "extend the range of this variable.")
+                            : translatable("The best design for uncertain rock has the smallest value of %1: "
+                                           "extend the range of this variable."),
               {std::string(axis.key())}}});
     }
 }
@@ -143,16 +146,17 @@ void addEnergy(const DesignReport& report, const ReadingStyle& style, std::vecto
     if (choosesHammers(report.study)) {
         remarks.push_back({false,
                            "energy_varies",
-                           {translatable("The energy of the blow differs by up to %1 % between the designs: "
-                                         "hammers of different power are compared."),
+                           {translatable("The blow energy differs by up to %1 % between the designs: hammers "
+                                         "of different power are compared."),
                             {style.number(report.findings.energySpread * 100, 3)}}});
         return;
     }
-    remarks.push_back({true,
-                       "energy_varies",
-                       {translatable("The choices change the energy of the blow by up to %1 %: machines of "
-                                     "different power are compared; --keep-energy keeps it."),
-                        {style.number(report.findings.energySpread * 100, 3)}}});
+    remarks.push_back(
+        {true,
+         "energy_varies",
+         {translatable("The blow energy differs by up to %1 % between the designs: machines of different "
+                       "power are compared. Use --keep-energy to compare at the same energy."),
+          {style.number(report.findings.energySpread * 100, 3)}}});
 }
 
 void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
@@ -167,27 +171,12 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
             if ((key != "bit_rock.gamma" && key != "gamma") ||
                 sensitivity.outputs[o].indices[i].total.value <= nearlyAll)
                 continue;
-            remarks.push_back(
-                {false, "gamma_dominates",
-                 translatable("Nearly all scatter of the efficiency comes from gamma. To compare hammers, "
-                              "choose loading work as the objective: --aim max:loading_work@q05.")});
+            remarks.push_back({false, "gamma_dominates",
+                               translatable("Nearly all scatter of the efficiency comes from the elasticity "
+                                            "gamma of the rock. To compare hammers, choose the loading work "
+                                            "as the objective: --aim max:loading_work@q05.")});
         }
     }
-}
-
-/// "nothing from 100 us to 300 us", "none of 24 designs".
-Message othersMessage(const DesignReport& report, const DesignNames& names) {
-    const DesignStudy& study = report.study;
-    const std::size_t count = report.findings.designs.size();
-    if (study.choices.size() != 1 || !study.choices.front().parameter)
-        return {translatable("none of %1 designs"), {std::to_string(count)}};
-    const SweepAxis& axis = study.choices.front();
-    std::size_t least = 0, most = 0;
-    for (std::size_t d = 1; d < count; ++d) {
-        if (axis.value(d) < axis.value(least)) least = d;
-        if (axis.value(d) > axis.value(most)) most = d;
-    }
-    return {translatable("nothing from %1 to %2"), {names.design(least), names.design(most)}};
 }
 
 /// The first aim in which the design to take differs from the present one by more than the errors.
@@ -209,11 +198,19 @@ Message noDifferenceMessage(const DesignReport& report, const DesignNames& names
         apart = std::max({apart, std::abs(value.value - chosen.value),
                           aim.statistic.hasError() ? errorOfDifference(value, chosen) : 0.0});
     }
-    return {translatable("%1 makes no difference: %2 is %3, within %4, for all %5 designs."),
-            {report.study.choices.size() == 1 ? names.subject(report.study.choices.front())
-                                              : Message(translatable("The choice")),
-             names.aim(aim), names.value(*aim.output, chosen.value, 5), names.value(*aim.output, apart, 1),
-             std::to_string(report.findings.designs.size())}};
+    std::vector<Message> values{names.aim(aim), names.value(*aim.output, chosen.value, 5),
+                                names.value(*aim.output, apart, 1),
+                                std::to_string(report.findings.designs.size())};
+    const std::vector<SweepAxis>& choices = report.study.choices;
+    if (choices.size() != 1)
+        return {translatable("The choice of the design makes no difference: the objective %1 is %2, within "
+                             "%3, for all %4 designs."),
+                std::move(values)};
+    values.insert(values.begin(), names.choice(choices.front()));
+    return {
+        translatable(
+            "The choice of %1 makes no difference: the objective %2 is %3, within %4, for all %5 designs."),
+        std::move(values)};
 }
 
 /// Which of several choices make no difference, a sentence each.
@@ -223,9 +220,11 @@ Message withoutEffect(const DesignReport& report, Message answer, const DesignNa
         return answer;
     for (std::size_t i = 0; i < choices.size(); ++i)
         if (choices[i].count > 1 && !makesDifference(report.study, report.findings, i))
-            answer = {"%1 %2",
-                      {std::move(answer),
-                       Message(translatable("%1 makes no difference."), {names.subject(choices[i])})}};
+            answer = {
+                "%1 %2",
+                {std::move(answer),
+                 Message(translatable("The choice of %1 makes no difference to the objectives and limits."),
+                         {names.choice(choices[i])})}};
     return answer;
 }
 
@@ -249,30 +248,32 @@ Message answerMessage(const DesignReport& report, const DesignNames& names) {
     const std::optional<std::size_t> present = presentDesign(report.study);
     const DesignAim& first = report.study.aims.front();
     if (*headline == DesignHeadline::keep)
-        return {translatable("Keep %1: %2 has a better %3 (%4)."),
-                {designWithName(report, *present, names), othersMessage(report, names), names.aim(first),
-                 names.aimed(report, first, *present)}};
+        return {translatable("Keep the present design, %1: none of the %2 designs compared has a better "
+                             "objective (%3 = %4)."),
+                {designWithName(report, *present, names), std::to_string(report.findings.designs.size()),
+                 names.aim(first), names.aimed(report, first, *present)}};
     const std::size_t chosen = *report.findings.best.chosen;
     const std::string name = names.design(chosen);
     if (!present || std::isnan(aimedValue(report, first, *present).value))
         return {
-            translatable("Take %1: %2 is %3."),
+            translatable("Take the design %1: its objective %2 is %3."),
             {designWithName(report, chosen, names), names.aim(first), names.aimed(report, first, chosen)}};
     const SweepAxis* only = onlyParameter(report.study);
     if (!report.findings.feasibility[*present].feasible && only)
-        return {
-            translatable("Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits."),
-            {names.choice(*only), names.design(*present), name, names.aim(first),
-             names.aimed(report, first, chosen)}};
+        return {translatable("Change %1 from %2 to %3: the objective %4 is then %5. The present design does "
+                             "not meet all limits."),
+                {names.choice(*only), names.design(*present), name, names.aim(first),
+                 names.aimed(report, first, chosen)}};
     if (!report.findings.feasibility[*present].feasible)
-        return {translatable("Change from %1 to %2: %3 is %4. The present design does not meet all limits."),
+        return {translatable("Change the design from %1 to %2: the objective %3 is then %4. The present "
+                             "design does not meet all limits."),
                 {names.design(*present), name, names.aim(first), names.aimed(report, first, chosen)}};
     const DesignAim& deciding = decidingAim(report, *present);
     if (only)
-        return {translatable("Change %1 from %2 to %3: %4 becomes %5 instead of %6."),
+        return {translatable("Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6."),
                 {names.choice(*only), names.design(*present), name, names.aim(deciding),
                  names.aimed(report, deciding, chosen), names.aimed(report, deciding, *present)}};
-    return {translatable("Change from %1 to %2: %3 becomes %4 instead of %5."),
+    return {translatable("Change the design from %1 to %2: the objective %3 becomes %4 instead of %5."),
             {names.design(*present), name, names.aim(deciding), names.aimed(report, deciding, chosen),
              names.aimed(report, deciding, *present)}};
 }
@@ -288,9 +289,10 @@ Message designWarning(const DesignReport& report, const DesignNames& names) {
                           : Message(translatable("Warning for %1: %2"),
                                     {names.design(*report.findings.recommended), std::move(text)});
     if (alerts.size() > 1)
-        warning = {alerts.size() == 2 ? translatable("%1 There is %2 more warning.")
-                                      : translatable("%1 There are %2 more warnings."),
-                   {std::move(warning), std::to_string(alerts.size() - 1)}};
+        warning = {
+            "%1 %2",
+            {std::move(warning), counted(alerts.size() - 1, translatable("This design has %1 more warning."),
+                                         translatable("This design has %1 more warnings."))}};
     return warning;
 }
 
@@ -300,10 +302,6 @@ std::string DesignNames::design(std::uint64_t design) const {
 
 Message DesignNames::aim(const DesignAim& aim) const {
     return aimedName(aim);
-}
-
-Message DesignNames::subject(const SweepAxis& choice) const {
-    return std::string(choice.key());
 }
 
 Message DesignNames::choice(const SweepAxis& choice) const {

@@ -32,8 +32,6 @@ class DesignNames {
     virtual std::string design(std::uint64_t design) const;
     /// Returns the name of an objective, such as "efficiency q05".
     virtual Message aim(const DesignAim& aim) const;
-    /// Returns the name of a design variable for the beginning of a sentence, such as "pulse.duration".
-    virtual Message subject(const SweepAxis& choice) const;
     /// Returns the name of a design variable within a sentence: its key for the command line, or its label in
     /// print, such as "duration".
     virtual Message choice(const SweepAxis& choice) const;

@@ -38,27 +38,28 @@ class EstimateMessage {
                     "The single-blow estimate does not apply: the waves of a blow are still in the string at "
                     "the next blow.");
             case FeedState::pushedBack:
-                return {translatable("The feed of %1 is less than the mean force of the blows, %2: the "
+                return {translatable("The feed force of %1 is less than the mean force of the blows, %2: the "
                                      "machine is pushed back."),
                         {installed(m_estimate.balance), required(m_estimate.balance)}};
             case FeedState::belowRequired:
-                return {translatable("%1 is below the %2 that this blow requires: penetration will probably "
-                                     "be lost."),
+                return {translatable("A feed force of %1 is below the %2 that this blow requires: "
+                                     "penetration will probably be lost."),
                         {installed(ofThisBlow), required(ofThisBlow)}};
             case FeedState::requiredAtThisGap:
                 return thisGapOnly(ofThisBlow, largest.thrust);
             case FeedState::requiredMet:
                 return {m_estimate.isOfAllGaps()
-                            ? translatable("%1 covers every single blow (%2 required).")
-                            : translatable("%1 covers this blow and rigid rock (%2 required); gaps were not "
-                                           "examined."),
+                            ? translatable("A feed force of %1 covers every single blow (%2 required).")
+                            : translatable("A feed force of %1 covers this blow and rigid rock (%2 "
+                                           "required); other gaps between bit and rock were not examined."),
                         {installed(largest.thrust), required(largest.thrust)}};
             case FeedState::returnMet:
                 return {m_estimate.isOfAllGaps()
-                            ? translatable("%1 covers every single blow, with return in time at every gap "
-                                           "(%2).")
-                            : translatable("%1 covers this blow and rigid rock, with return in time (%2); "
-                                           "gaps were not examined."),
+                            ? translatable("A feed force of %1 covers every single blow, and even returns an "
+                                           "undamped rod to the rock in time at every gap (%2 required).")
+                            : translatable("A feed force of %1 covers this blow and rigid rock, and even "
+                                           "returns an undamped rod to the rock in time (%2 required); other "
+                                           "gaps between bit and rock were not examined."),
                         {installed(largest.thrustUndamped), required(largest.thrustUndamped)}};
         }
         return {};
@@ -70,8 +71,11 @@ class EstimateMessage {
         const int digits = digitsApart(m_estimate.frequency, limit);
         const std::string present = frequency(m_estimate.frequency, std::max(usualDigits, digits));
         if (!(limit > 0))
-            return {translatable("This blow is covered by at least %1 at %2."), {least(needed), present}};
-        return {translatable("This blow is covered by at least %1 at %2, or at most %3 with this feed."),
+            return {translatable(
+                        "To cover this blow, the feed force must be at least %1 at a blow frequency of %2."),
+                    {least(needed), present}};
+        return {translatable("To cover this blow, the feed force must be at least %1 at %2, or the blow "
+                             "frequency at most %3 with this feed force."),
                 {least(needed), present, frequency(limit, digits, Rounding::down)}};
     }
 
@@ -84,21 +88,24 @@ class EstimateMessage {
             case FeedState::pushedBack:
             case FeedState::belowRequired:
                 return m_estimate.isOfAllGaps()
-                           ? Message(translatable("%1 more feed covers this blow, %2 more covers every gap."),
+                           ? Message(translatable("An additional feed force of %1 covers this blow, one of "
+                                                  "%2 covers every gap between bit and rock."),
                                      {more(ofThisBlow), more(largest.thrust)})
-                           : Message(
-                                 translatable("%1 more feed covers this blow, %2 more covers rigid rock."),
-                                 {more(ofThisBlow), more(largest.thrust)});
+                           : Message(translatable("An additional feed force of %1 covers this blow, one of "
+                                                  "%2 covers rigid rock."),
+                                     {more(ofThisBlow), more(largest.thrust)});
             case FeedState::requiredAtThisGap:
-                return {m_estimate.isOfAllGaps() ? translatable("%1 more feed covers every gap.")
-                                                 : translatable("%1 more feed covers rigid rock."),
+                return {m_estimate.isOfAllGaps()
+                            ? translatable(
+                                  "An additional feed force of %1 covers every gap between bit and rock.")
+                            : translatable("An additional feed force of %1 covers rigid rock."),
                         {more(largest.thrust)}};
             case FeedState::requiredMet:
-                return {translatable("Single blows need no more feed; from %1 an undamped rod would be back "
-                                     "before every next blow."),
+                return {translatable("For single blows, no additional feed force is required. From %1 on, "
+                                     "even an undamped rod would return to the rock before each next blow."),
                         {least(largest.thrustUndamped)}};
             case FeedState::returnMet:
-                return translatable("Single blows need no more feed.");
+                return translatable("For single blows, no additional feed force is required.");
             case FeedState::notApplicable:
                 break;
         }
@@ -142,12 +149,15 @@ class EstimateMessage {
 
     Message thisGapOnly(double ofThisBlow, double largest) const {
         const bool isByGap = m_estimate.largestCase() != ThrustCase::rigidRock;
-        return {isByGap ? translatable("%1 covers this blow (%2 required), but not every gap (up to %3).")
-                : m_estimate.isOfAllGaps()
-                    ? translatable("%1 covers this blow (%2 required), but not rigid rock (%3).")
-                    : translatable("%1 covers this blow (%2 required), but not rigid rock (%3); gaps were "
-                                   "not examined."),
-                {installed(largest), required(ofThisBlow), required(largest)}};
+        return {
+            isByGap ? translatable("A feed force of %1 covers this blow (%2 required), but not every gap "
+                                   "between bit and rock (up to %3 required).")
+            : m_estimate.isOfAllGaps()
+                ? translatable(
+                      "A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).")
+                : translatable("A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 "
+                               "required); other gaps between bit and rock were not examined."),
+            {installed(largest), required(ofThisBlow), required(largest)}};
     }
 
     Message wanted() const {
@@ -155,17 +165,18 @@ class EstimateMessage {
         const double largest = m_estimate.largest().thrust;
         const std::string present = frequency(m_estimate.frequency, usualDigits);
         if (m_estimate.thrustFor(largest) == 0)
-            return {translatable("No feed force is given: at %1 the weight along the hole already covers "
-                                 "this blow and rigid rock."),
+            return {translatable("No feed force is given. At a blow frequency of %1, the weight of machine "
+                                 "and rod along the hole already covers this blow and rigid rock."),
                     {present}};
         if (largest <= needed)
-            return {translatable("No feed force is given: this blow requires at least %1 at %2."),
+            return {translatable(
+                        "No feed force is given. At a blow frequency of %2, this blow requires at least %1."),
                     {least(needed), present}};
         return {m_estimate.isOfAllGaps()
-                    ? translatable("No feed force is given: this blow requires at least %1 at %2, every "
-                                   "single blow at least %3.")
-                    : translatable("No feed force is given: this blow requires at least %1 at %2, rigid "
-                                   "rock at least %3."),
+                    ? translatable("No feed force is given. At a blow frequency of %2, this blow requires at "
+                                   "least %1, and blows at other gaps or on rigid rock up to %3.")
+                    : translatable("No feed force is given. At a blow frequency of %2, this blow requires at "
+                                   "least %1, and rigid rock at least %3."),
                 {least(needed), present, least(largest)}};
     }
 
@@ -192,16 +203,17 @@ Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEs
         return translatable(
             "The feed cannot be judged: the scenario has dimensionless groups, not physical units.");
     return scenario.drill.thrust
-               ? translatable("The feed cannot be judged: no blow frequency is given.")
-               : translatable("The feed cannot be judged: neither blow frequency nor feed force is given.");
+               ? translatable("The feed cannot be judged: give a blow frequency.")
+               : translatable("The feed cannot be judged: give a blow frequency and a feed force.");
 }
 
 std::vector<Message> estimateSentences(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                                        const ReadingStyle& style) {
     std::vector<Message> sentences{requiredFeedMessage(scenario, estimate, style)};
     if (estimate)
-        sentences.push_back({translatable("Estimate from single blows; %1 solves consecutive blows."),
-                             {drillingWords(style)}});
+        sentences.push_back(
+            {translatable("This is an estimate from single blows; %1 solves consecutive blows."),
+             {drillingWords(style)}});
     return sentences;
 }
 

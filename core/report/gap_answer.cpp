@@ -173,24 +173,30 @@ const Study& gapStudy() {
         .name = "gap",
         .title = translatable("COR–gap"),
         .plotTitle = translatable("Result over the gap, and how its values are distributed"),
-        .summary = "restitution, forces and efficiency over all gaps between bit and rock",
+        .summary = "restitution, forces and efficiency for all gaps between bit and rock",
         .details =
-            "Results have a period in the gap, d0 = 2 I0/Z, which nobody controls at the rig: extremes and\n"
-            "where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e > 1, for all gaps "
-            "of\n"
-            "a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).",
-        .csvHelp = "also write the results along the gap; - prints them instead of the table",
+            "Prints how the results depend on the gap between bit and rock at the start of the blow. At the "
+            "rig\n"
+            "nobody controls this gap, and the results repeat with every d0 = 2 I0/Z of it (I0: impulse of "
+            "the\n"
+            "blow, Z: impedance of the rod). So all gaps of one such period count as equally likely. Prints\n"
+            "extremes with their gaps, mean, 5, 50 and 95 % quantiles, and the share of gaps with a "
+            "coefficient\n"
+            "of restitution e above 1. --gap-deviation adds the same for a normally distributed gap; gaps "
+            "below\n"
+            "zero are cut off.",
+        .csvHelp = "also write the results at each gap to FILE.csv; -o - prints them instead of the table",
         .options = {{.key = "gap-mean",
                      .value = "GAP",
-                     .help = "mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: "
-                             "the gap of FILE)",
+                     .help = "mean of a normally distributed gap, such as 0.5mm; without physical units in "
+                             "multiples of d0, such as 0.2 (default: the gap of FILE)",
                      .control = mean,
                      .label = translatable("mean"),
                      .name = translatable("mean of the gap"),
                      .group = &scatter},
                     {.key = "gap-deviation",
                      .value = "GAP",
-                     .help = "standard deviation of the random (normal) gap",
+                     .help = "standard deviation of a normally distributed gap, for which results are added",
                      .control = deviation,
                      .label = "±",
                      .name = translatable("standard deviation of the gap"),

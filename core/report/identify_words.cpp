@@ -19,60 +19,73 @@ Message rejectionReason(const RecordAnswer& answer) {
     const MatchFigures& match = answer.match;
     if (answer.has("arrival_off") || answer.has("distance_off"))
         return translatable(
-            "The reflection does not arrive when the file says: check the distance of the gauge, the wave "
-            "speed and the clock, and look for a section missing in the file.");
+            "The reflection does not arrive at the time computed from the scenario file: check the distance "
+            "of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a "
+            "section.");
     const bool hasTwoGauges = match.zero.size() > 1;
     if (answer.has("sizes_off"))
-        return hasTwoGauges ? translatable(
-                                  "A section towards the bit, or the distance between the gauges, differs "
-                                  "from the file: measure that distance, the bit head and the rod.")
-                            : translatable(
-                                  "A section towards the bit differs from the file: measure the bit head "
-                                  "and the rod, and look for a section missing in the file.");
+        return hasTwoGauges
+                   ? translatable(
+                         "The distance between the gauges, or a section between gauge and bit, differs from "
+                         "the scenario file: measure this distance, the bit head and the rod.")
+                   : translatable(
+                         "A section between gauge and bit differs from the scenario file: measure the bit "
+                         "head and the rod, and check whether the file lacks a section.");
     if (match.quiet > 0.02)
         return translatable(
-            "There are waves where none should be: bending (use gauges on opposite sides), the "
-            "blow before, or couplings.");
+            "The record shows waves at times when the rod should be at rest. Possible causes: bending (use "
+            "gauges on opposite sides of the rod), the blow before, or couplings.");
     if (answer.has("zero_line"))
         return translatable(
-            "The zero line moves more than the amplifier is said to allow: check zero, drift and "
-            "coupling of the amplifier.");
+            "The zero line of the record moves by more than the tolerance of the amplifier: check its zero, "
+            "drift and coupling.");
     if (answer.has("not_quiet_before"))
-        return translatable("The rod still rings before the blow: measure a single blow.");
-    return hasTwoGauges ? translatable(
-                              "The rock follows another law, or the sections towards the bit or the distance "
-                              "between the gauges differ from the file: check the bit head and that "
-                              "distance, then where measured and modelled wave differ.")
-                        : translatable(
-                              "The rock follows another law, or the sections towards the bit differ from the "
-                              "file: check the bit head, then where measured and modelled wave differ.");
+        return translatable(
+            "The rod still rings from an earlier blow when this blow starts: measure a single blow.");
+    return hasTwoGauges
+               ? translatable(
+                     "Either the rock follows another law, or the scenario file has a wrong section between "
+                     "gauge and bit or a wrong distance between the gauges: check the bit head and this "
+                     "distance first, then see where the measured and the modelled wave differ.")
+               : translatable(
+                     "Either the rock follows another law, or the sections between gauge and bit differ from "
+                     "the scenario file: check the bit head first, then see where the measured and the "
+                     "modelled wave differ.");
 }
 
 Message identifySentence(const RecordAnswer& answer) {
     if (answer.refusal) return answer.refusal->text;
     if (answer.model == ModelVerdict::rejected && answer.law == "file")
-        return translatable("The record contradicts the rock of the file.");
+        return translatable("The record contradicts the rock of the scenario file.");
     if (answer.model == ModelVerdict::rejected)
         return {
             translatable("The model does not agree with the record, so nothing is known about the rock. %1"),
             {rejectionReason(answer)}};
     if (answer.law == "file")
         return answer.model == ModelVerdict::accepted
-                   ? translatable("The record agrees with the rock of the file.")
-                   : translatable("The record differs from the rock of the file.");
+                   ? translatable("The record agrees with the rock of the scenario file.")
+                   : translatable("The record agrees only roughly with the rock of the scenario file.");
     const Message agrees =
-        answer.model == ModelVerdict::strained ? translatable("The record agrees roughly with the model.")
-        : answer.law == "corner" ? translatable("The record agrees with a rock that yields once.")
-                                 : translatable("The record agrees with a rock that loads along one line.");
+        answer.model == ModelVerdict::strained
+            ? translatable("The record agrees only roughly with the model.")
+        : answer.law == "corner"
+            ? translatable(
+                  "The record agrees with a rock that yields at one force: its loading curve has one corner.")
+            : translatable(
+                  "The record agrees with a rock whose force rises along one straight line while the bit "
+                  "penetrates.");
     const bool hasStiffness = isKnownOnBothSides(answer.find("bit_rock.stiffness"));
     const bool hasGamma = isKnownOnBothSides(answer.find("bit_rock.gamma"));
     const bool hasGap = isKnownOnBothSides(answer.find("bit_rock.gap"));
     const char* known =
-        hasStiffness && hasGamma && hasGap ? translatable("Stiffness, elasticity and gap are known.")
-        : hasStiffness && hasGamma ? translatable("Stiffness and elasticity are known, the gap is not.")
-        : hasStiffness             ? translatable("The stiffness is known, the elasticity is not.")
-        : hasGamma                 ? translatable("The elasticity is known, the stiffness is not.")
-                                   : translatable("Neither stiffness nor elasticity is known to 20 %.");
+        hasStiffness && hasGamma && hasGap
+            ? translatable("Stiffness, elasticity and gap of the rock are known.")
+        : hasStiffness && hasGamma
+            ? translatable(
+                  "Stiffness and elasticity of the rock are known, the gap between bit and rock is not.")
+        : hasStiffness ? translatable("The stiffness of the rock is known, the elasticity is not.")
+        : hasGamma     ? translatable("The elasticity of the rock is known, the stiffness is not.")
+                   : translatable("Neither stiffness nor elasticity of the rock is known to within 20 %.");
     return {translatable("%1 %2"), {agrees, Message(known)}};
 }
 

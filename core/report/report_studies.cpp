@@ -5,7 +5,6 @@
 #include "core/report/design_words.h"
 #include "core/report/drilling_report.h"
 #include "core/report/html_text.h"
-#include "core/report/parameter_words.h"
 #include "core/report/sequence_words.h"
 #include "core/text/printed_text.h"
 
@@ -18,10 +17,6 @@ class PrintedNames : public DesignNames {
   public:
     using DesignNames::DesignNames;
 
-    Message subject(const SweepAxis& choice) const override {
-        return choice.parameter ? titleMessage(*choice.parameter, printedWords(choice.parameter->symbol))
-                                : DesignNames::subject(choice);
-    }
     std::string aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const override {
         return printedWords(DesignNames::aimed(report, aim, design));
     }

@@ -55,17 +55,22 @@ Message remedyWords(UnresolvedReason reason, const ReadingStyle& style) {
     const auto field = [&](std::string_view key) { return fieldMessage(*findParameter(key), style); };
     switch (reason) {
         case UnresolvedReason::noWaveLoss:
-            return {style.isPrinted()
-                        ? translatable("Give a value under “%1”; 1 to 30 % of a round trip is usual.")
-                        : translatable("Give a wave loss (%1); 1 to 30 % of a round trip is usual."),
-                    {field("drill.wave_loss")}};
+            return {
+                style.isPrinted()
+                    ? translatable(
+                          "Enter a wave loss under “%1”: waves usually lose 1 to 30 % in each round trip.")
+                    : translatable("Give a wave loss (%1): waves usually lose 1 to 30 % in each round trip."),
+                {field("drill.wave_loss")}};
         case UnresolvedReason::irregular:
         case UnresolvedReason::fewBlows:
-            return {style.isPrinted() ? translatable("A larger number under “%1” lowers the error.")
-                                      : translatable("More blows (%1) lower the error."),
+            return {style.isPrinted()
+                        ? translatable("Enter a larger number under “%1” to reduce the error.")
+                        : translatable("Increase the number of blows (%1) to reduce the error."),
                     {field("drill.blows")}};
         case UnresolvedReason::lengthsRounded:
-            return translatable("Shorter time steps, or lengths with a common step, lower it.");
+            return translatable(
+                "Use shorter time steps, or lengths that are multiples of a common length, to reduce the "
+                "error.");
     }
     return {};
 }
@@ -74,25 +79,31 @@ Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style)
     const std::string penetration =
         withError(sequence.penetration.value, sequence.penetration.error, Quantity::length, style);
     const std::string rate = penetrationRateText(sequence.penetrationRate, style);
-    if (!sequence.singleBlowShare) return {translatable("%1 per blow, %2."), {penetration, rate}};
-    return {translatable("%1 per blow, %2: %3 of a single blow from rest."),
-            {penetration, rate, percentText(sequence.singleBlowShare->value, style)}};
+    if (!sequence.singleBlowShare)
+        return {translatable("The bit penetrates %1 per blow, at a penetration rate of %2."),
+                {penetration, rate}};
+    return {
+        translatable(
+            "The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest."),
+        {penetration, rate, percentText(sequence.singleBlowShare->value, style)}};
 }
 
 /// The machine is pushed back, by the mean force of these blows.
 Message pushedBackSentence(const DrillingResult& result, const ReadingStyle& style) {
     const double mean = result.meanImpulse * result.units.impulse() * result.frequencyUsed;
     const double installed = feedForceOf(result.scenario)->effective();
-    if (!(installed < mean)) return translatable("The machine is pushed back without limit.");
-    return {translatable("The feed of %1 is less than the mean force of the blows, %2: the machine is "
-                         "pushed back."),
-            {style.quantity(installed, Quantity::force, 4), style.quantity(mean, Quantity::force, 4)}};
+    if (!(installed < mean))
+        return translatable("The blows push the machine back without limit: increase the feed force.");
+    return {
+        translatable(
+            "The feed force of %1 is less than the mean force of the blows, %2: the machine is pushed back."),
+        {style.quantity(installed, Quantity::force, 4), style.quantity(mean, Quantity::force, 4)}};
 }
 
 /// "12 kN", behind "drill.gamma = " where the parameter is no feed force.
 Message settingOf(const DrillingScan& scan, double value, const ReadingStyle& style) {
     const std::string text = valueText(scan.axis, value, valueDigitsOfScan, style);
-    if (scan.axis.key() == feedKey) return {translatable("A feed of %1"), {text}};
+    if (scan.axis.key() == feedKey) return {translatable("a feed force of %1"), {text}};
     return {"%1 = %2", {std::string(scan.axis.key()), text}};
 }
 
@@ -116,7 +127,7 @@ Message equalSentence(const DrillingScan& scan, const ScanComparison& comparison
     const auto value = [&](std::size_t place) {
         return valueText(scan.axis, comparison.entries[place].at, valueDigitsOfScan, style);
     };
-    return {translatable("From %1 to %2 the rate is the same within the errors."),
+    return {translatable("All values from %1 to %2 give the same penetration rate within the errors."),
             {value(first), value(last)}};
 }
 
@@ -144,9 +155,9 @@ Message feedModelWords(const Scenario& scenario, const ReadingStyle& style) {
 std::vector<Message> sequenceSentences(const DrillingResult& result, const ReadingStyle& style) {
     switch (result.outcome) {
         case DrillingOutcome::notSolved:
-            return {{translatable("Not solved: %1."), {result.reason}}};
+            return {{translatable("The blows could not be solved: %1."), {result.reason}}};
         case DrillingOutcome::stopped:
-            return {translatable("Stopped before all blows were done.")};
+            return {translatable("The computation was stopped before all blows were solved.")};
         case DrillingOutcome::pushedBack:
             return {pushedBackSentence(result, style)};
         case DrillingOutcome::done:
@@ -156,16 +167,18 @@ std::vector<Message> sequenceSentences(const DrillingResult& result, const Readi
     if (!sequence) return {};
     std::vector<Message> sentences{penetrationSentence(*sequence, style)};
     if (sequence->unresolved) {
-        sentences.push_back({translatable("This mean is not resolved, its error is above %1, because %2."),
+        sentences.push_back({translatable("This mean is inaccurate: its error is above %1, because %2."),
                              {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
         sentences.push_back(remedyWords(*sequence->unresolved, style));
     }
-    sentences.push_back({translatable("The bit starts in contact at %1 of blows."),
+    sentences.push_back({translatable("The bit starts in contact with the rock in %1 of the blows."),
                          {percentText(sequence->contactShare, style)}});
-    sentences.push_back({feedModelOf(result.scenario) == FeedModel::damper
-                             ? translatable("Feed modelled as %1 (assumed).")
-                             : translatable("Feed modelled as %1."),
-                         {feedModelWords(result.scenario, style)}});
+    sentences.push_back(
+        {feedModelOf(result.scenario) == FeedModel::damper
+             ? translatable(
+                   "The connection between machine and rod is modelled as %1, which is an assumption.")
+             : translatable("The connection between machine and rod is modelled as %1."),
+         {feedModelWords(result.scenario, style)}});
     return sentences;
 }
 
@@ -180,19 +193,21 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
     std::vector<Message> sentences;
     if (comparison->unresolved) {
         const Sequence& unresolved = comparison->unresolved->sequence;
-        sentences.push_back(
-            {translatable("The scan cannot tell the values apart: penetrations are +- %1, because %2."),
-             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
-              reasonWords(*unresolved.unresolved)}});
+        sentences.push_back({translatable("The scan cannot decide which value is best: the penetrations have "
+                                          "errors of +- %1, because %2."),
+                             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
+                              reasonWords(*unresolved.unresolved)}});
         sentences.push_back(remedyWords(*unresolved.unresolved, style));
     } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
-        sentences.push_back({translatable("All values give the same rate within the errors, %1."),
-                             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
+        sentences.push_back(
+            {translatable("All values of the scan give the same penetration rate within the errors, %1."),
+             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
     } else {
-        sentences.push_back({translatable("%1 gives the highest rate of the values tried, %2%3."),
-                             {settingOf(scan, comparison->best().at, style),
-                              penetrationRateText(comparison->best().sequence.penetrationRate, style),
-                              gainWords(*comparison, present, style)}});
+        const std::string rate = penetrationRateText(comparison->best().sequence.penetrationRate, style);
+        sentences.push_back(
+            {translatable("The highest penetration rate of the scan, %1, is reached with %2."),
+             {Message("%1%2", {rate, gainWords(*comparison, present, style)}),
+              settingOf(scan, comparison->best().at, style)}});
         if (Message equal = equalSentence(scan, *comparison, style); !equal.isEmpty())
             sentences.push_back(std::move(equal));
     }

@@ -248,34 +248,41 @@ const Study& thrustStudy() {
         .name = "thrust",
         .title = translatable("Feed"),
         .plotTitle = translatable("Required feed"),
-        .summary = "required feed force of single blows, and whether the installed one covers it",
+        .summary = "feed force that single blows require, and whether the installed one is sufficient",
         .details =
-            "Prints whether the installed feed force covers single blows, as an estimate, and a table of\n"
-            "four cases: this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the "
-            "worst\n"
-            "gap on elastic rock (gamma = 1). With blow frequency f, impulse I0 of a blow and restitution e\n"
-            "each case has (theory §10):\n"
-            "  required         f I0 (1 + e), the mean force that balances the blow\n"
-            "  return in time   f I0 (1 + 2e), with which an undamped rigid rod is back at the rock before\n"
-            "                   the next blow\n"
-            "  margin           effective over required feed force, less 1\n"
-            "  covered up to    blow frequency up to which the effective feed force covers the case\n"
-            "Below f I0 the machine is pushed back. With drill.inclination, the effective feed force is the\n"
-            "installed one plus the weight of rod and drill.machine_mass along the hole. `drillwave drill`\n"
-            "solves consecutive blows. Needs a scenario in physical units with drill.blow_frequency; "
-            "margins\n"
-            "need drill.thrust. For drill strings, I0 is the impulse of the hammer's face; gaps have no\n"
-            "period, so only this blow and rigid rock are printed.",
-        .csvHelp = "also write the table of --along; - prints it instead",
-        .options = {{.key = "along",
-                     .value = "KEY=VALUES",
-                     .help = "also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] "
-                             "(default COUNT: 101, or each whole number)",
-                     .control = RangeControl{{"drill.blow_frequency"}},
-                     .label = translatable("over")},
-                    {.key = "frequency",
-                     .value = "VALUES",
-                     .help = "short for --along drill.blow_frequency=VALUES"}},
+            "Estimates from single blows whether the installed feed force is sufficient. Prints four cases:\n"
+            "this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic "
+            "rock\n"
+            "(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow "
+            "frequency,\n"
+            "I0 the impulse of a blow and e the coefficient of restitution:\n"
+            "  required        f I0 (1 + e), the feed force that balances the blows\n"
+            "  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the "
+            "rock\n"
+            "                  before the next blow\n"
+            "  margin          effective over required feed force, less 1\n"
+            "  covered up to   highest blow frequency at which the effective feed force is not below the\n"
+            "                  required one\n"
+            "If the feed force is below f I0, the blows push the machine back. The effective feed force is "
+            "the\n"
+            "installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along "
+            "the\n"
+            "hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and\n"
+            "drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, "
+            "I0\n"
+            "is the impulse that the hammer transfers, and only this blow and rigid rock are printed.",
+        .csvHelp = "also write the table of --along to FILE.csv; -o - prints this CSV instead of the tables",
+        .options =
+            {{.key = "along",
+              .value = "KEY=VALUES",
+              .help =
+                  "vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], "
+                  "START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)",
+              .control = RangeControl{{"drill.blow_frequency"}},
+              .label = translatable("over")},
+             {.key = "frequency",
+              .value = "VALUES",
+              .help = "vary the blow frequency: short for --along drill.blow_frequency=VALUES"}},
         .views = {},
         .firstLook = "",
         .clickHelp = "",

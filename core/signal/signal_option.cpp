@@ -139,46 +139,54 @@ Message setRows(SignalOptions& options, std::string_view text) {
 }
 
 constexpr SignalOption readingOptions[] = {
-    {"separator", "SIGN", "sign between cells: tab, semicolon, comma, bar or blank (default: found)",
+    {"separator", "SIGN",
+     "sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)",
      setSeparator},
-    {"decimal", "SIGN", "decimal sign: point or comma (default: found)", setDecimal},
-    {"first-line", "N", "first line with a sample (default: found)", setFirstLine},
-    {"encoding", "NAME", "utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: found)", setEncoding},
-    {"time", "COLUMN", "column of times, by name or number from 1",
+    {"decimal", "SIGN", "decimal sign of the table: point or comma (default: detected)", setDecimal},
+    {"first-line", "N", "number of the first line with a sample (default: detected)", setFirstLine},
+    {"encoding", "NAME",
+     "character encoding of the table: utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: "
+     "detected)",
+     setEncoding},
+    {"time", "COLUMN", "column of the times, by name or by number from 1",
      [](SignalOptions& options, std::string_view text) { return setColumn(options.timeColumn, text); }},
-    {"signal-column", "COLUMN", "column of the signal, by name or number; A+B averages two opposite gauges",
+    {"signal-column", "COLUMN",
+     "column of the signal, by name or by number from 1; A+B takes the mean of two gauges on opposite sides",
      [](SignalOptions& options, std::string_view text) { return setColumn(options.signalColumn, text); }},
-    {"time-unit", "UNIT", "unit of the times where the table does not state it: s, ms, us", setTimeUnit},
-    {"unit", "UNIT", "unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s",
+    {"time-unit", "UNIT", "unit of the times, if the table does not state it: s, ms, us", setTimeUnit},
+    {"unit", "UNIT", "unit of the signal, if the table does not state it: kN, microstrain, V, MPa, m/s",
      setUnit},
-    {"rate", "RATE", "sampling rate, such as 5MHz; replaces a column of times", setRate},
-    {"scale", "S", "factor of the signal, or force per unit: 50kN/V, 18kN s/m", setScale},
-    {"gain", "G", "gain of the amplifier, of a signal in volts (default: 1)",
+    {"rate", "RATE", "sampling rate, such as 5MHz, used instead of a column of times", setRate},
+    {"scale", "S", "multiply the signal by this factor, or by a force per unit: 50kN/V, 18kN s/m", setScale},
+    {"gain", "G", "gain of the amplifier, for a signal in volts (default: 1)",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.gain, text); }},
-    {"excitation", "V", "supply of the bridge in volts, of a signal in volts", setExcitation},
-    {"bridge", "B", "bridge factor: 1 quarter, 2 half, 4 full bridge, 2.6 full with Poisson gauges",
+    {"excitation", "V", "supply voltage of the bridge in volts, for a signal in volts", setExcitation},
+    {"bridge", "B",
+     "bridge factor of the strain gauges: 1 for a quarter bridge, 2 for a half, 4 for a full bridge, 2.6 for "
+     "a full bridge with Poisson gauges",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.bridge, text); }},
-    {"gauge-factor", "K", "gauge factor, of a signal in volts or mV/V",
+    {"gauge-factor", "K", "gauge factor of the strain gauges, for a signal in volts or mV/V",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.gaugeFactor, text); }},
-    {"area", "A", "area of the bar at the gauge, 1134mm^2",
+    {"area", "A", "cross-section of the bar at the gauge, such as 1134mm^2",
      [](SignalOptions& options, std::string_view text) {
          return setPositive(options.area, text, Quantity::area, "mm^2");
      }},
-    {"modulus", "E", "Young's modulus of the bar, 210GPa",
+    {"modulus", "E", "Young's modulus of the bar that carries the gauge, such as 210GPa",
      [](SignalOptions& options, std::string_view text) {
          return setPositive(options.modulus, text, Quantity::stress, "GPa");
      }},
-    {"zero", "A:B", "time range whose mean is the zero line, -50us:-10us", setZero},
-    {"from", "T", "leave out samples before this time of the table, 0us",
+    {"zero", "A:B", "time range in which the signal is zero on average, such as -50us:-10us", setZero},
+    {"from", "T", "ignore samples before this time of the table, such as 0us",
      [](SignalOptions& options, std::string_view text) { return setTime(options.from, text); }},
-    {"to", "T", "leave out samples after this time of the table, 400us",
+    {"to", "T", "ignore samples after this time of the table, such as 400us",
      [](SignalOptions& options, std::string_view text) { return setTime(options.to, text); }},
-    {"invert", "", "reverse the sign",
+    {"invert", "", "reverse the sign of the signal: its largest value is tension (default: compression)",
      [](SignalOptions& options, std::string_view) {
          options.invert = true;
          return Message();
      }},
-    {"rows", "WHAT", "rows without a number: refuse or skip (default: refuse)", setRows},
+    {"rows", "WHAT",
+     "treatment of rows without a number: refuse the table, or skip these rows (default: refuse)", setRows},
 };
 
 }  // namespace

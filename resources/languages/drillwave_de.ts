@@ -2494,8 +2494,8 @@ Trotzdem löschen?</translation>
         <translation>Ljapunow-Exponent</translation>
     </message>
     <message>
-        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
-        <translation>Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wo sie das nicht tut</translation>
+        <source>number of blows after which the motion repeats, 1 to 16; 0 if it does not repeat</source>
+        <translation>Zahl der Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wenn sie sich nicht wiederholt</translation>
     </message>
     <message>
         <source>contact share: blows that start with the bit on the rock</source>
@@ -2506,20 +2506,20 @@ Trotzdem löschen?</translation>
         <translation>Kontakte je Schlag</translation>
     </message>
     <message>
-        <source>contacts of a blow, mean</source>
-        <translation>Kontakte je Schlag, im Mittel</translation>
+        <source>mean number of contacts between bit and rock in a blow</source>
+        <translation>mittlere Zahl der Kontakte zwischen Bohrkrone und Gestein in einem Schlag</translation>
     </message>
     <message>
         <source>deviation of the gap</source>
         <translation>Streuung des Spalts</translation>
     </message>
     <message>
-        <source>error of the energy balance of all blows, over the hammer work</source>
-        <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
+        <source>error of the energy balance of all blows, as a share of the hammer work</source>
+        <translation>Fehler der Energiebilanz aller Schläge, als Anteil an der Hammerarbeit</translation>
     </message>
     <message>
-        <source>momentum balance error of all blows, relative to the feed impulse</source>
-        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Impuls des Vorschubs</translation>
+        <source>error of the momentum balance of all blows, relative to the impulse of the feed force</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Kraftstoß des Andrucks</translation>
     </message>
     <message>
         <source>error of the energy of many blows</source>
@@ -2534,48 +2534,48 @@ Trotzdem löschen?</translation>
         <translation>Fehler des Impulses vieler Schläge</translation>
     </message>
     <message>
-        <source>gap exceeded by 95 % of the blows</source>
-        <translation>Spalt, den 95&#xa0;% der Schläge überschreiten</translation>
+        <source>gap between bit and rock that 95 % of the blows exceed</source>
+        <translation>Spalt zwischen Bohrkrone und Gestein, den 95&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
-        <source>gap exceeded by 5 % of the blows</source>
-        <translation>Spalt, den 5&#xa0;% der Schläge überschreiten</translation>
+        <source>gap between bit and rock that 5 % of the blows exceed</source>
+        <translation>Spalt zwischen Bohrkrone und Gestein, den 5&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
-        <source>median gap</source>
-        <translation>Spalt, unter dem die Hälfte der Schläge liegt</translation>
+        <source>median of the gap between bit and rock at the start of the blows</source>
+        <translation>Median des Spalts zwischen Bohrkrone und Gestein zu Beginn der Schläge</translation>
     </message>
     <message>
-        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
-        <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 zählt nur die Statistik; braucht eine zweite Rechnung</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
-        <source>its 95 % error; takes a second march with other cells</source>
-        <translation>ihr Fehler zu 95&#xa0;%; braucht eine zweite Rechnung mit anderen Zellen</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95-%-Fehler von drill_penetration, der mittleren Eindringung je Schlag. Braucht eine zweite Simulation aller Schläge, mit anderen Zeitschritten</translation>
     </message>
     <message>
-        <source>largest force of the damper</source>
-        <translation>größte Kraft des Dämpfers</translation>
+        <source>largest force in the damper between machine and rod</source>
+        <translation>größte Kraft im Dämpfer zwischen Maschine und Stange</translation>
     </message>
     <message>
         <source>mean gap at the blow</source>
         <translation>mittlerer Spalt beim Schlag</translation>
     </message>
     <message>
-        <source>mean gap at the blow, of many blows under a feed (drill)</source>
-        <translation>mittlerer Spalt beim Schlag, über viele Schläge unter einem Vorschub (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows (drill)</source>
+        <translation>mittlerer Spalt zwischen Bohrkrone und Gestein zu Beginn der Schläge (drill)</translation>
     </message>
     <message>
         <source>mean impulse on the rock</source>
         <translation>mittlerer Kraftstoß auf das Gestein</translation>
     </message>
     <message>
-        <source>mean impulse on the rock: feed force over frequency</source>
-        <translation>mittlerer Kraftstoß auf das Gestein: Andruck durch Frequenz</translation>
+        <source>mean impulse on the rock per blow: feed force over blow frequency</source>
+        <translation>mittlerer Kraftstoß auf das Gestein je Schlag: Andruck durch Schlagfrequenz</translation>
     </message>
     <message>
-        <source>mean of the largest forces on the rock</source>
-        <translation>Mittel der größten Kräfte auf das Gestein</translation>
+        <source>mean over all blows of the largest force on the rock</source>
+        <translation>Mittel der größten Kraft auf das Gestein über alle Schläge</translation>
     </message>
     <message>
         <source>mean peak force</source>
@@ -2586,20 +2586,20 @@ Trotzdem löschen?</translation>
         <translation>mittlere Eindringung je Schlag</translation>
     </message>
     <message>
-        <source>mean penetration of a blow: an upper limit</source>
-        <translation>mittlere Eindringung eines Schlags: eine obere Grenze</translation>
+        <source>mean penetration per blow; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>mittlere Eindringung je Schlag; eine obere Grenze, da alles Gestein unter der Krone als gebrochen gilt</translation>
     </message>
     <message>
-        <source>mean penetration times blow frequency, m/s: an upper limit</source>
-        <translation>mittlere Eindringung mal Schlagfrequenz, m/s: eine obere Grenze</translation>
+        <source>penetration rate, m/s: mean penetration per blow times blow frequency; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>Bohrfortschritt, m/s: mittlere Eindringung je Schlag mal Schlagfrequenz; eine obere Grenze, da alles Gestein unter der Krone als gebrochen gilt</translation>
     </message>
     <message>
         <source>median of the gaps</source>
         <translation>Median der Spalte</translation>
     </message>
     <message>
-        <source>round trips of a wave from blow to blow, n_b</source>
-        <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
+        <source>number of round trips that a wave makes through rod or string between two blows (n_b)</source>
+        <translation>Zahl der Hin- und Rückläufe einer Welle durch Stange oder Strang zwischen zwei Schlägen (n_b)</translation>
     </message>
     <message>
         <source>penetration rate of many blows</source>
@@ -2610,20 +2610,20 @@ Trotzdem löschen?</translation>
         <translation>Periode der Bewegung</translation>
     </message>
     <message>
-        <source>feed force over mean force of the blows, phi</source>
-        <translation>Andruck durch mittlere Reaktion der Schläge, phi</translation>
+        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
+        <translation>wirksamer Andruck durch Schlagfrequenz mal Kraftstoß eines Schlags (phi); unter 1 wird die Maschine zurückgedrückt</translation>
     </message>
     <message>
         <source>round trips from blow to blow</source>
         <translation>Hin- und Rückläufe von Schlag zu Schlag</translation>
     </message>
     <message>
-        <source>contact share: blows that start within 0.05 d0 of the rock</source>
-        <translation>Anteil der Schläge, die höchstens 0,05 d0 vom Gestein entfernt beginnen</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z; I0: Kraftstoß eines Schlags, Z: Impedanz der Stange)</translation>
     </message>
     <message>
-        <source>standard deviation of that gap</source>
-        <translation>Standardabweichung dieses Spalts</translation>
+        <source>standard deviation of the gap between bit and rock at the start of the blows</source>
+        <translation>Standardabweichung des Spalts zwischen Bohrkrone und Gestein zu Beginn der Schläge</translation>
     </message>
     <message>
         <source>thrust number</source>
@@ -3814,8 +3814,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Vier Diagramme über der Zeit von 0 bis %1. %2: größtes N %3, Welle zur Bohrkrone %4, von der Bohrkrone %5. Stoßkraft bis %6, Kraft des Hammers auf den Strang bis %7. Kraftstoß bis %8. Impuls des Strangs bis %9.</translation>
     </message>
     <message>
-        <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
-        <translation>Vier Diagramme über der Zeit von 0 bis %1. Wellen bei x/L = %2: größtes N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
+        <source>Four plots over time from 0 to %1. Largest values at x/L = %2: normal force N %10, incident wave N0p %3, its reflection from the bit N1n %4, then from the rear end N2p %5 and again from the bit N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
+        <translation>Vier Diagramme über der Zeit von 0 bis %1. Größte Werte bei x/L = %2: Normalkraft N %10, einlaufende Welle N0p %3, ihre Reflexion an der Krone N1n %4, dann am hinteren Ende N2p %5 und wieder an der Krone N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
     </message>
     <message>
         <source>%1, %2 from its rear</source>
@@ -4058,28 +4058,28 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not distinguish it from %1: any of them will do.</source>
-        <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
+        <source>The samples do not distinguish this design from %1: any of them will do.</source>
+        <translation>Die Stichproben unterscheiden diese Auslegung nicht von %1: jede davon ist recht.</translation>
     </message>
     <message>
         <source>Among them, %1 has the %2: %3.</source>
         <translation>Unter ihnen hat %1 %2: %3.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would lose %2&#xa0;% of it %3.</source>
-        <translation>Die nominal beste, %1, verlöre davon %2 % %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% smaller %3.</source>
+        <translation>Bei der besten Auslegung für die eingegebenen Werte, %1, ist die Zielgröße %3 um %2&#xa0;% kleiner.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would have %2&#xa0;% more of it %3.</source>
-        <translation>Die nominal beste, %1, hätte davon %2 % mehr %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% larger %3.</source>
+        <translation>Bei der besten Auslegung für die eingegebenen Werte, %1, ist die Zielgröße %3 um %2&#xa0;% größer.</translation>
     </message>
     <message>
         <source>the draws</source>
         <translation>die Ziehungen</translation>
     </message>
     <message>
-        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 % of its scatter.</source>
-        <translation>Für %1 zuerst &lt;b&gt;%2&lt;/b&gt; messen: %3&#xa0;% der Streuung.</translation>
+        <source>To know the %1 better, measure &lt;b&gt;%2&lt;/b&gt; first: it causes %3 % of the scatter.</source>
+        <translation>Um %1 genauer zu kennen, zuerst &lt;b&gt;%2&lt;/b&gt; messen: das verursacht %3&#xa0;% der Streuung.</translation>
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -4122,12 +4122,12 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Bisher %1 Stichproben, %2 folgen.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% weniger.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% smaller.</source>
+        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für unsicheres Gestein um %1&#xa0;% kleiner.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Mit den eingegebenen Werten hat die beste Auslegung für unsicheres Gestein %1&#xa0;% mehr.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% larger.</source>
+        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für unsicheres Gestein um %1&#xa0;% größer.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4430,16 +4430,16 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Durchlauf</translation>
     </message>
     <message>
-        <source>Statistics at values of this parameter, each started at rest and started bouncing</source>
-        <translation>Die Statistik bei Werten dieses Parameters, jeweils aus der Ruhe und aus dem Springen</translation>
+        <source>Simulates the blows at several values of this parameter, each once from rest and once with a bouncing machine</source>
+        <translation>Simuliert die Schläge bei mehreren Werten dieses Parameters, jeden einmal aus der Ruhe und einmal mit springender Maschine</translation>
     </message>
     <message>
         <source>bracket</source>
         <translation>mit Grenzfällen</translation>
     </message>
     <message>
-        <source>Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: makers do not publish their dampers</source>
-        <translation>Auch unter konstanter Kraft, und mit einem Dämpfer der halben Impedanz, wo es eine Maschinenmasse gibt: kein Hersteller veröffentlicht seinen Dämpfer</translation>
+        <source>Repeats the scan with a constant feed force and, if a machine mass is given, with a dashpot of half the impedance of the rod. Makers do not publish their dampers: the results show how much this matters</source>
+        <translation>Wiederholt den Durchlauf mit konstantem Andruck und, wenn eine Maschinenmasse angegeben ist, mit einem Dämpfer von der halben Impedanz der Stange. Hersteller veröffentlichen ihre Dämpfer nicht: die Ergebnisse zeigen, wie viel das ausmacht</translation>
     </message>
     <message>
         <source>Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no blow frequency and no feed force.</source>
@@ -4454,8 +4454,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Anhalten %1/%2</translation>
     </message>
     <message>
-        <source>φ = %1, %2 round trips between blows</source>
-        <translation>φ = %1, %2 Hin- und Rückläufe zwischen Schlägen</translation>
+        <source>Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
+        <translation>Andruck durch mittlere Kraft der Schläge φ = %1; %2 Hin- und Rückläufe einer Welle zwischen zwei Schlägen</translation>
     </message>
     <message>
         <source>No scan: %1</source>
@@ -6278,16 +6278,16 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1: wurde von jemand anderem dorthin gelegt oder geändert; verschieben, oder die Läufe noch einmal aufbewahren, um sie zu ersetzen</translation>
     </message>
     <message>
-        <source>The %1 = %2 is outside the usual range, %3 to %4.</source>
-        <translation>%1 = %2 liegt außerhalb des üblichen Bereichs, %3 bis %4.</translation>
+        <source>The input %1 = %2 is outside its typical range, %3 to %4.</source>
+        <translation>Die Eingabe %1 = %2 liegt außerhalb ihres üblichen Bereichs, %3 bis %4.</translation>
     </message>
     <message>
-        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Kraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
+        <source>The first reflection returns to the hammer before the last %1 % of the blow. A real hammer would feel it, but here the hammer force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zum Hammer zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Hammerkraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
     </message>
     <message>
-        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
-        <translation>Der Hammer hat die Impedanz der Stange, den Standardwert: sein Schlag ist eine Stufe. Die Daten des Kolbens angeben.</translation>
+        <source>No data of the hammer are given. By default it has the impedance of the rod, and the force of its blow is a single step. Give the data of the piston.</source>
+        <translation>Es sind keine Daten des Hammers angegeben. In der Vorgabe hat er die Impedanz der Stange, und die Kraft seines Schlags ist eine einzige Stufe. Die Daten des Kolbens angeben.</translation>
     </message>
     <message>
         <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
@@ -6302,12 +6302,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen. Rückläufe zum Hammer sind dabei vernachlässigt.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3. Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; %2 berechnet das.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; to compute it, use %2.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%3). Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; zum Berechnen %2 verwenden.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2). Die Eindringung kann sich um bis zu 10&#xa0;% ändern; %3 berechnet das.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; to compute it, use %3.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4), fast im Takt mit ihm: %1 ist nahe bei %2. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; zum Berechnen %3 verwenden.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6330,12 +6330,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
-        <translation>Längen mit größerem gemeinsamem Teiler wählen (z. B. 50 mm): weniger Zeitschritte.</translation>
+        <source>Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are then exact.</source>
+        <translation>Längen wählen, die Vielfache einer größeren gemeinsamen Länge sind, zum Beispiel 50 mm: dann sind längere Zeitschritte genau.</translation>
     </message>
     <message>
-        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
-        <translation>Alle Längen in ganzen Millimetern eingeben, ein Stahl: dann ist der Zeitschritt genau.</translation>
+        <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
+        <translation>Alle Längen in ganzen Millimetern eingeben, mit demselben Stahl in allen Abschnitten: dann ist der Zeitschritt genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6354,8 +6354,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Bohrkrone noch auf dem Gestein ist, wenn die nächste Reflexion ankommt</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
-        <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1: ihr e = %2 weicht um %3 ab.</translation>
+        <source>The closed form for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
+        <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1. Ihre Stoßzahl e = %2 hat einen Fehler von %3.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6366,8 +6366,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Zug</translation>
     </message>
     <message>
-        <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
-        <translation>Auf eine Bewegung als starrer Körper hat der Spalt keine Wirkung: er verschiebt nur die Zeit des Kontakts.</translation>
+        <source>The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts the time of contact and has no other effect.</source>
+        <translation>Die Stange wird als starrer Körper bewegt, daher verschiebt der Spalt zwischen Bohrkrone und Gestein nur die Zeit des Kontakts und hat keine andere Wirkung.</translation>
     </message>
     <message>
         <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
@@ -6378,48 +6378,40 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: reflektierte Wellen drücken sie zum Gestein zurück.</translation>
     </message>
     <message>
-        <source>The numerical error of e may be as large as %1.</source>
-        <translation>Der numerische Fehler von e kann bis zu %1 betragen.</translation>
+        <source>The numerical error of the coefficient of restitution e may be as large as %1.</source>
+        <translation>Der numerische Fehler der Stoßzahl e kann bis zu %1 betragen.</translation>
     </message>
     <message>
-        <source>would yield</source>
-        <translation>würde fließen</translation>
+        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are those at that time, not the final ones.</source>
+        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: Bohrkrone und Gestein oder Hammer und Strang können sich noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
     </message>
     <message>
-        <source>suffers fatigue at every blow</source>
-        <translation>überschreitet mit jedem Schlag die Dauerfestigkeit</translation>
+        <source>The largest stresses of the sections would take more work than is permitted, so they were not computed and no strength was checked. Try a shorter end_time.</source>
+        <translation>Die größten Spannungen der Abschnitte würden mehr Aufwand kosten, als erlaubt ist. Sie wurden daher nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
     </message>
     <message>
-        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
-        <translation>Nach %1 können sich Bohrkrone und Gestein oder Hammer und Strang noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it loaded along one straight line.</source>
+        <translation>Die Kraft auf das Gestein erreicht nur %1, unter der ersten Ecke der Belastungskurve bei %2: das Gestein wirkt, als würde es längs einer einzigen Geraden belastet.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
-        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist. Sie wurden nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
+        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran, daher wächst der Spalt zwischen Bohrkrone und Gestein von Schlag zu Schlag. Den Andruck erhöhen.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
-        <translation>Die Kraft bleibt unter der ersten Ecke der Belastungskurve (%1 von %2): das Gesetz wirkt wie das bilineare.</translation>
+        <source>Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Nichts dämpft die Wellen, daher klingen ihre Fronten nie ab. Einen Wellenverlust angeben; 1 bis 30&#xa0;% je Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
-        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
-        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran: Spalte wachsen ohne Grenze. Den Andruck erhöhen.</translation>
+        <source>After the piston has separated from the string, the string rebounds against it and takes over up to %1 % of its momentum. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Nachdem sich der Kolben vom Strang getrennt hat, prallt der Strang gegen ihn zurück und übernimmt bis zu %1&#xa0;% seines Impulses. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
-        <translation>Nichts dämpft die Wellen: Sprünge klingen nie ab. Einen Wellenverlust angeben; 1 bis 30&#xa0;% je Hin- und Rücklauf ist üblich.</translation>
+        <source>At the moment of a blow, the shank is up to %1 away from its mean position in the machine. A real machine would then have another stroke and another blow. With only a dashpot the shank drifts: add a spring to the damper.</source>
+        <translation>Im Augenblick eines Schlags ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt. Eine wirkliche Maschine hätte dann einen anderen Hub und einen anderen Schlag. Nur mit einem Dämpfer wandert das Einsteckende: dem Dämpfer eine Feder hinzufügen.</translation>
     </message>
     <message>
-        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Nach der Trennung gibt der Kolben noch bis zu %1&#xa0;% seines Impulses ab: er ist dem zurückprallenden Strang im Weg. Hat die Maschine ihn bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
-    </message>
-    <message>
-        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
-        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: Hub und Schlag wären andere. Nur mit einem Dämpfer kriecht es; dem Dämpfer eine Feder geben.</translation>
-    </message>
-    <message>
-        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
-        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
+        <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
+        <translation>Die Schlagfrequenz ist auf %1 gerundet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
     </message>
     <message>
         <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
@@ -6430,16 +6422,16 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Zwei stetige Bewegungen sind möglich. Anfang oder Zeitschritt entscheiden, welche berechnet wird; eine wirkliche Maschine kann jede der beiden annehmen.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: use the means, not the values of single blows.</source>
-        <translation>Die Bewegung wiederholt sich nicht: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
+        <source>The motion does not repeat from blow to blow: use the means, not the values of single blows.</source>
+        <translation>Die Bewegung wiederholt sich nicht von Schlag zu Schlag: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
-        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%: der Zeitschritt ist lang für diese Kontakte. Ein kürzerer verringert den Fehler im gleichen Verhältnis.</translation>
+        <source>The energy balance of all blows has an error of %1 %, because the time step is long for these contacts. A shorter time step reduces the error in proportion.</source>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%, weil der Zeitschritt für diese Kontakte lang ist. Ein kürzerer Zeitschritt verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
-        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
-        <translation>Der Dämpfer ist angenommen, weil Hersteller ihren nicht veröffentlichen. Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
+        <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Die Daten des Dämpfers sind angenommen, weil Hersteller sie nicht veröffentlichen. Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6454,12 +6446,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>einer Feder von %1</translation>
     </message>
     <message>
-        <source>Not solved: %1.</source>
-        <translation>Nicht gelöst: %1.</translation>
+        <source>The blows could not be solved: %1.</source>
+        <translation>Die Schläge konnten nicht gelöst werden: %1.</translation>
     </message>
     <message>
-        <source>Stopped before all blows were done.</source>
-        <translation>Angehalten, bevor alle Schläge fertig waren.</translation>
+        <source>The computation was stopped before all blows were solved.</source>
+        <translation>Die Rechnung wurde angehalten, bevor alle Schläge gelöst waren.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -6502,8 +6494,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Der Vorschub wird nicht beurteilt: das Szenario ist durch seine dimensionslosen Kennzahlen gegeben, nicht in physikalischen Einheiten.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: no blow frequency is given.</source>
-        <translation>Der Vorschub wird nicht beurteilt: es ist keine Schlagfrequenz angegeben.</translation>
+        <source>The feed cannot be judged: give a blow frequency.</source>
+        <translation>Der Vorschub wird nicht beurteilt: eine Schlagfrequenz angeben.</translation>
     </message>
     <message>
         <source>%1 (%2 with the weight along the hole)</source>
@@ -6634,8 +6626,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 braucht drill.blow_frequency; im Szenario oder mit --set angeben</translation>
     </message>
     <message>
-        <source>This blow has %1 wave pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
-        <translation>Dieser Schlag hat %1 Stücke, zu viele, um ihn in einem Bericht über alle Spalte zu verfolgen: `drillwave %2` tut das und nimmt sich die Zeit.</translation>
+        <source>The waves of this blow have %1 polynomial pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
+        <translation>Die Wellen dieses Schlags haben %1 Polynomstücke, zu viele, um in einem Bericht alle Spalte zu untersuchen: stattdessen `drillwave %2` aufrufen, was länger dauert.</translation>
     </message>
     <message>
         <source>The blow could not be solved at all gaps: %1</source>
@@ -7176,22 +7168,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>in SI</source>
         <translation>in SI-Einheiten</translation>
-    </message>
-    <message>
-        <source>compression reaches %1</source>
-        <translation>der Druck erreicht %1</translation>
-    </message>
-    <message>
-        <source>tension reaches %1</source>
-        <translation>der Zug erreicht %1</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den Restwellen (hier ungedämpft); ihre Festigkeit ist %5.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags; ihre Festigkeit ist %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -7814,8 +7790,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
     </message>
     <message>
-        <source>its blows over all gaps need more wave pieces than a quick study permits</source>
-        <translation>seine Schläge über alle Spalte haben mehr Wellenstücke, als nebenbei verfolgt werden</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
+        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke (Wellenstücke), als eine schnelle Studie erlaubt</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7854,8 +7830,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
-        <source>it needs more wave pieces than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>der Schlag braucht mehr Wellenstücke als erlaubt: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Wellen haben mehr Polynomstücke (Wellenstücke), als erlaubt sind, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
@@ -8594,24 +8570,24 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Größter in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
-        <source>%1 sample could not be solved and is left out: %2.</source>
-        <translation>%1 Stichprobe konnte nicht gelöst werden und ist weggelassen: %2.</translation>
+        <source>%1 sample could not be solved and is left out of the statistics. Reason: %2.</source>
+        <translation>%1 Stichprobe konnte nicht gelöst werden und fehlt in der Statistik. Grund: %2.</translation>
     </message>
     <message>
-        <source>%1 samples could not be solved and are left out: %2.</source>
-        <translation>%1 Stichproben konnten nicht gelöst werden und sind weggelassen: %2.</translation>
+        <source>%1 samples could not be solved and are left out of the statistics. Reason: %2.</source>
+        <translation>%1 Stichproben konnten nicht gelöst werden und fehlen in der Statistik. Grund: %2.</translation>
     </message>
     <message>
-        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 Auslegung hat zu viele ungelöste Stichproben (über 0,1&#xa0;%) und keine Statistik.</translation>
+        <source>%1 design has no statistics, because more than 0.1 % of its samples could not be solved.</source>
+        <translation>%1 Auslegung hat keine Statistik, weil mehr als 0,1&#xa0;% ihrer Stichproben nicht gelöst werden konnten.</translation>
     </message>
     <message>
-        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 Auslegungen haben zu viele ungelöste Stichproben (über 0,1&#xa0;%) und keine Statistik.</translation>
+        <source>%1 designs have no statistics, because more than 0.1 % of their samples could not be solved.</source>
+        <translation>%1 Auslegungen haben keine Statistik, weil mehr als 0,1&#xa0;% ihrer Stichproben nicht gelöst werden konnten.</translation>
     </message>
     <message>
-        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
-        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung ist der numerische Fehler größer als der der Statistik: die Bohrkrone rattert bei diesen Schlägen.</translation>
+        <source>In up to %1 % of the samples of a design, the bit chatters on the rock; the numerical error of these blows is larger than the error of the statistics.</source>
+        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung rattert die Bohrkrone auf dem Gestein; der numerische Fehler dieser Schläge ist größer als der Fehler der Statistik.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8622,32 +8598,32 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 oder %2 weitere</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den größten Wert (%3), %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the largest value of %3, %4.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den größten Wert von %3, %4.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den kleinsten Wert (%3), %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the smallest value of %3, %4.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den kleinsten Wert von %3, %4.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein liegt am oberen Ende von %1: die Wahl erweitern.</translation>
+        <source>The best design for uncertain rock has the largest value of %1: extend the range of this variable.</source>
+        <translation>Die beste Auslegung für unsicheres Gestein hat den größten Wert von %1: den Bereich dieser Größe erweitern.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein liegt am unteren Ende von %1: die Wahl erweitern.</translation>
+        <source>The best design for uncertain rock has the smallest value of %1: extend the range of this variable.</source>
+        <translation>Die beste Auslegung für unsicheres Gestein hat den kleinsten Wert von %1: den Bereich dieser Größe erweitern.</translation>
     </message>
     <message>
-        <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
-        <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
+        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1&#xa0;%: es werden Maschinen verschiedener Leistung verglichen. --keep-energy vergleicht bei gleicher Energie.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
-        <translation>Der Wirkungsgrad streut fast nur mit gamma. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from the elasticity gamma of the rock. To compare hammers, choose the loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit der Elastizität gamma des Gesteins. Zum Vergleich von Hämmern die Belastungsarbeit als Zielgröße wählen: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10674,36 +10650,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>unterbrochen; %1 von %2 Zeilen stehen in %3, derselbe Befehl geht dahinter weiter</translation>
     </message>
     <message>
-        <source>none of %1 designs</source>
-        <translation>keine von %1 Auslegungen</translation>
+        <source>Keep the present design, %1: none of the %2 designs compared has a better objective (%3 = %4).</source>
+        <translation>Die jetzige Auslegung behalten, %1: keine der %2 verglichenen Auslegungen hat eine bessere Zielgröße (%3 = %4).</translation>
     </message>
     <message>
-        <source>nothing from %1 to %2</source>
-        <translation>nichts von %1 bis %2</translation>
+        <source>Take the design %1: its objective %2 is %3.</source>
+        <translation>Die Auslegung %1 nehmen: ihre Zielgröße %2 ist %3.</translation>
     </message>
     <message>
-        <source>%1 makes no difference: %2 is %3, within %4, for all %5 designs.</source>
-        <translation>%1 macht keinen Unterschied: %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
+        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 wird %4 statt %5.</translation>
     </message>
     <message>
-        <source>The choice</source>
-        <translation>Die Wahl</translation>
-    </message>
-    <message>
-        <source>Keep %1: %2 has a better %3 (%4).</source>
-        <translation>%1 behalten: %2 ist besser (%3: %4).</translation>
-    </message>
-    <message>
-        <source>Take %1: %2 is %3.</source>
-        <translation>%1 nehmen: %2 ist %3.</translation>
-    </message>
-    <message>
-        <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
-        <translation>Von %1 auf %2 wechseln: %3 wird %4 statt %5.</translation>
-    </message>
-    <message>
-        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
-        <translation>%1 von %2 auf %3 ändern: %4 wird %5 statt %6.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
+        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 wird %5 statt %6.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10718,72 +10678,72 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Schätzung aus einem Schlag gilt nicht: die Wellen eines Schlags sind noch im Strang, wenn der nächste kommt.</translation>
     </message>
     <message>
-        <source>The feed of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
+        <source>The feed force of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
         <translation>Der Andruck von %1 ist kleiner als die mittlere Kraft der Schläge, %2: die Maschine weicht zurück.</translation>
     </message>
     <message>
-        <source>%1 is below the %2 that this blow requires: penetration will probably be lost.</source>
-        <translation>%1 sind weniger als die %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
+        <source>A feed force of %1 is below the %2 that this blow requires: penetration will probably be lost.</source>
+        <translation>Ein Andruck von %1 liegt unter den %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow (%2 required).</source>
-        <translation>%1 decken jeden einzelnen Schlag ab (%2 erforderlich).</translation>
+        <source>A feed force of %1 covers every single blow (%2 required).</source>
+        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock (%2 required); gaps were not examined.</source>
-        <translation>%1 decken diesen Schlag und starres Gestein ab (%2 erforderlich); Spalte wurden nicht untersucht.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow, with return in time at every gap (%2).</source>
-        <translation>%1 decken jeden einzelnen Schlag ab, mit rechtzeitiger Rückkehr bei jedem Spalt (%2).</translation>
+        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock, with return in time (%2); gaps were not examined.</source>
-        <translation>%1 decken diesen Schlag und starres Gestein ab, mit rechtzeitiger Rückkehr (%2); Spalte wurden nicht untersucht.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2.</source>
-        <translation>Diesen Schlag decken mindestens %1 bei %2 ab.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>Um diesen Schlag abzudecken, muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2, or at most %3 with this feed.</source>
-        <translation>Diesen Schlag decken mindestens %1 bei %2 ab, oder mit diesem Andruck höchstens %3.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>Um diesen Schlag abzudecken, muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not every gap (up to %3).</source>
-        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt (bis %3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3).</source>
-        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3); gaps were not examined.</source>
-        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3); Spalte wurden nicht untersucht.</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
-        <translation>Es ist kein Andruck angegeben: bei %1 deckt das Gewicht längs des Bohrlochs allein diesen Schlag und starres Gestein ab.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 deckt schon das Gewicht von Maschine und Stange längs des Bohrlochs diesen Schlag und starres Gestein ab.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %2 erfordert dieser Schlag mindestens %1.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, every single blow at least %3.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, jeder einzelne Schlag mindestens %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and blows at other gaps or on rigid rock up to %3.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %2 erfordert dieser Schlag mindestens %1, Schläge bei anderen Spalten oder auf starres Gestein bis zu %3.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, rigid rock at least %3.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, starres Gestein mindestens %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and rigid rock at least %3.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %2 erfordert dieser Schlag mindestens %1, starres Gestein mindestens %3.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
-        <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck sind angegeben.</translation>
+        <source>The feed cannot be judged: give a blow frequency and a feed force.</source>
+        <translation>Der Vorschub wird nicht beurteilt: Schlagfrequenz und Andruck angeben.</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Dies ist eine Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -10822,60 +10782,60 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Längen keine ganze Zahl von Zeitschritten sind</translation>
     </message>
     <message>
-        <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
-        <translation>Einen Wellenverlust angeben (%1); üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
+        <source>Give a wave loss (%1): waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Einen Wellenverlust angeben (%1): üblich sind 1 bis 30&#xa0;% je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>More blows (%1) lower the error.</source>
-        <translation>Mehr Schläge (%1) verkleinern den Fehler.</translation>
+        <source>Increase the number of blows (%1) to reduce the error.</source>
+        <translation>Die Zahl der Schläge (%1) erhöhen, um den Fehler zu verkleinern.</translation>
     </message>
     <message>
-        <source>Shorter time steps, or lengths with a common step, lower it.</source>
-        <translation>Kürzere Zeitschritte oder Längen mit gemeinsamem Schritt verringern ihn.</translation>
+        <source>Use shorter time steps, or lengths that are multiples of a common length, to reduce the error.</source>
+        <translation>Kürzere Zeitschritte verwenden, oder Längen, die Vielfache einer gemeinsamen Länge sind, um den Fehler zu verkleinern.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2.</source>
-        <translation>%1 je Schlag, %2.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2.</source>
+        <translation>Die Bohrkrone dringt %1 je Schlag ein, bei einem Bohrfortschritt von %2.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2: %3 of a single blow from rest.</source>
-        <translation>%1 je Schlag, %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest.</source>
+        <translation>Die Bohrkrone dringt %1 je Schlag ein, bei einem Bohrfortschritt von %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
     </message>
     <message>
-        <source>The machine is pushed back without limit.</source>
-        <translation>Die Maschine wird ohne Grenze zurückgedrückt.</translation>
+        <source>The blows push the machine back without limit: increase the feed force.</source>
+        <translation>Die Schläge drücken die Maschine ohne Grenze zurück: den Andruck erhöhen.</translation>
     </message>
     <message>
-        <source>A feed of %1</source>
-        <translation>Ein Andruck von %1</translation>
+        <source>a feed force of %1</source>
+        <translation>einem Andruck von %1</translation>
     </message>
     <message>
-        <source>From %1 to %2 the rate is the same within the errors.</source>
-        <translation>Von %1 bis %2 ist der Bohrfortschritt innerhalb der Fehler gleich.</translation>
+        <source>All values from %1 to %2 give the same penetration rate within the errors.</source>
+        <translation>Alle Werte von %1 bis %2 ergeben innerhalb der Fehler denselben Bohrfortschritt.</translation>
     </message>
     <message>
         <source>a constant force</source>
         <translation>konstanter Kraft</translation>
     </message>
     <message>
-        <source>This mean is not resolved, its error is above %1, because %2.</source>
-        <translation>Dieses Mittel ist nicht aufgelöst, sein Fehler liegt über %1, weil %2.</translation>
+        <source>This mean is inaccurate: its error is above %1, because %2.</source>
+        <translation>Dieses Mittel ist ungenau: sein Fehler liegt über %1, weil %2.</translation>
     </message>
     <message>
-        <source>The bit starts in contact at %1 of blows.</source>
-        <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt.</translation>
+        <source>The bit starts in contact with the rock in %1 of the blows.</source>
+        <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt mit dem Gestein.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1 (assumed).</source>
-        <translation>Der Vorschub ist mit %1 modelliert (angenommen).</translation>
+        <source>The connection between machine and rod is modelled as %1, which is an assumption.</source>
+        <translation>Die Verbindung von Maschine und Stange ist mit %1 modelliert; das ist eine Annahme.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1.</source>
-        <translation>Der Vorschub ist mit %1 modelliert.</translation>
+        <source>The connection between machine and rod is modelled as %1.</source>
+        <translation>Die Verbindung von Maschine und Stange ist mit %1 modelliert.</translation>
     </message>
     <message>
-        <source>All values give the same rate within the errors, %1.</source>
-        <translation>Alle Werte ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
+        <source>All values of the scan give the same penetration rate within the errors, %1.</source>
+        <translation>Alle Werte des Durchlaufs ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -10962,16 +10922,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>auf diesen Bohrstrang schlägt eine vorgegebene Kraft, die keine Voreinstellung ersetzt; wählen Sie Zahlen wie pulse.duration</translation>
     </message>
     <message>
-        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
-        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1 %: es werden Hämmer verschiedener Leistung verglichen.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1&#xa0;%: es werden Hämmer verschiedener Leistung verglichen.</translation>
     </message>
     <message>
-        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
-        <translation>Von %1 auf %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <source>Change the design from %1 to %2: the objective %3 is then %4. The present design does not meet all limits.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 ist dann %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
-        <translation>%1 von %2 auf %3 ändern: %4 ist %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 is then %5. The present design does not meet all limits.</source>
+        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 ist dann %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -10980,14 +10940,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Warning for %1: %2</source>
         <translation>Warnung zu %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 There is %2 more warning.</source>
-        <translation>%1 Es gibt %2 weitere Warnung.</translation>
-    </message>
-    <message>
-        <source>%1 There are %2 more warnings.</source>
-        <translation>%1 Es gibt %2 weitere Warnungen.</translation>
     </message>
     <message>
         <source>tab</source>
@@ -11602,20 +11554,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 weitere Abschnitte</translation>
     </message>
     <message>
-        <source>First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.</source>
-        <translation>Zuerst bricht: %1, durch einen Zug von %2, %3 der Dauerfestigkeit von %4.</translation>
+        <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
+        <translation>Zuerst bricht der Abschnitt %1: ein Zug von %2 ist %3 seiner Dauerfestigkeit von %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a tension of %2, %3 of its yield strength of %4.</source>
-        <translation>Zuerst fließt: %1, durch einen Zug von %2, %3 der Streckgrenze von %4.</translation>
+        <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
+        <translation>Zuerst fließt der Abschnitt %1: ein Zug von %2 ist %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a compression of %2, %3 of its yield strength of %4.</source>
-        <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
+        <source>The section that yields first is %1: a compression of %2 is %3 of its yield strength of %4.</source>
+        <translation>Zuerst fließt der Abschnitt %1: ein Druck von %2 ist %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give %1 to find the section that breaks first.</source>
-        <translation>Kein Abschnitt hat eine Festigkeit: %1 angeben, um zu sehen, welcher zuerst bricht.</translation>
+        <source>No section has a strength. Give a strength (%1) to find the section that breaks first.</source>
+        <translation>Kein Abschnitt hat eine Festigkeit. Eine Festigkeit angeben (%1), um den Abschnitt zu finden, der zuerst bricht.</translation>
     </message>
     <message>
         <source>the rod</source>
@@ -11634,11 +11586,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
-        <translation>%1 %2: %3, %4 von ihrem hinteren Ende, nach %5; die Festigkeit ist %6.</translation>
-    </message>
-    <message>
-        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser model of the string, whose COR and efficiency differ by at most %1.</source>
         <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Wellen und Kräfte in den Diagrammen gehören zu einem gröber geteilten Strang, dessen Stoßzahl und Wirkungsgrad um höchstens %1 abweichen.</translation>
     </message>
     <message>
@@ -11650,16 +11598,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 braucht Zeilen mit Punkten und Kommas; --decimal-comma weglassen</translation>
     </message>
     <message>
-        <source>%1 makes no difference.</source>
-        <translation>%1 macht keinen Unterschied.</translation>
+        <source>Enter a wave loss under “%1”: waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Unter „%1“ einen Wellenverlust eingeben: üblich sind 1 bis 30&#xa0;% je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>Give a value under “%1”; 1 to 30 % of a round trip is usual.</source>
-        <translation>Unter „%1“ einen Wert angeben; üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
-    </message>
-    <message>
-        <source>A larger number under “%1” lowers the error.</source>
-        <translation>Eine größere Zahl unter „%1“ verkleinert den Fehler.</translation>
+        <source>Enter a larger number under “%1” to reduce the error.</source>
+        <translation>Unter „%1“ eine größere Zahl eingeben, um den Fehler zu verkleinern.</translation>
     </message>
     <message>
         <source>undamped</source>
@@ -11674,8 +11618,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
-        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
+        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are those at that time, not the final ones.</source>
+        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: die Bohrkrone kann das Gestein noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -12058,76 +12002,76 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>abgelehnt</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
-        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
+        <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
+        <translation>Die Reflexion kommt nicht zu der aus der Szenariodatei berechneten Zeit an: den Abstand der Messstelle von der Krone, die Wellengeschwindigkeit und den Abtasttakt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
-        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
+        <source>A section between gauge and bit differs from the scenario file: measure the bit head and the rod, and check whether the file lacks a section.</source>
+        <translation>Ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
-        <translation>Ein Abschnitt zur Krone hin oder der Abstand der Messstellen voneinander weicht von der Datei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
+        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file: measure this distance, the bit head and the rod.</source>
+        <translation>Der Abstand der Messstellen voneinander oder ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
     </message>
     <message>
-        <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
-        <translation>Es gibt Wellen, wo keine sein sollten: Biegung (Messstreifen auf gegenüberliegenden Seiten verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
+        <source>The record shows waves at times when the rod should be at rest. Possible causes: bending (use gauges on opposite sides of the rod), the blow before, or couplings.</source>
+        <translation>Die Aufzeichnung zeigt Wellen zu Zeiten, in denen die Stange in Ruhe sein sollte. Mögliche Ursachen: Biegung (Messstreifen auf gegenüberliegenden Seiten der Stange verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
     </message>
     <message>
-        <source>The zero line moves more than the amplifier is said to allow: check zero, drift and coupling of the amplifier.</source>
-        <translation>Die Nulllinie bewegt sich mehr, als der Verstärker laut Angabe darf: Nullpunkt, Drift und Kopplung des Verstärkers prüfen.</translation>
+        <source>The zero line of the record moves by more than the tolerance of the amplifier: check its zero, drift and coupling.</source>
+        <translation>Die Nulllinie der Aufzeichnung bewegt sich um mehr als die Toleranz des Verstärkers: seinen Nullpunkt, seine Drift und seine Kopplung prüfen.</translation>
     </message>
     <message>
-        <source>The rod still rings before the blow: measure a single blow.</source>
-        <translation>Die Stange schwingt vor dem Schlag noch nach: einen einzelnen Schlag messen.</translation>
+        <source>The rod still rings from an earlier blow when this blow starts: measure a single blow.</source>
+        <translation>Die Stange schwingt zu Beginn dieses Schlags noch von einem früheren nach: einen einzelnen Schlag messen.</translation>
     </message>
     <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Das Modell stimmt nicht mit der Aufzeichnung überein, daher ist über das Gestein nichts bekannt. %1</translation>
     </message>
     <message>
-        <source>The record agrees with the rock of the file.</source>
-        <translation>Die Aufzeichnung stimmt mit dem Gestein der Datei überein.</translation>
+        <source>The record agrees with the rock of the scenario file.</source>
+        <translation>Die Aufzeichnung stimmt mit dem Gestein der Szenariodatei überein.</translation>
     </message>
     <message>
-        <source>The record contradicts the rock of the file.</source>
-        <translation>Die Aufzeichnung widerspricht dem Gestein der Datei.</translation>
+        <source>The record contradicts the rock of the scenario file.</source>
+        <translation>Die Aufzeichnung widerspricht dem Gestein der Szenariodatei.</translation>
     </message>
     <message>
-        <source>The record differs from the rock of the file.</source>
-        <translation>Die Aufzeichnung weicht vom Gestein der Datei ab.</translation>
+        <source>The record agrees only roughly with the rock of the scenario file.</source>
+        <translation>Die Aufzeichnung stimmt nur ungefähr mit dem Gestein der Szenariodatei überein.</translation>
     </message>
     <message>
-        <source>The record agrees roughly with the model.</source>
-        <translation>Die Aufzeichnung stimmt ungefähr mit dem Modell überein.</translation>
+        <source>The record agrees only roughly with the model.</source>
+        <translation>Die Aufzeichnung stimmt nur ungefähr mit dem Modell überein.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that yields once.</source>
-        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das einmal nachgibt.</translation>
+        <source>The record agrees with a rock that yields at one force: its loading curve has one corner.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das bei einer bestimmten Kraft nachgibt: seine Belastungskurve hat eine Ecke.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that loads along one line.</source>
-        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das sich entlang einer Geraden belastet.</translation>
+        <source>The record agrees with a rock whose force rises along one straight line while the bit penetrates.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, dessen Kraft beim Eindringen längs einer einzigen Geraden steigt.</translation>
     </message>
     <message>
-        <source>Stiffness, elasticity and gap are known.</source>
-        <translation>Steifigkeit, Elastizität und Spalt sind bekannt.</translation>
+        <source>Stiffness, elasticity and gap of the rock are known.</source>
+        <translation>Steifigkeit, Elastizität und Spalt des Gesteins sind bekannt.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity are known, the gap is not.</source>
-        <translation>Steifigkeit und Elastizität sind bekannt, der Spalt nicht.</translation>
+        <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
+        <translation>Steifigkeit und Elastizität des Gesteins sind bekannt, der Spalt zwischen Bohrkrone und Gestein nicht.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the elasticity is not.</source>
-        <translation>Die Steifigkeit ist bekannt, die Elastizität nicht.</translation>
+        <source>The stiffness of the rock is known, the elasticity is not.</source>
+        <translation>Die Steifigkeit des Gesteins ist bekannt, die Elastizität nicht.</translation>
     </message>
     <message>
-        <source>The elasticity is known, the stiffness is not.</source>
-        <translation>Die Elastizität ist bekannt, die Steifigkeit nicht.</translation>
+        <source>The elasticity of the rock is known, the stiffness is not.</source>
+        <translation>Die Elastizität des Gesteins ist bekannt, die Steifigkeit nicht.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor elasticity is known to 20 %.</source>
-        <translation>Weder Steifigkeit noch Elastizität sind auf 20&#xa0;% genau bekannt.</translation>
+        <source>Neither stiffness nor elasticity of the rock is known to within 20 %.</source>
+        <translation>Weder Steifigkeit noch Elastizität des Gesteins sind auf 20&#xa0;% genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12506,12 +12450,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>stimmt nicht überein</translation>
     </message>
     <message>
-        <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
-        <translation>Einzelne Schläge brauchen nicht mehr Andruck; ab %1 wäre eine ungedämpfte Stange vor jedem nächsten Schlag zurück.</translation>
+        <source>For single blows, no additional feed force is required. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
+        <translation>Für einzelne Schläge ist kein zusätzlicher Andruck erforderlich. Ab %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückkehren.</translation>
     </message>
     <message>
-        <source>Single blows need no more feed.</source>
-        <translation>Einzelne Schläge brauchen nicht mehr Andruck.</translation>
+        <source>For single blows, no additional feed force is required.</source>
+        <translation>Für einzelne Schläge ist kein zusätzlicher Andruck erforderlich.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12522,40 +12466,36 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--goal nimmt nur den Wert: --outputs cor --goal 1</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
-        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so the coefficient of restitution e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass die Stoßzahl e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers every gap.</source>
-        <translation>%1 mehr Andruck decken diesen Schlag ab, %2 mehr jeden Spalt.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers rigid rock.</source>
-        <translation>%1 mehr Andruck decken diesen Schlag ab, %2 mehr starres Gestein.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 starres Gestein.</translation>
     </message>
     <message>
-        <source>%1 more feed covers every gap.</source>
-        <translation>%1 mehr Andruck decken jeden Spalt ab.</translation>
+        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt jeden Spalt zwischen Bohrkrone und Gestein ab.</translation>
     </message>
     <message>
-        <source>%1 more feed covers rigid rock.</source>
-        <translation>%1 mehr Andruck decken starres Gestein ab.</translation>
+        <source>An additional feed force of %1 covers rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 deckt starres Gestein ab.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, then where measured and modelled wave differ.</source>
-        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin oder der Abstand der Messstellen voneinander weichen von der Datei ab: den Kronenkopf und diesen Abstand prüfen, dann, wo gemessene und berechnete Welle auseinandergehen.</translation>
+        <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
+        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder in der Szenariodatei ist ein Abschnitt zwischen Messstelle und Bohrkrone oder der Abstand der Messstellen voneinander falsch: zuerst den Kronenkopf und diesen Abstand prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, then where measured and modelled wave differ.</source>
-        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen, dann, wo gemessene und berechnete Welle auseinandergehen.</translation>
+        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file: check the bit head first, then see where the measured and the modelled wave differ.</source>
+        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder die Abschnitte zwischen Messstelle und Bohrkrone weichen von der Szenariodatei ab: zuerst den Kronenkopf prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
-        <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
-        <translation>Der Durchlauf kann die Werte nicht unterscheiden: Eindringungen sind auf +- %1 bekannt, weil %2.</translation>
-    </message>
-    <message>
-        <source>%1 gives the highest rate of the values tried, %2%3.</source>
-        <translation>%1 ergibt die höchste Rate der berechneten Werte, %2%3.</translation>
+        <source>The scan cannot decide which value is best: the penetrations have errors of +- %1, because %2.</source>
+        <translation>Der Durchlauf kann nicht entscheiden, welcher Wert der beste ist: die Eindringungen haben Fehler von +- %1, weil %2.</translation>
     </message>
     <message>
         <source>gain within the record</source>
@@ -12884,6 +12824,62 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>there is no answer in a part of the range: %1</source>
         <translation>in einem Teil des Bereichs gibt es keine Antwort: %1</translation>
+    </message>
+    <message>
+        <source>%1 would yield: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its yield strength is %5.</source>
+        <translation>%1 würde fließen: die Spannung in diesem Abschnitt erreicht %2, %3 von seinem hinteren Ende und %4 nach Beginn des Schlags. Seine Streckgrenze ist %5.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Die Stange würde fließen: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Die Stange würde fließen: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
+    </message>
+    <message>
+        <source>%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its fatigue strength is %5.</source>
+        <translation>%1 ermüdet mit jedem Schlag: die Spannung in diesem Abschnitt erreicht %2, %3 von seinem hinteren Ende und %4 nach Beginn des Schlags. Seine Dauerfestigkeit ist %5.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Die Stange ermüdet mit jedem Schlag: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Dauerfestigkeit ist %4.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Die Stange ermüdet mit jedem Schlag: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Dauerfestigkeit ist %4.</translation>
+    </message>
+    <message>
+        <source>%1 in compression</source>
+        <translation>%1 Druck</translation>
+    </message>
+    <message>
+        <source>%1 in tension</source>
+        <translation>%1 Zug</translation>
+    </message>
+    <message>
+        <source>The choice of the design makes no difference: the objective %1 is %2, within %3, for all %4 designs.</source>
+        <translation>Die Wahl der Auslegung macht keinen Unterschied: die Zielgröße %1 ist bei allen %4 Auslegungen %2, auf %3 genau.</translation>
+    </message>
+    <message>
+        <source>The choice of %1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
+        <translation>Die Wahl von %1 macht keinen Unterschied: die Zielgröße %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
+    </message>
+    <message>
+        <source>The choice of %1 makes no difference to the objectives and limits.</source>
+        <translation>Die Wahl von %1 macht für Zielgrößen und Grenzen keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warning.</source>
+        <translation>Diese Auslegung hat %1 weitere Warnung.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warnings.</source>
+        <translation>Diese Auslegung hat %1 weitere Warnungen.</translation>
+    </message>
+    <message>
+        <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
+        <translation>Der höchste Bohrfortschritt des Durchlaufs, %1, wird mit %2 erreicht.</translation>
     </message>
 </context>
 <context>
@@ -13898,8 +13894,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Aufeinanderfolgende Schläge verfolgen (etwa %1 s)</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Dies ist eine Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
@@ -15751,9 +15747,9 @@ Befehle:
 </translation>
     </message>
     <message>
-        <source>FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of
-a built-in example, or - for standard input.</source>
-        <translation>FILE ist ein Szenario, ein Ergebnis, das eines enthält (summary.json, histories.csv,
+        <source>FILE is a scenario, a result file that contains its scenario (summary.json, histories.csv,
+map.csv.yaml …), the name of a built-in example, or - for standard input.</source>
+        <translation>FILE ist ein Szenario, eine Ergebnisdatei, die ihr Szenario enthält (summary.json, histories.csv,
 map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standardeingabe.</translation>
     </message>
     <message>
@@ -15768,44 +15764,40 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
         <translation>Optionen:</translation>
     </message>
     <message>
-        <source>this help</source>
-        <translation>dieser Text</translation>
+        <source>print this help</source>
+        <translation>diese Hilfe ausgeben</translation>
     </message>
     <message>
-        <source>version of the program</source>
-        <translation>Version des Programms</translation>
+        <source>solve one blow; print a summary, write histories, events and plots</source>
+        <translation>einen Schlag lösen: Zusammenfassung, auf Wunsch Verläufe, Ereignisse und Diagramme</translation>
     </message>
     <message>
-        <source>solve one blow; a summary, and histories, events and plots into a folder</source>
-        <translation>einen Schlag lösen; Zusammenfassung, und in einen Ordner Verläufe, Ereignisse und Diagramme</translation>
+        <source>change parameters of the scenario, such as rod.length=4.27m beta=0.8</source>
+        <translation>Parameter des Szenarios ändern, zum Beispiel rod.length=4.27m beta=0.8</translation>
     </message>
     <message>
-        <source>change parameters, e.g. rod.length=4.27m beta=0.8</source>
-        <translation>Parameter ändern, zum Beispiel rod.length=4.27m beta=0.8</translation>
+        <source>use the rod of this preset; `drillwave presets` lists rods, hammers and rocks</source>
+        <translation>die Stange dieser Voreinstellung verwenden; `drillwave presets` zeigt Stangen, Hämmer und Gesteine</translation>
     </message>
     <message>
-        <source>use this rod; `drillwave presets` lists rods, hammers and rocks</source>
-        <translation>diese Stange nehmen; `drillwave presets` zeigt Stangen, Hämmer, Gesteine</translation>
+        <source>use the hammer of this preset</source>
+        <translation>den Hammer dieser Voreinstellung verwenden</translation>
     </message>
     <message>
-        <source>use this hammer</source>
-        <translation>diesen Hammer nehmen</translation>
+        <source>use the rock of this preset</source>
+        <translation>das Gestein dieser Voreinstellung verwenden</translation>
     </message>
     <message>
-        <source>use this rock</source>
-        <translation>dieses Gestein nehmen</translation>
+        <source>with -o, also write plots in these formats</source>
+        <translation>mit -o auch Diagramme in diesen Formaten schreiben</translation>
     </message>
     <message>
-        <source>with -o, also plots in these formats</source>
-        <translation>mit -o auch Diagramme in diesen Formaten</translation>
+        <source>with -o, write CSV columns in SI (default for scenarios with units)</source>
+        <translation>mit -o CSV-Spalten in SI-Einheiten schreiben (Vorgabe bei Szenarien mit Einheiten)</translation>
     </message>
     <message>
-        <source>with -o, CSV columns in SI (default for scenarios with units)</source>
-        <translation>mit -o CSV-Spalten in SI-Einheiten, wie ohnehin bei Szenarien mit Einheiten</translation>
-    </message>
-    <message>
-        <source>with -o, CSV columns dimensionless</source>
-        <translation>mit -o CSV-Spalten trotzdem dimensionslos</translation>
+        <source>with -o, write CSV columns in dimensionless form</source>
+        <translation>mit -o CSV-Spalten dimensionslos schreiben</translation>
     </message>
     <message>
         <source>overwrite existing files</source>
@@ -15816,210 +15808,224 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
         <translation>Deutsch (de), Schwedisch (sv) oder Englisch (en) sprechen</translation>
     </message>
     <message>
-        <source>solve a grid of parameters, one CSV row per point</source>
-        <translation>ein Raster von Parametern lösen, eine CSV-Zeile je Punkt</translation>
+        <source>solve one blow for every combination of parameter values, one CSV row each</source>
+        <translation>einen Schlag für jede Kombination von Parameterwerten lösen, je eine CSV-Zeile</translation>
     </message>
     <message>
-        <source>Every combination of the values of the axes is one row, later axes fastest. Values carry units
-where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
-FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.
---plots draws one axis or two: curves along the one with more values, one for each of the other.</source>
-        <translation>Jede Kombination der Werte der Achsen ist eine Zeile, spätere Achsen laufen am schnellsten.
-Werte haben Einheiten, wo der Parameter eine hat:
+        <source>Solves one blow for every combination of the --vary values. Each combination is one row; the
+parameter given last varies fastest. Values carry units where the parameter has one: --vary
+rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml beside FILE.csv records version, command, varied parameters and scenario. --plots
+can draw one or two varied parameters: the one with more values is the horizontal axis, and each
+value of the other one gives a curve.</source>
+        <translation>Löst einen Schlag für jede Kombination der Werte von --vary. Jede Kombination ist eine Zeile; der
+zuletzt genannte Parameter läuft am schnellsten. Werte haben Einheiten, wo der Parameter eine hat:
 --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
-FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind: Version, Befehl, Achsen und Szenario.
---plots zeichnet eine Achse oder zwei: Kurven über der mit mehr Werten, eine für jeden der anderen.</translation>
+FILE.csv.yaml neben FILE.csv hält Version, Befehl, veränderte Parameter und Szenario fest. --plots
+kann einen oder zwei veränderte Parameter zeichnen: der mit mehr Werten ist die waagerechte Achse,
+und jeder Wert des anderen ergibt eine Kurve.</translation>
     </message>
     <message>
-        <source>an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C</source>
-        <translation>eine Achse: START:STOP:COUNT, START:STOP:COUNT:log oder A,B,C</translation>
+        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
+        <translation>diesen Parameter verändern; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
     </message>
     <message>
-        <source>outputs in SI, with units in the header</source>
-        <translation>Ergebnisse in SI-Einheiten, mit Einheiten im Kopf</translation>
+        <source>write outputs in SI, with units in the header</source>
+        <translation>Ergebnisse in SI-Einheiten schreiben, mit Einheiten im Kopf</translation>
     </message>
     <message>
-        <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
-        <translation>nur Teil I von N zusammenhängenden, für `drillwave join`; Kopf nur in Teil 1</translation>
+        <source>solve only the I-th of N parts of the rows, which `drillwave join` puts together; only part 1 has the header</source>
+        <translation>nur den I-ten von N Teilen der Zeilen lösen, die `drillwave join` zusammenfügt; nur Teil 1 hat den Kopf</translation>
     </message>
     <message>
-        <source>with -o, also pictures in these formats, as in the window</source>
-        <translation>mit -o auch Bilder in diesen Formaten, wie im Fenster</translation>
+        <source>with -o, also write the picture of the window in these formats</source>
+        <translation>mit -o auch das Bild des Fensters in diesen Formaten schreiben</translation>
     </message>
     <message>
-        <source>solve every row of a table of cases; its columns and the outputs</source>
-        <translation>jede Zeile einer Tabelle von Fällen lösen; ihre Spalten und die Ergebnisse</translation>
+        <source>solve every row of a table of cases; write its columns and the outputs</source>
+        <translation>jede Zeile einer Tabelle von Fällen lösen; ihre Spalten und Ergebnisse schreiben</translation>
     </message>
     <message>
-        <source>The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length [m].
-An empty cell leaves the value of FILE. Columns that are no parameters are passed through.
-CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.</source>
-        <translation>Der Kopf von CASES nennt Parameter, mit einer Einheit in eckigen Klammern oder Einheiten in den
-Zellen: rod.length [m]. Eine leere Zelle lässt den Wert von FILE gelten. Spalten, die keine
-Parameter sind, werden unverändert durchgereicht.
-CASES darf - oder eine Pipe sein. FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind.</translation>
+        <source>CASES.csv is a table with one case in each row. Its header names parameters, with a unit in
+brackets, as in rod.length [m], or with units in the cells. An empty cell keeps the value of FILE.
+Columns that are not parameters are copied to the output. CASES can be - (standard input) or a
+pipe. FILE.csv.yaml beside FILE.csv records version, command and scenario.</source>
+        <translation>CASES.csv ist eine Tabelle mit einem Fall je Zeile. Ihr Kopf nennt Parameter, mit einer Einheit in
+eckigen Klammern, wie rod.length [m], oder mit Einheiten in den Zellen. Eine leere Zelle lässt den
+Wert von FILE gelten. Spalten, die keine Parameter sind, werden in die Ausgabe übernommen. CASES
+kann - (Standardeingabe) oder eine Pipe sein. FILE.csv.yaml neben FILE.csv hält Version, Befehl
+und Szenario fest.</translation>
     </message>
     <message>
-        <source>follow outputs along a parameter; print extremes, kinks and crossings with errors</source>
-        <translation>Ergebnisse entlang eines Parameters: Extreme, Knicke und Schnittpunkte mit Stellen und Fehlern</translation>
+        <source>follow outputs along a parameter: extremes, kinks, jumps and crossings, with errors</source>
+        <translation>Ergebnisse entlang eines Parameters verfolgen: Extreme, Knicke, Sprünge, Schnittpunkte</translation>
     </message>
     <message>
-        <source>parameter to vary: START:STOP or START:STOP:log</source>
-        <translation>der Parameter, über dem verfolgt wird: START:STOP oder START:STOP:log</translation>
+        <source>vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)</source>
+        <translation>diesen Parameter stetig verändern; RANGE ist START:STOP oder START:STOP:log (in seinem Logarithmus)</translation>
     </message>
     <message>
-        <source>one line per value: A,B,C, or START:STOP:COUNT[:log]</source>
-        <translation>eine Kurve für jeden Wert: A,B,C oder START:STOP:COUNT[:log]</translation>
+        <source>vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
+        <translation>diesen Parameter verändern, mit einer Kurve für jeden Wert; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
     </message>
     <message>
-        <source>also where the outputs cross this value, in the unit of their columns</source>
-        <translation>auch, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
+        <source>also print where the outputs cross this value, in the unit of their columns</source>
+        <translation>auch ausgeben, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
     </message>
     <message>
-        <source>find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there is none</source>
-        <translation>alle Werte von KEY mit diesem Ergebnis, in der Einheit seiner Spalte; sonst Exit-Code 6</translation>
+        <source>print every value of the parameter at which the output is X, in the unit of its column; exit code 6 if there is none</source>
+        <translation>jeden Wert des Parameters ausgeben, bei dem das Ergebnis X ist, in der Einheit seiner Spalte; Exit-Code 6, wenn es keinen gibt</translation>
     </message>
     <message>
-        <source>outputs in SI</source>
-        <translation>Ergebnisse in SI-Einheiten</translation>
+        <source>print and write outputs in SI</source>
+        <translation>Ergebnisse in SI-Einheiten ausgeben und schreiben</translation>
     </message>
     <message>
-        <source>also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to FILE_goal.csv; - prints the points instead</source>
-        <translation>auch Kurvenpunkte nach FILE.csv schreiben, Einstellungen nach FILE.csv.yaml, Orte des Ziels nach FILE_goal.csv; - gibt die Punkte aus</translation>
+        <source>also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values that --goal finds to FILE_goal.csv; -o - prints the points instead of the tables</source>
+        <translation>auch die Punkte der Kurve nach FILE.csv schreiben, die Einstellungen nach FILE.csv.yaml und die Werte, die --goal findet, nach FILE_goal.csv; -o - gibt die Punkte anstelle der Tabellen aus</translation>
     </message>
     <message>
-        <source>an output over two parameters, and its contours</source>
-        <translation>ein Ergebnis über zwei Parametern, und seine Höhenlinien</translation>
+        <source>map one output over two parameters, with contours</source>
+        <translation>Karte eines Ergebnisses über zwei Parametern, mit Höhenlinien</translation>
     </message>
     <message>
-        <source>FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one
-point between two neighbouring points on either side of the level, placed there by the solver, not
-by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps there.</source>
-        <translation>FILE.csv hat die Zeilen von `drillwave sweep` über denselben zwei Achsen, --y am schnellsten. Eine
-Höhenlinie hat einen Punkt zwischen zwei Nachbarpunkten beiderseits ihres Werts, durch Lösen
-bestimmt, nicht durch Interpolation: FILE_contours.csv sagt, wie nahe er dem Wert ist, oder dass das
-Ergebnis dort springt.</translation>
+        <source>Solves the output at every point of a grid of two parameters. FILE.csv has one row for each point,
+with the same columns as from `drillwave sweep`; --y varies fastest. With --level X, also finds
+the contour on which the output is X. Each point of a contour lies between two neighbouring grid
+points and is solved for, not interpolated. FILE_contours.csv lists these points, how near to X
+each one is, and where the output jumps over X.</source>
+        <translation>Löst das Ergebnis an jedem Punkt eines Rasters zweier Parameter. FILE.csv hat eine Zeile je Punkt,
+mit denselben Spalten wie von `drillwave sweep`; --y läuft am schnellsten. Mit --level X wird auch
+die Höhenlinie bestimmt, auf der das Ergebnis X ist. Jeder Punkt einer Höhenlinie liegt zwischen
+zwei benachbarten Rasterpunkten und wird durch Lösen bestimmt, nicht durch Interpolation.
+FILE_contours.csv nennt diese Punkte, wie nahe an X jeder liegt, und wo das Ergebnis über X
+springt.</translation>
     </message>
     <message>
-        <source>parameter across and its values; :log after the count for even ratios</source>
-        <translation>Parameter nach rechts und seine Werte; :log nach der Anzahl für gleiche Verhältnisse</translation>
+        <source>vary this parameter on the horizontal axis; VALUES is START:STOP:COUNT or START:STOP:COUNT:log (equal ratios)</source>
+        <translation>diesen Parameter auf der waagerechten Achse verändern; VALUES ist START:STOP:COUNT oder START:STOP:COUNT:log (gleiche Verhältnisse)</translation>
     </message>
     <message>
-        <source>parameter upwards and its values; also :log</source>
-        <translation>Parameter nach oben und seine Werte; auch :log</translation>
+        <source>vary this parameter on the vertical axis; VALUES is START:STOP:COUNT or START:STOP:COUNT:log (equal ratios)</source>
+        <translation>diesen Parameter auf der senkrechten Achse verändern; VALUES ist START:STOP:COUNT oder START:STOP:COUNT:log (gleiche Verhältnisse)</translation>
     </message>
     <message>
-        <source>place the contour of this value; may be given again</source>
-        <translation>die Höhenlinie dieses Werts bestimmen; mehrmals möglich</translation>
+        <source>find the contour on which the output has this value; may be repeated</source>
+        <translation>die Höhenlinie bestimmen, auf der das Ergebnis diesen Wert hat; mehrmals möglich</translation>
     </message>
     <message>
-        <source>the output in SI, and levels too, which may then carry units</source>
-        <translation>Ergebnis und Höhenlinien in SI-Einheiten; X darf dann eine Einheit haben</translation>
+        <source>use SI units for the output and for the value of --level, which may then carry a unit</source>
+        <translation>SI-Einheiten für das Ergebnis und für den Wert von --level verwenden, der dann eine Einheit haben darf</translation>
     </message>
     <message>
-        <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
-        <translation>Punkte auch schreiben, Höhenlinien in FILE_contours.csv; - gibt nur die Punkte aus</translation>
+        <source>also write the points of the map to FILE.csv, with its record FILE.csv.yaml, and the contours to FILE_contours.csv; -o - prints the points instead of the summary</source>
+        <translation>auch die Punkte der Karte nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml, und die Höhenlinien nach FILE_contours.csv; -o - gibt die Punkte anstelle der Zusammenfassung aus</translation>
     </message>
     <message>
-        <source>put the parts of a sweep, table or map of --shard together</source>
-        <translation>die mit --shard gerechneten Teile von sweep, table oder map zusammenfügen</translation>
+        <source>put the parts of a sweep, table or map together that --shard has split</source>
+        <translation>die Teile von sweep, table oder map zusammenfügen, in die --shard sie geteilt hat</translation>
     </message>
     <message>
-        <source>where to write, with FILE.yaml beside it; - is standard output</source>
-        <translation>wohin geschrieben wird, mit FILE.yaml daneben; - ist die Standardausgabe</translation>
+        <source>file to write, with its record FILE.yaml beside it; -o - prints the file</source>
+        <translation>Datei, die geschrieben wird, mit ihrem Protokoll FILE.yaml daneben; -o - gibt die Datei aus</translation>
     </message>
     <message>
-        <source>restitution, forces and efficiency over all gaps between bit and rock</source>
-        <translation>Stoßzahl, Kräfte und Wirkungsgrad über alle Spalte zwischen Bohrkrone und Gestein</translation>
+        <source>restitution, forces and efficiency for all gaps between bit and rock</source>
+        <translation>Stoßzahl, Kräfte und Wirkungsgrad für alle Spalte zwischen Bohrkrone und Gestein</translation>
     </message>
     <message>
-        <source>Results have a period in the gap, d0 = 2 I0/Z, which nobody controls at the rig: extremes and
-where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e &gt; 1, for all gaps of
-a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).</source>
-        <translation>Die Ergebnisse haben im Spalt die Periode d0 = 2 I0/Z, und den Spalt regelt am Bohrgerät niemand.
-Genannt werden Extreme und wo sie liegen, Mittel, 5&#xa0;%-, 50&#xa0;%- und 95&#xa0;%-Quantil und der Anteil der
-Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind und, mit
---gap-deviation, auch für einen normalverteilten Spalt (bei null abgeschnitten).</translation>
+        <source>Prints how the results depend on the gap between bit and rock at the start of the blow. At the rig
+nobody controls this gap, and the results repeat with every d0 = 2 I0/Z of it (I0: impulse of the
+blow, Z: impedance of the rod). So all gaps of one such period count as equally likely. Prints
+extremes with their gaps, mean, 5, 50 and 95 % quantiles, and the share of gaps with a coefficient
+of restitution e above 1. --gap-deviation adds the same for a normally distributed gap; gaps below
+zero are cut off.</source>
+        <translation>Gibt aus, wie die Ergebnisse vom Spalt zwischen Bohrkrone und Gestein zu Beginn des Schlags
+abhängen. Am Bohrgerät regelt diesen Spalt niemand, und die Ergebnisse wiederholen sich mit je d0
+= 2 I0/Z Spalt (I0: Kraftstoß des Schlags, Z: Impedanz der Stange). Darum gelten alle Spalte einer
+solchen Periode als gleich wahrscheinlich. Ausgegeben werden Extreme mit ihren Spalten, Mittel,
+5-, 50- und 95-%-Quantil und der Anteil der Spalte mit einer Stoßzahl e über 1. --gap-deviation
+ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abgeschnitten.</translation>
     </message>
     <message>
-        <source>standard deviation of the random (normal) gap</source>
-        <translation>Standardabweichung des zufälligen (normalverteilten) Spalts</translation>
+        <source>standard deviation of a normally distributed gap, for which results are added</source>
+        <translation>Standardabweichung eines normalverteilten Spalts, für den Ergebnisse ergänzt werden</translation>
     </message>
     <message>
-        <source>also write the results along the gap; - prints them instead of the table</source>
-        <translation>auch die Ergebnisse über dem Spalt schreiben; - gibt sie anstelle der Tabelle aus</translation>
+        <source>also write the results at each gap to FILE.csv; -o - prints them instead of the table</source>
+        <translation>auch die Ergebnisse bei jedem Spalt nach FILE.csv schreiben; -o - gibt sie anstelle der Tabelle aus</translation>
     </message>
     <message>
-        <source>with -o, columns in SI, with units in the header</source>
-        <translation>mit -o Spalten in SI-Einheiten, mit Einheiten im Kopf</translation>
+        <source>with -o, write columns in SI, with units in the header</source>
+        <translation>mit -o Spalten in SI-Einheiten schreiben, mit Einheiten im Kopf</translation>
     </message>
     <message>
-        <source>short for --set drill.settle=N: transient blows, excluded from statistics</source>
-        <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
+        <source>number of first blows (transient blows) that the statistics exclude: short for --set drill.settle=N</source>
+        <translation>Zahl der ersten Schläge (Einschwingen), die in keiner Statistik zählen: kurz für --set drill.settle=N</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, seed of the random blow intervals</source>
-        <translation>kurz für --set drill.seed=N: Startwert der zufälligen Schlagabstände</translation>
+        <source>seed of the random intervals between blows: short for --set drill.seed=N</source>
+        <translation>Startwert der zufälligen Schlagabstände: kurz für --set drill.seed=N</translation>
     </message>
     <message>
-        <source>scan these values; :log after the count, or KEY=A,B,C</source>
-        <translation>Durchlauf über diese Werte; auch mit :log dahinter, oder KEY=A,B,C</translation>
+        <source>vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
+        <translation>diesen Parameter verändern und seine Werte vergleichen; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
     </message>
     <message>
-        <source>with --scan, also write the gap of every counted blow</source>
-        <translation>mit --scan auch den Spalt jedes Schlags schreiben, der zählt</translation>
+        <source>with --scan, also write the gap of each blow to this file, except for transient blows</source>
+        <translation>mit --scan auch den Spalt jedes Schlags in diese Datei schreiben, außer denen zum Einschwingen</translation>
     </message>
     <message>
-        <source>with -o DIR, also write the histories from blow A to blow B</source>
-        <translation>mit -o DIR auch schreiben, was von Schlag A bis Schlag B geschieht</translation>
+        <source>with -o DIR, also write the motion and forces over time from blow A to blow B</source>
+        <translation>mit -o DIR auch Bewegung und Kräfte über der Zeit von Schlag A bis Schlag B schreiben</translation>
     </message>
     <message>
-        <source>numbers as multiples of d0, v0, I0, F0 and t0</source>
-        <translation>Zahlen als Vielfache von d0, v0, I0, F0 und t0</translation>
+        <source>print numbers as multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help glossary 2`)</source>
+        <translation>Zahlen als Vielfache der Skalen d0, v0, I0, F0 und t0 eines Schlags ausgeben (`drillwave help glossary 2`)</translation>
     </message>
     <message>
-        <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
-        <translation>Zeile je Schlag, dazu FILE.csv.yaml, oder alles nach DIR; - gibt Zeilen aus</translation>
+        <source>also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files into DIR; -o - prints the rows</source>
+        <translation>auch eine Zeile je Schlag nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml, oder alle Dateien nach DIR; -o - gibt die Zeilen aus</translation>
     </message>
     <message>
-        <source>short for --along drill.blow_frequency=VALUES</source>
-        <translation>kurz für --along drill.blow_frequency=VALUES</translation>
+        <source>vary the blow frequency: short for --along drill.blow_frequency=VALUES</source>
+        <translation>die Schlagfrequenz verändern: kurz für --along drill.blow_frequency=VALUES</translation>
     </message>
     <message>
-        <source>also write the table of --along; - prints it instead</source>
-        <translation>auch die Tabelle von --along schreiben; - gibt sie stattdessen aus</translation>
+        <source>also write the table of --along to FILE.csv; -o - prints this CSV instead of the tables</source>
+        <translation>auch die Tabelle von --along nach FILE.csv schreiben; -o - gibt dieses CSV anstelle der Tabellen aus</translation>
     </message>
     <message>
-        <source>find the best design for uncertain inputs, its cost, and what to measure</source>
-        <translation>die beste Wahl bei unsicheren Größen, was sie kostet, was zu messen ist</translation>
+        <source>find the best design for uncertain inputs, and which input to measure</source>
+        <translation>die beste Auslegung bei unsicheren Größen finden, und welche Größe zu messen ist</translation>
     </message>
     <message>
-        <source>uncertain input; see below</source>
-        <translation>was nicht bekannt ist; siehe unten</translation>
+        <source>uncertain input and the range of its values; see the description of the command</source>
+        <translation>unsichere Größe und der Bereich ihrer Werte; siehe die Beschreibung des Befehls</translation>
     </message>
     <message>
-        <source>samples of uncertain inputs, one per row; header as for table</source>
-        <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
+        <source>take the samples of uncertain inputs from this table, one per row; its header names parameters</source>
+        <translation>die Stichproben unsicherer Größen aus dieser Tabelle nehmen, eine je Zeile; ihr Kopf nennt Parameter</translation>
     </message>
     <message>
-        <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
-        <translation>zu maximierende Zielgröße, oder min:… zum Minimieren; bis zu drei, die erste ordnet die Auslegungen</translation>
+        <source>objective: a statistic of an output to maximise, or with min:… to minimise; up to three, the first ranks the designs</source>
+        <translation>Zielgröße: eine Statistik eines Ergebnisses, die maximiert wird, oder mit min:… minimiert; bis zu drei, die erste ordnet die Auslegungen</translation>
     </message>
     <message>
-        <source>scale the blow of every design to the blow energy of FILE</source>
-        <translation>der Schlag jeder Auslegung hat dieselbe Energie wie der von FILE</translation>
+        <source>give every design the blow energy of FILE, by scaling its impulse or hammer velocity</source>
+        <translation>jeder Auslegung die Schlagenergie von FILE geben, durch Skalieren von Kraftstoß oder Hammergeschwindigkeit</translation>
     </message>
     <message>
-        <source>also write tables, the best design and the JSON object into DIR</source>
-        <translation>auch Tabellen, die beste Auslegung und das JSON-Objekt nach DIR schreiben</translation>
+        <source>also write the tables, the scenario of the best design and the JSON object into DIR</source>
+        <translation>auch die Tabellen, das Szenario der besten Auslegung und das JSON-Objekt nach DIR schreiben</translation>
     </message>
     <message>
         <source>write a report: inputs with sources, results, verdict, plots, scenario</source>
         <translation>eine Seite zum Weitergeben: Eingaben mit Quellen, Ergebnisse, Urteil, Diagramme, das Szenario</translation>
     </message>
     <message>
-        <source>project, shown below the title</source>
-        <translation>unter dem Titel: wofür der Bericht ist</translation>
+        <source>name of the project, shown below the title</source>
+        <translation>Name des Projekts, steht unter dem Titel</translation>
     </message>
     <message>
         <source>author</source>
@@ -16030,731 +16036,770 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>für wen er ist</translation>
     </message>
     <message>
-        <source>where to write; - prints the HTML</source>
-        <translation>wohin geschrieben wird; - gibt das HTML aus</translation>
+        <source>file or folder to write the report to; -o - prints the HTML</source>
+        <translation>Datei oder Ordner für den Bericht; -o - gibt das HTML aus</translation>
     </message>
     <message>
         <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
-        <translation>die Abbildungen der Veröffentlichung, und jede dort gedruckte Zahl neben der exakten</translation>
+        <translation>die Abbildungen der Veröffentlichung wiedergeben und jede gedruckte Zahl prüfen</translation>
     </message>
     <message>
-        <source>where to write; - prints only discrepancies.csv</source>
-        <translation>wohin geschrieben wird; - gibt nur discrepancies.csv aus</translation>
+        <source>folder to write into; -o - prints only discrepancies.csv</source>
+        <translation>Ordner, in den geschrieben wird; -o - gibt nur discrepancies.csv aus</translation>
     </message>
     <message>
-        <source>error against run time, every method and resolution</source>
-        <translation>Fehler über der Rechenzeit, jedes Verfahren und jede Auflösung</translation>
+        <source>compare error and run time of every method and resolution</source>
+        <translation>Fehler und Rechenzeit jedes Verfahrens und jeder Auflösung vergleichen</translation>
     </message>
     <message>
-        <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
-100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For drill
-strings: polynomial cells of several sizes beside a plain lattice.</source>
-        <translation>Löst den Schlag exakt, in geschlossener Form, wo sie gilt, und mit dem Gitter der Veröffentlichung
-(100 bis 20000 Segmente), und vergleicht Fehler und Rechenzeiten. Dauert etwa zehn Sekunden. Bei
-einem Bohrstrang: polynomiale Zellen mehrerer Größen neben einem einfachen Gitter.</translation>
+        <source>Solves the blow exactly, in closed form if it applies, and on the paper&apos;s lattice with 100 to
+20000 segments. Compares the errors and run times of these methods, which takes some ten seconds.
+For drill strings, compares the solver of this program (polynomial cells) at several cell sizes
+with a plain lattice.</source>
+        <translation>Löst den Schlag exakt, in geschlossener Form, wenn sie gilt, und mit dem Gitter der
+Veröffentlichung (100 bis 20000 Segmente). Vergleicht Fehler und Rechenzeiten dieser Verfahren;
+das dauert etwa zehn Sekunden. Bei einem Bohrstrang wird das Verfahren dieses Programms
+(polynomiale Zellen) bei mehreren Zellgrößen mit einem einfachen Gitter verglichen.</translation>
     </message>
     <message>
-        <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
-        <translation>auch accuracy.csv nach DIR schreiben; - gibt sie anstelle der Tabelle aus</translation>
+        <source>also write the table to accuracy.csv in DIR; -o - prints this CSV instead of the table</source>
+        <translation>die Tabelle auch nach accuracy.csv in DIR schreiben; -o - gibt dieses CSV anstelle der Tabelle aus</translation>
     </message>
     <message>
         <source>check the solver on stiff and extreme cases</source>
         <translation>das exakte Verfahren an steifen und extremen Fällen prüfen</translation>
     </message>
     <message>
-        <source>Solves some thousand cases: the published ones, the known traps of such solvers, each parameter
-through its whole range, and products of extremes for every shape. Each is checked for the balance
-of momentum and of energy, for pulling rock, for contacts missed after the end, for continuity
-(e over changes of 1e-10 in each parameter), against its limits on soft and rigid rock and, where
-its steps resolve the contact, against the lattice solver; its stated error against a solution in
-long double. Exit code 6 if any check fails.
-Not covered, as it needs more than 30 million wave pieces: beta below 1e-6 with gamma below 1, and
-tau below 0.1 with exponential and piston blows.</source>
-        <translation>Löst einige tausend Fälle: die veröffentlichten, die bekannten Fallstricke solcher Verfahren, jeden
-Parameter durch seinen ganzen Bereich, und Kombinationen von Extremwerten für jede Form. Geprüft
-werden bei jedem die Bilanzen von Impuls und Energie, ob Gestein zieht, ob nach dem Ende ein Kontakt
-verpasst wurde, die Stetigkeit (e bei Änderungen jedes Parameters um 1e-10), die Grenzfälle auf
-weichem und starrem Gestein und, wo dessen Schritte den Kontakt auflösen, die Übereinstimmung mit
-dem Gitter; der angegebene Fehler an einer Lösung in long double. Exit-Code 6, wenn eine Prüfung
+        <source>Solves some thousand cases: published cases, cases known to break such solvers, each parameter
+through its whole range, and combinations of extreme values for every shape of the blow. The
+checks of each case: momentum and energy are balanced, the rock does not pull, no contact is
+missed after the end, and e hardly changes if a parameter changes by 1e-10. Results are also
+compared with the limits of soft and rigid rock and, if its steps are short enough for the
+contact, with the lattice solver. The stated error is compared with a solution in long double.
+Exit code 6 if any check fails.
+Two ranges are not covered, because their waves have more than 30 million polynomial pieces: beta
+below 1e-6 with gamma below 1, and tau below 0.1 with exponential and piston blows.</source>
+        <translation>Löst einige tausend Fälle: veröffentlichte Fälle, Fälle, an denen solche Verfahren bekanntlich
+scheitern, jeden Parameter durch seinen ganzen Bereich und Kombinationen von Extremwerten für jede
+Form des Schlags. Geprüft wird bei jedem Fall: Impuls und Energie sind ausgeglichen, das Gestein
+zieht nicht, nach dem Ende wird kein Kontakt verpasst, und e ändert sich kaum, wenn sich ein
+Parameter um 1e-10 ändert. Die Ergebnisse werden auch mit den Grenzfällen weiches und starres
+Gestein verglichen und, wenn dessen Schritte für den Kontakt kurz genug sind, mit dem Gitter. Der
+angegebene Fehler wird mit einer Lösung in long double verglichen. Exit-Code 6, wenn eine Prüfung
 fehlschlägt.
-Nicht abgedeckt, da es mehr als 30 Millionen Wellenstücke braucht: beta unter 1e-6 mit gamma
-unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</translation>
+Zwei Bereiche sind nicht abgedeckt, weil ihre Wellen mehr als 30 Millionen Polynomstücke haben:
+beta unter 1e-6 mit gamma unter 1, und tau unter 0,1 bei exponentiellen Schlägen und
+Kolbenschlägen.</translation>
     </message>
     <message>
         <source>print one JSON object with all cases</source>
         <translation>ein JSON-Objekt mit allen Fällen ausgeben</translation>
     </message>
     <message>
-        <source>write stability.csv into this folder; - prints it instead of the summary</source>
-        <translation>stability.csv in diesen Ordner schreiben; - gibt sie anstelle der Zusammenfassung aus</translation>
+        <source>write a table of all cases to stability.csv in DIR; -o - prints it instead of the summary</source>
+        <translation>eine Tabelle aller Fälle nach stability.csv in DIR schreiben; -o - gibt sie anstelle der Zusammenfassung aus</translation>
     </message>
     <message>
-        <source>list the problems of scenarios, one per line</source>
-        <translation>die Fehler von Szenarien auflisten, einen je Zeile</translation>
+        <source>list the errors of scenario files, one per line</source>
+        <translation>die Fehler von Szenariodateien auflisten, einen je Zeile</translation>
     </message>
     <message>
-        <source>Prints nothing for a file without problems. Also checks files of presets.</source>
-        <translation>Sagt nichts zu einer Datei ohne Fehler. Nimmt auch Dateien mit Voreinstellungen.</translation>
+        <source>Checks scenario files and preset files. Prints one line for each error, and nothing for a file without errors.</source>
+        <translation>Prüft Szenariodateien und Dateien mit Voreinstellungen. Gibt eine Zeile je Fehler aus, und nichts für eine Datei ohne Fehler.</translation>
     </message>
     <message>
-        <source>write them as scenario files into DIR; - prints them</source>
-        <translation>sie als Szenariodateien nach DIR schreiben; - gibt sie aus</translation>
+        <source>write the scenarios into DIR, one file each; -o - prints them</source>
+        <translation>die Szenarien nach DIR schreiben, je eine Datei; -o - gibt sie aus</translation>
     </message>
     <message>
-        <source>list rods, hammers, rocks and pieces of drill strings, with their sources</source>
-        <translation>Stangen, Hämmer, Gesteine und Teile von Bohrsträngen auflisten, mit ihren Quellen</translation>
+        <source>list rods, hammers, rocks and sections of drill strings, with their sources</source>
+        <translation>Stangen, Hämmer, Gesteine und Abschnitte von Bohrsträngen auflisten, mit Quellen</translation>
     </message>
     <message>
-        <source>only those with all of these words in kind, name, numbers or source: &quot;T38 bit&quot;</source>
-        <translation>nur die mit allen diesen Wörtern in Art, Name, Zahlen oder Quelle: &quot;T38 bit&quot;</translation>
+        <source>list only presets with all of these words in kind, name, numbers or source, such as &quot;T38 bit&quot;</source>
+        <translation>nur Voreinstellungen mit allen diesen Wörtern in Art, Name, Zahlen oder Quelle auflisten, zum Beispiel &quot;T38 bit&quot;</translation>
     </message>
     <message>
-        <source>mean gap at the blow, of many blows under a feed (drill)</source>
-        <translation>mittlerer Spalt beim Schlag, über viele Schläge unter einem Vorschub (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows (drill)</source>
+        <translation>mittlerer Spalt zwischen Bohrkrone und Gestein zu Beginn der Schläge (drill)</translation>
     </message>
     <message>
-        <source>standard deviation of that gap</source>
-        <translation>Standardabweichung dieses Spalts</translation>
+        <source>standard deviation of the gap between bit and rock at the start of the blows</source>
+        <translation>Standardabweichung des Spalts zwischen Bohrkrone und Gestein zu Beginn der Schläge</translation>
     </message>
     <message>
-        <source>gap exceeded by 95 % of the blows</source>
-        <translation>Spalt, den 95&#xa0;% der Schläge überschreiten</translation>
+        <source>gap between bit and rock that 95 % of the blows exceed</source>
+        <translation>Spalt zwischen Bohrkrone und Gestein, den 95&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
-        <source>median gap</source>
-        <translation>Spalt, unter dem die Hälfte der Schläge liegt</translation>
+        <source>median of the gap between bit and rock at the start of the blows</source>
+        <translation>Median des Spalts zwischen Bohrkrone und Gestein zu Beginn der Schläge</translation>
     </message>
     <message>
-        <source>gap exceeded by 5 % of the blows</source>
-        <translation>Spalt, den 5&#xa0;% der Schläge überschreiten</translation>
+        <source>gap between bit and rock that 5 % of the blows exceed</source>
+        <translation>Spalt zwischen Bohrkrone und Gestein, den 5&#xa0;% der Schläge überschreiten</translation>
     </message>
     <message>
-        <source>mean penetration of a blow: an upper limit</source>
-        <translation>mittlere Eindringung eines Schlags: eine obere Grenze</translation>
+        <source>mean penetration per blow; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>mittlere Eindringung je Schlag; eine obere Grenze, da alles Gestein unter der Krone als gebrochen gilt</translation>
     </message>
     <message>
-        <source>its 95 % error; takes a second march with other cells</source>
-        <translation>ihr Fehler zu 95&#xa0;%; braucht eine zweite Rechnung mit anderen Zellen</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95-%-Fehler von drill_penetration, der mittleren Eindringung je Schlag. Braucht eine zweite Simulation aller Schläge, mit anderen Zeitschritten</translation>
     </message>
     <message>
-        <source>mean penetration times blow frequency, m/s: an upper limit</source>
-        <translation>mittlere Eindringung mal Schlagfrequenz, m/s: eine obere Grenze</translation>
+        <source>penetration rate, m/s: mean penetration per blow times blow frequency; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>Bohrfortschritt, m/s: mittlere Eindringung je Schlag mal Schlagfrequenz; eine obere Grenze, da alles Gestein unter der Krone als gebrochen gilt</translation>
     </message>
     <message>
-        <source>mean impulse on the rock: feed force over frequency</source>
-        <translation>mittlerer Kraftstoß auf das Gestein: Andruck durch Frequenz</translation>
+        <source>mean impulse on the rock per blow: feed force over blow frequency</source>
+        <translation>mittlerer Kraftstoß auf das Gestein je Schlag: Andruck durch Schlagfrequenz</translation>
     </message>
     <message>
-        <source>mean of the largest forces on the rock</source>
-        <translation>Mittel der größten Kräfte auf das Gestein</translation>
+        <source>mean over all blows of the largest force on the rock</source>
+        <translation>Mittel der größten Kraft auf das Gestein über alle Schläge</translation>
     </message>
     <message>
-        <source>largest force of the damper</source>
-        <translation>größte Kraft des Dämpfers</translation>
+        <source>largest force in the damper between machine and rod</source>
+        <translation>größte Kraft im Dämpfer zwischen Maschine und Stange</translation>
     </message>
     <message>
-        <source>contact share: blows that start within 0.05 d0 of the rock</source>
-        <translation>Anteil der Schläge, die höchstens 0,05 d0 vom Gestein entfernt beginnen</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z; I0: Kraftstoß eines Schlags, Z: Impedanz der Stange)</translation>
     </message>
     <message>
-        <source>contacts of a blow, mean</source>
-        <translation>Kontakte je Schlag, im Mittel</translation>
+        <source>mean number of contacts between bit and rock in a blow</source>
+        <translation>mittlere Zahl der Kontakte zwischen Bohrkrone und Gestein in einem Schlag</translation>
     </message>
     <message>
-        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
-        <translation>Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wo sie das nicht tut</translation>
+        <source>number of blows after which the motion repeats, 1 to 16; 0 if it does not repeat</source>
+        <translation>Zahl der Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wenn sie sich nicht wiederholt</translation>
     </message>
     <message>
-        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
-        <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 zählt nur die Statistik; braucht eine zweite Rechnung</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
-        <source>feed force over mean force of the blows, phi</source>
-        <translation>Andruck durch mittlere Reaktion der Schläge, phi</translation>
+        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
+        <translation>wirksamer Andruck durch Schlagfrequenz mal Kraftstoß eines Schlags (phi); unter 1 wird die Maschine zurückgedrückt</translation>
     </message>
     <message>
-        <source>round trips of a wave from blow to blow, n_b</source>
-        <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
+        <source>number of round trips that a wave makes through rod or string between two blows (n_b)</source>
+        <translation>Zahl der Hin- und Rückläufe einer Welle durch Stange oder Strang zwischen zwei Schlägen (n_b)</translation>
     </message>
     <message>
-        <source>momentum balance error of all blows, relative to the feed impulse</source>
-        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Impuls des Vorschubs</translation>
+        <source>error of the momentum balance of all blows, relative to the impulse of the feed force</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, bezogen auf den Kraftstoß des Andrucks</translation>
     </message>
     <message>
-        <source>error of the energy balance of all blows, over the hammer work</source>
-        <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
+        <source>error of the energy balance of all blows, as a share of the hammer work</source>
+        <translation>Fehler der Energiebilanz aller Schläge, als Anteil an der Hammerarbeit</translation>
     </message>
     <message>
         <source>
-  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter
-  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual
-  or a section of it (help theory 10), and for any other word (help feed) the places of the
-  manual that have it. drillwave version prints the version.
+  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
+  a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
+  the manual or a section of it (help theory 10). For any other word (help feed) it prints the
+  places of the manual that contain the word. drillwave version prints the version.
   Chapters: %1.
-  Without a display the window needs `-platform offscreen`.
-  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
-  drillwave --language de  in German this once (sv: Swedish, en: English).
-  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
+  Without a display, the window needs `-platform offscreen`.
+  drillwave --reset-ui  opens the window with its default layout, page, units and choices.
+  drillwave --language de  opens it in German, only this time (sv: Swedish, en: English).
+  Commands also have --language; DRILLWAVE_LANGUAGE=de in the environment sets it for all of them.
 
 Exit codes: %2.
 </source>
         <translation>
-  drillwave help TOPIC  gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h, zu
-  einem Parameter (help bit_rock.gamma), einem Ergebnis (help cor) oder einer Option (help
-  --shard), ein Kapitel des Handbuchs oder einen Abschnitt daraus (help theory 10) und zu jedem
-  anderen Wort (help Vorschub) die Stellen des Handbuchs, an denen es vorkommt. drillwave version
-  gibt die Version aus.
+  drillwave help TOPIC  gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h. TOPIC
+  kann auch ein Parameter sein (help bit_rock.gamma), ein Ergebnis (help cor), eine Option (help
+  --shard), ein Kapitel des Handbuchs oder ein Abschnitt daraus (help theory 10). Zu jedem anderen
+  Wort (help Vorschub) gibt es die Stellen des Handbuchs aus, an denen das Wort vorkommt.
+  drillwave version gibt die Version aus.
   Kapitel: %1.
   Ohne Bildschirm braucht das Fenster `-platform offscreen`.
-  drillwave --reset-ui  öffnet es mit Anordnung, Seite, Einheiten und Auswahl wie beim ersten Mal;
-  drillwave --language de  dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
-  Auch die Befehle kennen --language; für alle zugleich DRILLWAVE_LANGUAGE=de setzen.
+  drillwave --reset-ui  öffnet das Fenster mit Anordnung, Seite, Einheiten und Auswahl der Vorgabe.
+  drillwave --language de  öffnet es dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
+  Auch Befehle kennen --language; DRILLWAVE_LANGUAGE=de in der Umgebung stellt es für alle ein.
 
 Exit-Codes: %2.
 </translation>
     </message>
     <message>
-        <source>print the help of a command, a chapter of the manual, a parameter, an output</source>
-        <translation>die Hilfe zu einem Befehl, ein Kapitel des Handbuchs, einen Parameter oder ein Ergebnis ausgeben</translation>
+        <source>print the help of a command, parameter or output, or a chapter of the manual</source>
+        <translation>die Hilfe zu Befehl, Parameter oder Ergebnis ausgeben, oder ein Kapitel des Handbuchs</translation>
     </message>
     <message>
         <source>TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a
-parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word
-(feed, units, exit codes): then the places of the manual that have it, the best first.</source>
-        <translation>TOPIC ist ein Befehl (run), ein Kapitel des Handbuchs (theory) oder ein Abschnitt daraus
-(theory 10), ein Parameter (bit_rock.gamma), ein Ergebnis (cor), ein Formelzeichen (e), eine
-Option (--shard) oder ein beliebiges anderes Wort (Vorschub, units, exit codes): dann die Stellen
-des Handbuchs, an denen es vorkommt, die besten zuerst.</translation>
+parameter (bit_rock.gamma), an output (cor), a symbol (e) or an option (--shard). For any other
+word (feed, units, exit codes), the places of the manual that contain it are printed, the best
+first.</source>
+        <translation>TOPIC ist ein Befehl (run), ein Kapitel des Handbuchs (theory) oder ein Abschnitt daraus (theory
+10), ein Parameter (bit_rock.gamma), ein Ergebnis (cor), ein Formelzeichen (e) oder eine Option
+(--shard). Zu jedem anderen Wort (Vorschub, units, exit codes) werden die Stellen des Handbuchs
+ausgegeben, an denen es vorkommt, die besten zuerst.</translation>
     </message>
     <message>
         <source>print the version of the program</source>
         <translation>die Version des Programms ausgeben</translation>
     </message>
     <message>
-        <source>keep completed rows in FILE.csv.partial, and resume an interrupted run after them</source>
-        <translation>fertige Zeilen in FILE.csv.partial behalten und einen unterbrochenen Lauf nach ihnen fortsetzen</translation>
+        <source>keep completed rows in FILE.csv.partial; after an interruption, the same command continues after them</source>
+        <translation>fertige Zeilen in FILE.csv.partial behalten; nach einer Unterbrechung fährt derselbe Befehl nach ihnen fort</translation>
     </message>
     <message>
-        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
-PART is a file of rows with its record beside it, or a folder with all parts; any order will do.
-All must be of one run (scenario, axes, table of cases, build, number of parts), be there once
-and have the size and checksum of their records: what is missing, doubled, foreign or changed is
-named, with exit code 5.</source>
-        <translation>FILE und FILE.yaml sind Byte für Byte die des Laufs in einem Stück, mit seinem Exit-Code. Ein
-PART ist eine Datei mit Zeilen und ihrem Protokoll daneben, oder ein Ordner mit allen Teilen, in
-beliebiger Reihenfolge. Alle müssen aus einem Lauf sein (Szenario, Achsen, Tabelle der Fälle, Programm,
-Zahl der Teile), je einmal da sein und Größe und Prüfsumme ihrer Protokolle haben: was fehlt, doppelt,
-fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
+        <source>Writes FILE and its record FILE.yaml as the command would have written them without --shard, and
+ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or a
+folder with all parts, in any order. All parts must come from the same run: same scenario, varied
+parameters, table of cases, build and number of parts. If a part is missing, given twice, from
+another run or changed since it was written, the message names it, with exit code 5.</source>
+        <translation>Schreibt FILE und ihr Protokoll FILE.yaml, wie der Befehl sie ohne --shard geschrieben hätte, und
+endet mit demselben Exit-Code. Ein PART ist eine Datei mit Zeilen und ihrem Protokoll PART.yaml
+daneben, oder ein Ordner mit allen Teilen, in beliebiger Reihenfolge. Alle Teile müssen aus
+demselben Lauf sein: dasselbe Szenario, dieselben veränderten Parameter, dieselbe Tabelle der
+Fälle, dasselbe Programm, dieselbe Zahl der Teile. Fehlt ein Teil, ist er doppelt, aus einem
+anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit-Code 5.</translation>
     </message>
     <message>
-        <source>list the built-in scenarios, print those of NAME, or write them into a folder</source>
-        <translation>eingebaute Szenarien auflisten, die von NAME ausgeben oder in einen Ordner schreiben</translation>
+        <source>list the built-in scenarios, print the named ones, or write them into a folder</source>
+        <translation>eingebaute Szenarien auflisten, die genannten ausgeben oder in einen Ordner schreiben</translation>
     </message>
     <message>
-        <source>`drillwave examples t38_string &gt; my.yaml` writes a file to start from.</source>
-        <translation>`drillwave examples t38_string &gt; my.yaml` ergibt eine Datei, die man ändern kann.</translation>
+        <source>`drillwave examples t38_string &gt; my.yaml` saves a built-in scenario as a file to edit.</source>
+        <translation>`drillwave examples t38_string &gt; my.yaml` speichert ein eingebautes Szenario als Datei, die man ändern kann.</translation>
     </message>
     <message>
-        <source>a sequence of blows under a feed: penetration rate, gap and contact, with errors</source>
-        <translation>eine Schlagfolge unter einem Vorschub: Bohrfortschritt, Spalt und Kontakt, mit Fehlern</translation>
+        <source>simulate consecutive blows under a feed force: penetration rate, gaps, errors</source>
+        <translation>aufeinanderfolgende Schläge unter einem Andruck: Bohrfortschritt, Spalte, Fehler</translation>
     </message>
     <message>
-        <source>take the blow from a record; the options below say how it is read</source>
-        <translation>den Schlag aus einer Aufzeichnung nehmen; die Optionen darunter sagen, wie sie gelesen wird</translation>
+        <source>use this measured record as the blow; the options below say how to read it</source>
+        <translation>diese gemessene Aufzeichnung als Schlag verwenden; die Optionen darunter sagen, wie sie gelesen wird</translation>
     </message>
     <message>
-        <source>keep all samples of --signal instead of thinning them to an error of 1e-4</source>
-        <translation>alle Abtastwerte von --signal behalten, statt sie auf einen Fehler von 1e-4 auszudünnen</translation>
+        <source>keep all samples of --signal; by default some are left out, as long as impulse and coefficient of restitution change by less than 1e-4</source>
+        <translation>alle Abtastwerte von --signal behalten; in der Vorgabe werden einige weggelassen, solange sich Kraftstoß und Stoßzahl um weniger als 1e-4 ändern</translation>
     </message>
     <message>
-        <source>sign between cells: tab, semicolon, comma, bar or blank (default: found)</source>
-        <translation>Zeichen zwischen Zellen: tab, semicolon, comma, bar oder blank (Vorgabe: erkannt)</translation>
+        <source>sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)</source>
+        <translation>Zeichen zwischen den Zellen der Tabelle: tab, semicolon, comma, bar oder blank (Vorgabe: erkannt)</translation>
     </message>
     <message>
-        <source>decimal sign: point or comma (default: found)</source>
-        <translation>Dezimalzeichen: point oder comma (Vorgabe: erkannt)</translation>
+        <source>decimal sign of the table: point or comma (default: detected)</source>
+        <translation>Dezimalzeichen der Tabelle: point oder comma (Vorgabe: erkannt)</translation>
     </message>
     <message>
-        <source>first line with a sample (default: found)</source>
-        <translation>erste Zeile mit einem Abtastwert (Vorgabe: erkannt)</translation>
+        <source>number of the first line with a sample (default: detected)</source>
+        <translation>Nummer der ersten Zeile mit einem Abtastwert (Vorgabe: erkannt)</translation>
     </message>
     <message>
-        <source>utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: found)</source>
-        <translation>utf-8, windows-1252, latin-1, utf-16le oder utf-16be (Vorgabe: erkannt)</translation>
+        <source>character encoding of the table: utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: detected)</source>
+        <translation>Zeichenkodierung der Tabelle: utf-8, windows-1252, latin-1, utf-16le oder utf-16be (Vorgabe: erkannt)</translation>
     </message>
     <message>
-        <source>column of times, by name or number from 1</source>
-        <translation>Spalte der Zeiten, durch Namen oder Nummer ab 1</translation>
+        <source>column of the times, by name or by number from 1</source>
+        <translation>Spalte der Zeiten, mit Namen oder Nummer ab 1</translation>
     </message>
     <message>
-        <source>column of the signal, by name or number; A+B averages two opposite gauges</source>
-        <translation>Spalte des Signals, durch Namen oder Nummer; A+B mittelt zwei gegenüberliegende Messstreifen</translation>
+        <source>column of the signal, by name or by number from 1; A+B takes the mean of two gauges on opposite sides</source>
+        <translation>Spalte des Signals, mit Namen oder Nummer ab 1; A+B nimmt das Mittel zweier Messstreifen auf gegenüberliegenden Seiten</translation>
     </message>
     <message>
-        <source>unit of the times where the table does not state it: s, ms, us</source>
-        <translation>Einheit der Zeiten, wo die Tabelle sie nicht nennt: s, ms, us</translation>
+        <source>unit of the times, if the table does not state it: s, ms, us</source>
+        <translation>Einheit der Zeiten, wenn die Tabelle sie nicht nennt: s, ms, us</translation>
     </message>
     <message>
-        <source>unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s</source>
-        <translation>Einheit des Signals, wo die Tabelle sie nicht nennt: kN, microstrain, V, MPa, m/s</translation>
+        <source>unit of the signal, if the table does not state it: kN, microstrain, V, MPa, m/s</source>
+        <translation>Einheit des Signals, wenn die Tabelle sie nicht nennt: kN, microstrain, V, MPa, m/s</translation>
     </message>
     <message>
-        <source>sampling rate, such as 5MHz; replaces a column of times</source>
-        <translation>Abtastrate, 5MHz; eine Spalte von Zeiten wird dann nicht gelesen</translation>
+        <source>sampling rate, such as 5MHz, used instead of a column of times</source>
+        <translation>Abtastrate, zum Beispiel 5MHz, statt einer Spalte von Zeiten</translation>
     </message>
     <message>
-        <source>factor of the signal, or force per unit: 50kN/V, 18kN s/m</source>
-        <translation>Faktor des Signals, oder Kraft je Einheit: 50kN/V, 18kN s/m</translation>
+        <source>multiply the signal by this factor, or by a force per unit: 50kN/V, 18kN s/m</source>
+        <translation>das Signal mit diesem Faktor multiplizieren, oder mit einer Kraft je Einheit: 50kN/V, 18kN s/m</translation>
     </message>
     <message>
-        <source>gain of the amplifier, of a signal in volts (default: 1)</source>
-        <translation>Verstärkung des Verstärkers, bei einem Signal in Volt (Vorgabe: 1)</translation>
+        <source>gain of the amplifier, for a signal in volts (default: 1)</source>
+        <translation>Verstärkung des Verstärkers, für ein Signal in Volt (Vorgabe: 1)</translation>
     </message>
     <message>
-        <source>supply of the bridge in volts, of a signal in volts</source>
-        <translation>Speisung der Brücke in Volt, bei einem Signal in Volt</translation>
+        <source>supply voltage of the bridge in volts, for a signal in volts</source>
+        <translation>Speisespannung der Brücke in Volt, für ein Signal in Volt</translation>
     </message>
     <message>
-        <source>bridge factor: 1 quarter, 2 half, 4 full bridge, 2.6 full with Poisson gauges</source>
-        <translation>Brückenfaktor: 1 Viertel-, 2 Halb-, 4 Vollbrücke, 2.6 Vollbrücke mit Querstreifen</translation>
+        <source>bridge factor of the strain gauges: 1 for a quarter bridge, 2 for a half, 4 for a full bridge, 2.6 for a full bridge with Poisson gauges</source>
+        <translation>Brückenfaktor der Dehnungsmessstreifen: 1 für eine Viertelbrücke, 2 für eine Halb-, 4 für eine Vollbrücke, 2.6 für eine Vollbrücke mit Querstreifen</translation>
     </message>
     <message>
-        <source>gauge factor, of a signal in volts or mV/V</source>
-        <translation>k-Faktor, bei einem Signal in Volt oder mV/V</translation>
+        <source>gauge factor of the strain gauges, for a signal in volts or mV/V</source>
+        <translation>k-Faktor der Dehnungsmessstreifen, für ein Signal in Volt oder mV/V</translation>
     </message>
     <message>
-        <source>area of the bar at the gauge, 1134mm^2</source>
-        <translation>Fläche des Stabs am Messstreifen, 1134mm^2</translation>
+        <source>cross-section of the bar at the gauge, such as 1134mm^2</source>
+        <translation>Querschnitt des Stabs an der Messstelle, zum Beispiel 1134mm^2</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of the bar, 210GPa</source>
-        <translation>Elastizitätsmodul des Stabs, 210GPa</translation>
+        <source>Young&apos;s modulus of the bar that carries the gauge, such as 210GPa</source>
+        <translation>Elastizitätsmodul des Stabs mit der Messstelle, zum Beispiel 210GPa</translation>
     </message>
     <message>
-        <source>time range whose mean is the zero line, -50us:-10us</source>
-        <translation>Zeiten, deren Mittelwert die Nulllinie ist, -50us:-10us</translation>
+        <source>time range in which the signal is zero on average, such as -50us:-10us</source>
+        <translation>Zeitbereich, in dem das Signal im Mittel null ist, zum Beispiel -50us:-10us</translation>
     </message>
     <message>
-        <source>leave out samples before this time of the table, 0us</source>
-        <translation>Abtastwerte vor dieser Zeit der Tabelle weglassen, 0us</translation>
+        <source>ignore samples before this time of the table, such as 0us</source>
+        <translation>Abtastwerte vor dieser Zeit der Tabelle weglassen, zum Beispiel 0us</translation>
     </message>
     <message>
-        <source>leave out samples after this time of the table, 400us</source>
-        <translation>Abtastwerte nach dieser Zeit der Tabelle weglassen, 400us</translation>
+        <source>ignore samples after this time of the table, such as 400us</source>
+        <translation>Abtastwerte nach dieser Zeit der Tabelle weglassen, zum Beispiel 400us</translation>
     </message>
     <message>
-        <source>reverse the sign</source>
-        <translation>Vorzeichen umkehren: Der größte Wert zieht</translation>
+        <source>reverse the sign of the signal: its largest value is tension (default: compression)</source>
+        <translation>das Vorzeichen des Signals umkehren: sein größter Wert ist Zug (Vorgabe: Druck)</translation>
     </message>
     <message>
-        <source>rows without a number: refuse or skip (default: refuse)</source>
-        <translation>Zeilen ohne Zahl: refuse oder skip (Vorgabe: refuse)</translation>
+        <source>treatment of rows without a number: refuse the table, or skip these rows (default: refuse)</source>
+        <translation>Behandlung von Zeilen ohne Zahl: refuse (Tabelle ablehnen) oder skip (Zeilen auslassen) (Vorgabe: refuse)</translation>
     </message>
     <message>
-        <source>read with the settings kept under this name</source>
-        <translation>mit den unter diesem Namen aufbewahrten Einstellungen lesen</translation>
+        <source>read with the options that `drillwave signal --save-recorder NAME` has saved</source>
+        <translation>mit den Optionen lesen, die `drillwave signal --save-recorder NAME` aufbewahrt hat</translation>
     </message>
     <message>
-        <source>design variable and its values; also :log, KEY=A,B,C or hammer=NAME</source>
-        <translation>was gewählt werden kann; auch mit :log dahinter, KEY=A,B,C oder hammer=NAME</translation>
+        <source>design variable to vary; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: hammer=NAME,NAME</source>
+        <translation>zu verändernde Entwurfsgröße; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C; um Voreinstellungen zu vergleichen: hammer=NAME,NAME</translation>
     </message>
     <message>
-        <source>read records of force, strain or voltage; their units, blow and quality</source>
-        <translation>Aufzeichnungen von Kraft, Dehnung oder Volt lesen; ihre Einheiten, Schlag und Qualität</translation>
+        <source>read records of force, strain or voltage; print their units, blow and quality</source>
+        <translation>Aufzeichnungen von Kraft, Dehnung oder Spannung lesen: Einheiten, Schlag, Qualität</translation>
     </message>
     <message>
-        <source>Finds encoding, separator, decimal sign, columns and units, and asks for what the table does not
-state: exit code 5, the questions last. Several FILEs are one series: a row for each.
-Commands that take a scenario take a blow from a record by --signal FILE with the same options.</source>
-        <translation>Erkennt Kodierung, Trennzeichen, Dezimalzeichen, Spalten und Einheiten und fragt nach dem, was die
-Tabelle nicht nennt: Exit-Code 5, die Fragen zuletzt. Mehrere FILE sind eine Reihe: eine Zeile je Datei.
-Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optionen einen Schlag aus einer Aufzeichnung.</translation>
+        <source>Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns
+and units. If the table does not state something, the last lines ask for it, and the exit code is
+5. Several FILEs are read as one series and give one row each. Commands that take a scenario can
+use such a record as the blow, with --signal FILE and the same options.</source>
+        <translation>Liest Tabellen eines über der Zeit gemessenen Signals und erkennt Kodierung, Trennzeichen,
+Dezimalzeichen, Spalten und Einheiten. Nennt die Tabelle etwas nicht, fragen die letzten Zeilen
+danach, und der Exit-Code ist 5. Mehrere FILE werden als eine Reihe gelesen und ergeben je eine
+Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Schlag verwenden, mit
+--signal FILE und denselben Optionen.</translation>
     </message>
     <message>
-        <source>keep these options under a name for --recorder</source>
-        <translation>diese Optionen unter einem Namen für --recorder aufbewahren</translation>
+        <source>save these options under this name, for later use with --recorder NAME</source>
+        <translation>diese Optionen unter diesem Namen aufbewahren, für spätere Aufrufe mit --recorder NAME</translation>
     </message>
     <message>
-        <source>Print JSON, of several FILEs an array</source>
-        <translation>JSON ausgeben, bei mehreren FILE ein Array</translation>
+        <source>print JSON; for several FILEs, an array</source>
+        <translation>JSON ausgeben; bei mehreren FILE ein Array</translation>
     </message>
     <message>
-        <source>Write the signal as read: time [us],force [kN]</source>
-        <translation>Das Signal wie gelesen schreiben: time [us],force [kN]</translation>
+        <source>write the signal as read, with the columns time [us] and force [kN]</source>
+        <translation>das Signal wie gelesen schreiben, mit den Spalten time [us] und force [kN]</translation>
     </message>
     <message>
-        <source>Overwrite FILE.csv</source>
-        <translation>FILE.csv überschreiben</translation>
+        <source>overwrite FILE.csv if it exists</source>
+        <translation>FILE.csv überschreiben, wenn es vorhanden ist</translation>
     </message>
     <message>
-        <source>CSV with semicolons and decimal commas</source>
-        <translation>CSV mit Semikolons und Dezimalkommas</translation>
+        <source>write CSV with semicolons between cells and decimal commas</source>
+        <translation>CSV mit Semikolons zwischen den Zellen und Dezimalkommas schreiben</translation>
     </message>
     <message>
-        <source>mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: the gap of FILE)</source>
-        <translation>Mittel des zufälligen (normalverteilten) Spalts, z. B. 0.5mm, oder 0.2 in Einheiten von d0 (Vorgabe: der Spalt von FILE)</translation>
+        <source>mean of a normally distributed gap, such as 0.5mm; without physical units in multiples of d0, such as 0.2 (default: the gap of FILE)</source>
+        <translation>Mittel eines normalverteilten Spalts, zum Beispiel 0.5mm; ohne physikalische Einheiten in Vielfachen von d0, zum Beispiel 0.2 (Vorgabe: der Spalt von FILE)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
         <translation>ein JSON-Objekt anstelle der Tabelle ausgeben</translation>
     </message>
     <message>
-        <source>a file of presets of your own instead of the built-in ones</source>
-        <translation>eine eigene Datei mit Voreinstellungen anstelle der eingebauten</translation>
+        <source>take presets from this file instead of the built-in ones</source>
+        <translation>Voreinstellungen aus dieser Datei nehmen statt der eingebauten</translation>
     </message>
     <message>
         <source>print one JSON object instead of the summary</source>
         <translation>ein JSON-Objekt anstelle der Zusammenfassung ausgeben</translation>
     </message>
     <message>
-        <source>exact, lattice or closed_form (default: the method of the result FILE, else exact)</source>
-        <translation>exact, lattice oder closed_form (Vorgabe: das Verfahren des Ergebnisses FILE, sonst exact)</translation>
+        <source>method of solution: exact, lattice or closed_form (default: that of FILE if it is a result, else exact)</source>
+        <translation>Lösungsverfahren: exact, lattice oder closed_form (Vorgabe: das von FILE, wenn es ein Ergebnis ist, sonst exact)</translation>
     </message>
     <message>
-        <source>number of lattice segments (default: 10000, as in the paper)</source>
-        <translation>Zahl der Gittersegmente (Vorgabe: 10000, wie im Artikel)</translation>
+        <source>number of segments into which the lattice method divides the rod (default: 10000, as in the paper)</source>
+        <translation>Zahl der Segmente, in die das Gitterverfahren die Stange teilt (Vorgabe: 10000, wie im Artikel)</translation>
     </message>
     <message>
-        <source>give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)</source>
-        <translation>einen Schlag abbrechen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
+        <source>limit the work: a blow is not solved if the exact solver splits its waves into more than N polynomial pieces (default: 1000000, at worst some seconds)</source>
+        <translation>den Aufwand begrenzen: ein Schlag wird nicht gelöst, wenn das exakte Verfahren seine Wellen in mehr als N Polynomstücke teilt (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
     </message>
     <message>
-        <source>output columns, see below (default: cor)</source>
-        <translation>Spalten der Ausgaben, siehe unten (Vorgabe: cor)</translation>
+        <source>outputs to write as columns, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>Ergebnisse, die als Spalten geschrieben werden, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
-        <source>leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
-        <translation>die Ausgaben einer Zeile leer lassen, die mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>limit the work: a row has no outputs if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
+        <translation>den Aufwand begrenzen: eine Zeile hat keine Ergebnisse, wenn das exakte Verfahren die Wellen ihres Schlags in mehr als N Polynomstücke teilt (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
         <translation>Zahl der Threads (Vorgabe: alle)</translation>
     </message>
     <message>
-        <source>outputs to follow, see below (default: cor)</source>
-        <translation>Ausgaben, denen gefolgt wird, siehe unten (Vorgabe: cor)</translation>
+        <source>outputs to follow, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>Ergebnisse, die verfolgt werden, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the tables</source>
         <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
     </message>
     <message>
-        <source>skip a blow that needs more than N wave pieces (default: 1000000)</source>
-        <translation>einen Schlag auslassen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000)</translation>
+        <source>limit the work: a blow is left out if the exact solver splits its waves into more than N polynomial pieces (default: 1000000)</source>
+        <translation>den Aufwand begrenzen: ein Schlag wird ausgelassen, wenn das exakte Verfahren seine Wellen in mehr als N Polynomstücke teilt (Vorgabe: 1000000)</translation>
     </message>
     <message>
-        <source>output to map, see below (default: cor)</source>
-        <translation>Ausgabe der Karte, siehe unten (Vorgabe: cor)</translation>
+        <source>output to map, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>Ergebnis der Karte, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
         <source>print one JSON object, with the contours, instead of the summary</source>
         <translation>ein JSON-Objekt mit den Höhenlinien anstelle der Zusammenfassung ausgeben</translation>
     </message>
     <message>
-        <source>skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
-        <translation>einen Punkt auslassen, der mehr als N Wellenstücke braucht (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>limit the work: a point is left out if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
+        <translation>den Aufwand begrenzen: ein Punkt wird ausgelassen, wenn das exakte Verfahren die Wellen seines Schlags in mehr als N Polynomstücke teilt (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
     </message>
     <message>
-        <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
-        <translation>kurz für --set drill.blows=N (Vorgabe: 1000, bei einem Durchlauf 300)</translation>
+        <source>number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)</source>
+        <translation>Zahl der Schläge: kurz für --set drill.blows=N (Vorgabe: 1000, mit --scan 300)</translation>
     </message>
     <message>
-        <source>time steps per t0, 10 to 400 (default: 40, for a scan 20)</source>
-        <translation>Zeitschritte je t0, 10 bis 400 (Vorgabe: 40, bei einem Durchlauf 20)</translation>
+        <source>time steps per duration t0 of the blow, 10 to 400 (default: 40, with --scan 20)</source>
+        <translation>Zeitschritte je Dauer t0 des Schlags, 10 bis 400 (Vorgabe: 40, mit --scan 20)</translation>
     </message>
     <message>
-        <source>numbers in SI (default)</source>
-        <translation>Zahlen in SI (Vorgabe)</translation>
+        <source>print numbers in SI units (default)</source>
+        <translation>Zahlen in SI-Einheiten ausgeben (Vorgabe)</translation>
     </message>
     <message>
-        <source>most cells times nodes (default: 4e9)</source>
-        <translation>höchste Zahl der Zellen mal Knoten (Vorgabe: 4e9)</translation>
+        <source>limit the work: refuse a computation if its time steps times the ends of its sections exceed N (default: 4e9)</source>
+        <translation>den Aufwand begrenzen: eine Rechnung ablehnen, deren Zeitschritte mal Enden ihrer Abschnitte N überschreiten (Vorgabe: 4e9)</translation>
     </message>
     <message>
-        <source>also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] (default COUNT: 101, or each whole number)</source>
-        <translation>auch eine Tabelle entlang eines Parameters: A,B,C oder START:STOP[:COUNT][:log] (Vorgabe für COUNT: 101, oder jede ganze Zahl)</translation>
+        <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>
+        <translation>diesen Parameter verändern und eine Tabelle darüber ergänzen; VALUES ist START:STOP[:COUNT], START:STOP[:COUNT]:log (gleiche Verhältnisse) oder A,B,C (Vorgabe für COUNT: 101, oder jede ganze Zahl)</translation>
     </message>
     <message>
         <source>number of threads for --along (default: all)</source>
         <translation>Zahl der Threads für --along (Vorgabe: alle)</translation>
     </message>
     <message>
-        <source>samples of a design, rounded up to a power of two (default: 4096, for a string 1024)</source>
-        <translation>Stichproben eines Entwurfs, aufgerundet auf eine Zweierpotenz (Vorgabe: 4096, bei einem Strang 1024)</translation>
+        <source>number of random samples for each design, rounded up to a power of two (default: 4096, for a drill string 1024)</source>
+        <translation>Zahl der zufälligen Stichproben je Auslegung, aufgerundet auf eine Zweierpotenz (Vorgabe: 4096, bei einem Bohrstrang 1024)</translation>
     </message>
     <message>
-        <source>seed of the samples (default: 1)</source>
-        <translation>Startwert der Stichproben (Vorgabe: 1)</translation>
+        <source>seed of the random samples (default: 1)</source>
+        <translation>Startwert der zufälligen Stichproben (Vorgabe: 1)</translation>
     </message>
     <message>
         <source>formats of the figures (default: png,svg)</source>
         <translation>Formate der Abbildungen (Vorgabe: png,svg)</translation>
     </message>
     <message>
-        <source>numbers of lattice segments (default: from 100 to 20000)</source>
-        <translation>Zahlen der Gittersegmente (Vorgabe: von 100 bis 20000)</translation>
+        <source>numbers of segments of the lattice method to compare (default: from 100 to 20000)</source>
+        <translation>Zahlen der Segmente des Gitterverfahrens, die verglichen werden (Vorgabe: von 100 bis 20000)</translation>
     </message>
     <message>
-        <source>most moves of waves by a segment in the lattices (default: 1000000000, half a minute)</source>
-        <translation>höchste Zahl der Schritte von Wellen um ein Segment in den Gittern (Vorgabe: 1000000000, eine halbe Minute)</translation>
+        <source>limit the work of the lattice method, counted in moves of a wave by one segment (default: 1000000000, half a minute)</source>
+        <translation>den Aufwand des Gitterverfahrens begrenzen, gezählt in Schritten einer Welle um ein Segment (Vorgabe: 1000000000, eine halbe Minute)</translation>
     </message>
     <message>
-        <source>rock properties from strain gauges, with their uncertainty</source>
-        <translation>Gesteinseigenschaften aus Dehnungsmessstreifen, mit ihrer Unsicherheit</translation>
+        <source>find stiffness and elasticity of the rock from strain gauges, with uncertainty</source>
+        <translation>Steifigkeit und Elastizität des Gesteins aus Dehnungsmessstreifen, mit Unsicherheit</translation>
     </message>
     <message>
-        <source>also write tables, draws and the identified scenario into DIR</source>
-        <translation>auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
+        <source>also write tables, random samples of the rock and the scenario with the identified rock into DIR</source>
+        <translation>auch Tabellen, zufällige Stichproben des Gesteins und das Szenario mit dem bestimmten Gestein nach DIR schreiben</translation>
     </message>
     <message>
-        <source>upper limit for every design</source>
-        <translation>Obergrenze für jede Auslegung</translation>
+        <source>limit: accept only designs for which this statistic of the output is at most VALUE</source>
+        <translation>Grenze: nur Auslegungen zulassen, bei denen diese Statistik des Ergebnisses höchstens VALUE ist</translation>
     </message>
     <message>
-        <source>lower limit for every design</source>
-        <translation>Untergrenze für jede Auslegung</translation>
+        <source>limit: accept only designs for which this statistic of the output is at least VALUE</source>
+        <translation>Grenze: nur Auslegungen zulassen, bei denen diese Statistik des Ergebnisses mindestens VALUE ist</translation>
     </message>
     <message>
-        <source>read these records of strain gauges, in their order along the hole</source>
-        <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen, in ihrer Folge im Bohrloch</translation>
+        <source>read these records of strain gauges; give several in their order along the hole</source>
+        <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen; mehrere in ihrer Folge im Bohrloch angeben</translation>
     </message>
     <message>
-        <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>eine oder zwei Messstellen verwenden, mit Abstand von der Bohrkronenstirn; A+B@… mittelt</translation>
+        <source>column of a gauge and its distance from the bit face, once or twice; A+B@… takes the mean of two gauges on opposite sides</source>
+        <translation>Spalte einer Messstelle und ihr Abstand von der Kronenstirn, ein- oder zweimal; A+B@… nimmt das Mittel zweier Messstreifen auf gegenüberliegenden Seiten</translation>
     </message>
     <message>
-        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95-%-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
+        <source>tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its value with 95 % probability; see the description of the command</source>
+        <translation>Toleranz einer bekannten Eingabe: KEY (gain, zero, gauge oder ein Maß) liegt mit 95&#xa0;% Wahrscheinlichkeit um höchstens +-TOL neben seinem Wert; siehe die Beschreibung des Befehls</translation>
     </message>
     <message>
-        <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
-        <translation>Auflage: rigid (starr), oder bar für eine Probe zwischen zwei gleichen Stäben (Vorgabe: rigid)</translation>
+        <source>support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars (default: rigid)</source>
+        <translation>Auflage hinter Gestein oder Probe: rigid (starr), oder bar, wenn die Probe zwischen zwei gleichen Stäben liegt (Vorgabe: rigid)</translation>
     </message>
     <message>
-        <source>predict the gauge on the bar behind, by its distance from the specimen</source>
-        <translation>die Messstelle am hinteren Stab vorhersagen, mit ihrem Abstand von der Probe</translation>
+        <source>predict the wave at a gauge on the bar behind the specimen, by its distance from the specimen, and print the error; needs --backing bar</source>
+        <translation>die Welle an einer Messstelle des Stabs hinter der Probe vorhersagen, nach ihrem Abstand von der Probe, und den Fehler ausgeben; braucht --backing bar</translation>
     </message>
     <message>
-        <source>take dispersion as fit, bar or none (default: fit)</source>
-        <translation>Dispersion als fit, bar oder none ansetzen (Vorgabe: fit)</translation>
+        <source>dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) or none (default: fit)</source>
+        <translation>Dispersion der Wellen zwischen Messstelle und Krone: fit (an die Aufzeichnung angepasst), bar (die eines runden Stabs) oder none (keine) (Vorgabe: fit)</translation>
     </message>
     <message>
-        <source>end the window this long after the returning wave arrives</source>
-        <translation>das Fenster so lange nach Ankunft der rücklaufenden Welle beenden</translation>
+        <source>ignore the record later than this time after the reflected wave arrives at the gauge</source>
+        <translation>die Aufzeichnung ab dieser Zeit nach Ankunft der reflektierten Welle an der Messstelle nicht verwenden</translation>
     </message>
     <message>
-        <source>identify the first or all fronts of a record (default: first)</source>
-        <translation>den ersten oder alle Schläge einer Aufzeichnung auswerten, first oder all (Vorgabe: first)</translation>
+        <source>blows of a record to evaluate: first, or all (default: first)</source>
+        <translation>Schläge einer Aufzeichnung, die ausgewertet werden: first (der erste) oder all (alle) (Vorgabe: first)</translation>
     </message>
     <message>
-        <source>seed of noise and draws (default: 1)</source>
-        <translation>Startwert für Rauschen und Ziehungen (Vorgabe: 1)</translation>
+        <source>seed of the random numbers for noise and samples (default: 1)</source>
+        <translation>Startwert der Zufallszahlen für Rauschen und Stichproben (Vorgabe: 1)</translation>
     </message>
     <message>
-        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
-again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.
-DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
-units, and those of `run --json`; the source of a value is the comment behind it in the file. For
-drill strings also the sections, drawn to scale, with their largest stresses.</source>
-        <translation>FILE.html enthält alles in einer Datei, auch die Bilder und das Szenario, und lässt sich neu
-rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf Seiten A4.
-DIR bekommt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
-SI-Einheiten, wo das Szenario Einheiten hat; die Quelle eines Werts ist der Kommentar dahinter in
-der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, mit ihren größten
-Spannungen.</translation>
+        <source>FILE.html is a single file with inputs, results, pictures and the scenario. It can be run again:
+`drillwave run FILE.html`. FILE.pdf has the same content for printing on A4. -o DIR writes both,
+as report.html and report.pdf. The numbers are those of `run --json`, in SI if the scenario has
+physical units. The source of a value is the comment after it in the scenario file. For drill
+strings, the report also shows the sections, drawn to scale, with their largest stresses.</source>
+        <translation>FILE.html ist eine einzige Datei mit Eingaben, Ergebnissen, Bildern und dem Szenario. Sie lässt
+sich neu rechnen: `drillwave run FILE.html`. FILE.pdf hat denselben Inhalt zum Drucken auf A4. -o
+DIR schreibt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
+SI-Einheiten, wenn das Szenario physikalische Einheiten hat. Die Quelle eines Werts ist der
+Kommentar dahinter in der Szenariodatei. Bei einem Bohrstrang zeigt der Bericht auch die
+Abschnitte, maßstäblich gezeichnet, mit ihren größten Spannungen.</translation>
     </message>
     <message>
-        <source>add studies: drill (continuous drilling), design (block `design` of FILE)</source>
-        <translation>Studien hinzufügen: drill (fortlaufendes Bohren), design (Block `design` von FILE)</translation>
+        <source>add studies to the report: drill (consecutive blows), design (best design, from the block `design` of FILE)</source>
+        <translation>Studien in den Bericht aufnehmen: drill (aufeinanderfolgende Schläge), design (beste Auslegung, nach dem Block `design` von FILE)</translation>
     </message>
     <message>
-        <source>number of threads of --with (default: all)</source>
-        <translation>Zahl der Threads von --with (Vorgabe: alle)</translation>
+        <source>number of threads for the studies of --with (default: all)</source>
+        <translation>Zahl der Threads für die Studien von --with (Vorgabe: alle)</translation>
     </message>
     <message>
-        <source>required feed force of single blows, and whether the installed one covers it</source>
-        <translation>erforderlicher Andruck einzelner Schläge, und ob der angegebene ihn deckt</translation>
+        <source>feed force that single blows require, and whether the installed one is sufficient</source>
+        <translation>Andruck, den einzelne Schläge erfordern, und ob der angegebene ausreicht</translation>
     </message>
     <message>
-        <source>Prints whether the installed feed force covers single blows, as an estimate, and a table of
-four cases: this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst
-gap on elastic rock (gamma = 1). With blow frequency f, impulse I0 of a blow and restitution e
-each case has (theory §10):
-  required         f I0 (1 + e), the mean force that balances the blow
-  return in time   f I0 (1 + 2e), with which an undamped rigid rod is back at the rock before
-                   the next blow
-  margin           effective over required feed force, less 1
-  covered up to    blow frequency up to which the effective feed force covers the case
-Below f I0 the machine is pushed back. With drill.inclination, the effective feed force is the
-installed one plus the weight of rod and drill.machine_mass along the hole. `drillwave drill`
-solves consecutive blows. Needs a scenario in physical units with drill.blow_frequency; margins
-need drill.thrust. For drill strings, I0 is the impulse of the hammer&apos;s face; gaps have no
-period, so only this blow and rigid rock are printed.</source>
-        <translation>Nennt, ob der Andruck einzelne Schläge abdeckt, als Schätzung, und eine Tabelle mit vier Fällen:
-dieser Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der
-schlechteste Spalt auf elastischem Gestein (gamma = 1). Mit Schlagfrequenz f, Kraftstoß I0 eines
-Schlags und Stoßzahl e hat jeder Fall (theory §10):
-  erforderlich     f I0 (1 + e), die mittlere Kraft, die den Schlag ausgleicht
-  Rückkehr         f I0 (1 + 2e), mit der eine ungedämpfte starre Stange vor dem nächsten Schlag
-                   wieder am Gestein ist
-  Reserve          wirksamer durch erforderlichen Andruck, weniger 1
-  abgedeckt bis    Schlagfrequenz, bis zu der der wirksame Andruck den Fall abdeckt
-Unter f I0 wird die Maschine zurückgedrückt. Mit drill.inclination ist der wirksame Andruck der
-angegebene und das Gewicht von Stange und drill.machine_mass längs des Lochs. `drillwave drill`
-löst aufeinander folgende Schläge. Braucht ein Szenario in physikalischen Einheiten mit
-drill.blow_frequency; Reserven brauchen drill.thrust. Bei Bohrsträngen ist I0 der Kraftstoß der
-Hammerfläche; Spalte haben keine Periode, daher nur dieser Schlag und starres Gestein.</translation>
+        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
+this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
+(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
+I0 the impulse of a blow and e the coefficient of restitution:
+  required        f I0 (1 + e), the feed force that balances the blows
+  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
+                  before the next blow
+  margin          effective over required feed force, less 1
+  covered up to   highest blow frequency at which the effective feed force is not below the
+                  required one
+If the feed force is below f I0, the blows push the machine back. The effective feed force is the
+installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
+hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and
+drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, I0
+is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+        <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: dieser
+Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der Spalt
+auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten der Tabelle (theory
+§10) ist f die Schlagfrequenz, I0 der Kraftstoß eines Schlags und e die Stoßzahl:
+  erforderlich   f I0 (1 + e), der Andruck, der die Schläge ausgleicht
+  Rückkehr       f I0 (1 + 2e), der Andruck, der eine ungedämpfte starre Stange vor dem nächsten
+                 Schlag zum Gestein zurückbringt
+  Reserve        wirksamer durch erforderlichen Andruck, weniger 1
+  abgedeckt bis  höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
+                 erforderlichen liegt
+Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist
+der angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und
+drill.machine_mass längs des Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill`
+verwenden. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
+drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, den der Hammer
+überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
     </message>
     <message>
-        <source>with -o, also the record of a strain gauge, by its distance from the bit face</source>
-        <translation>mit -o auch die Aufzeichnung einer Dehnungsmessstelle, nach ihrem Abstand von der Bohrkrone</translation>
+        <source>with -o, also write the strain that a gauge at this distance from the bit face would record; COLUMN names it</source>
+        <translation>mit -o auch die Dehnung schreiben, die eine Messstelle in diesem Abstand von der Kronenstirn aufzeichnen würde; COLUMN benennt sie</translation>
     </message>
     <message>
-        <source>white noise in that record (default: 0%)</source>
-        <translation>weißes Rauschen darin (Vorgabe: 0%)</translation>
+        <source>white noise to add to --record, in % of its largest strain (default: 0%)</source>
+        <translation>weißes Rauschen, das --record hinzugefügt wird, in % der größten Dehnung (Vorgabe: 0%)</translation>
     </message>
     <message>
-        <source>seed of that noise (default: 1)</source>
-        <translation>Startwert dieses Rauschens (Vorgabe: 1)</translation>
+        <source>seed of the random numbers for --noise (default: 1)</source>
+        <translation>Startwert der Zufallszahlen für --noise (Vorgabe: 1)</translation>
     </message>
     <message>
-        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. For drill strings, the histories are taken at the middle of the longest
-section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
---record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
-the strain at one or two gauges in 1e6 samples a second; --record top+bottom@1.13m that of gauges
-on opposite sides, each with noise of its own.</source>
-        <translation>Mit -o erhält DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: jede der
-ersten vier lässt sich wieder rechnen. Bei Bohrsträngen stehen die Verläufe für die Mitte des längsten
-Abschnitts. Die Diagramme sind blow.*, rock.*, wave_picture.* und rod.*.
---record near@1.13m --record far@2.93m --noise 1% schreibt record.csv, eine Probe für `identify`:
-die Dehnung an einer oder zwei Messstellen mit 1e6 Abtastwerten je Sekunde; --record oben+unten@1.13m die
-gegenüberliegender Messstellen, jede mit eigenem Rauschen.</translation>
+        <source>-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains the
+scenario, so that `drillwave run` can run it again. With --plots, it also writes the plots blow.*,
+rock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle of the
+longest section. To rehearse a measurement for `identify`, --record near@1.13m --record far@2.93m
+--noise 1% also writes record.csv, the strain that two gauges would record in 1e6 samples per
+second. --record top+bottom@1.13m records two gauges on opposite sides of the rod, each with its
+own noise.</source>
+        <translation>-o DIR schreibt scenario.yaml, summary.json, histories.csv und events.csv; jede dieser Dateien
+enthält das Szenario, so dass `drillwave run` sie wieder rechnen kann. Mit --plots werden auch die
+Diagramme blow.*, rock.*, wave_picture.* und rod.* geschrieben. Bei Bohrsträngen stehen die
+Verläufe für die Mitte des längsten Abschnitts. Um eine Messung für `identify` zu erproben,
+schreibt --record near@1.13m --record far@2.93m --noise 1% auch record.csv, die Dehnung, die zwei
+Messstellen mit 1e6 Abtastwerten je Sekunde aufzeichnen würden. --record oben+unten@1.13m zeichnet
+zwei Messstellen auf gegenüberliegenden Seiten der Stange auf, jede mit eigenem Rauschen.</translation>
     </message>
     <message>
-        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
-design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
-designs that are equally good within the errors, what is worth measuring, and the worst case
-found in the ranges. A warning about the strength of the design to take is in the first sentence.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-  --choose hammer=NAME,NAME            presets by name, or hammer=all; also rod=, and
-                                       bit= of a drill string, whose hammers are pistons
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
-stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
-worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Löst jede Auslegung, die zur Wahl steht, an denselben Stichproben der unsicheren Größen. Gibt aus: die
-nach dem ersten Ziel beste Auslegung (robusteste), die beste, wenn alles wie in FILE ist (nominal beste),
-die Auslegungen, die im Rahmen der Fehler gleich gut sind, was sich zu messen lohnt, und den
-schlechtesten Fall in den Bereichen. Eine Warnung zur Festigkeit steht im ersten Satz.
-  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
-                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
-  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
-  --choose hammer=NAME,NAME            Voreinstellungen mit Namen, oder hammer=all; auch rod=, und bit= eines
-                                       Bohrstrangs, dessen Hämmer Kolben sind
-Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
-max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. Der Block `design` von FILE
-gilt für jede Option, die nicht angegeben ist. DIR bekommt designs.csv, pareto.csv, sensitivity.csv,
-worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
+        <source>Solves every design, that is, every combination of the --choose values, with the same random
+samples of the uncertain inputs. Prints which design is best over all samples (best for uncertain
+rock) and which is best with the inputs of FILE (best for the values entered), both by the first
+--aim. Also prints which designs are equally good within the errors, which input to measure first,
+and the worst case found in the ranges. The first sentence includes a warning if the recommended
+design exceeds a strength.
+  --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, equally likely
+                             in the logarithm; with :normal or :lognormal, a normal distribution
+                             with 95 % of the values from LOW to HIGH
+  --uncertain KEY=+-P%       range around the value of FILE, or of the design
+  --choose hammer=NAME,NAME  hammer presets by name, or all of them: hammer=all; also rod=. For
+                             drill strings, hammer= takes pistons, and bit= takes bits
+A STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs of FILE).
+Without --aim, the objectives are max:efficiency@q05 and, if FILE has a blow frequency,
+min:thrust@q95. Options that are not given are taken from the block `design` of FILE. -o DIR
+writes designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with
+--plots, design.png.</source>
+        <translation>Löst jede Auslegung, also jede Kombination der Werte von --choose, mit denselben zufälligen
+Stichproben der unsicheren Größen. Gibt aus, welche Auslegung über alle Stichproben die beste ist
+(beste für unsicheres Gestein) und welche mit den Eingaben von FILE (beste für die eingegebenen
+Werte), beides nach dem ersten --aim. Gibt auch aus, welche Auslegungen im Rahmen der Fehler
+gleich gut sind, welche Größe zuerst zu messen ist, und den schlechtesten Fall, der in den
+Bereichen gefunden wurde. Der erste Satz enthält eine Warnung, wenn die empfohlene Auslegung eine
+Festigkeit überschreitet.
+  --uncertain KEY=LOW:HIGH   alle Werte von LOW bis HIGH gleich wahrscheinlich; mit :log gleich
+                             wahrscheinlich im Logarithmus; mit :normal oder :lognormal eine
+                             Normalverteilung mit 95&#xa0;% der Werte von LOW bis HIGH
+  --uncertain KEY=+-P%       Bereich um den Wert von FILE oder der Auslegung
+  --choose hammer=NAME,NAME  Voreinstellungen des Hammers mit Namen, oder alle: hammer=all; auch
+                             rod=. Bei Bohrsträngen nimmt hammer= Kolben und bit= Bohrkronen
+Eine STATISTIC ist mean, q01 bis q99 (Quantile), min, max oder nominal (mit den Eingaben von
+FILE). Ohne --aim sind die Zielgrößen max:efficiency@q05 und, wenn FILE eine Schlagfrequenz hat,
+min:thrust@q95. Optionen, die nicht angegeben sind, werden aus dem Block `design` von FILE
+genommen. -o DIR schreibt designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml,
+design.json und, mit --plots, design.png.</translation>
     </message>
     <message>
-        <source>Lists the built-in presets, or those of a file in the same format; with KIND only rod, hammer, rock,
-piston, adapter, coupling or bit. A command takes them with --rod
-NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
-adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
-        <translation>Die eingebauten, oder die einer Datei im selben Format; mit KIND nur rod, hammer, rock, piston,
-adapter, coupling oder bit. Ein Befehl nimmt sie mit --rod NAME,
---hammer NAME und --rock NAME; der Anfang eines Namens genügt, wo nur einer ihn hat. Kolben,
-Einsteckenden, Kupplungsmuffen und Bohrkronen sind Teile von Bohrsträngen, die auf der Seite Strang
-des Fensters eingesetzt werden.</translation>
+        <source>Lists the built-in presets, or those of FILE.yaml. KIND restricts the list to rod, hammer, rock,
+piston, adapter, coupling or bit. Other commands use a preset with --rod NAME, --hammer NAME or
+--rock NAME; the beginning of the name suffices if only one preset has it. Pistons, adapters,
+couplings and bits are sections of drill strings: insert them on the page String of the window.</source>
+        <translation>Listet die eingebauten Voreinstellungen auf oder die von FILE.yaml. KIND beschränkt die Liste auf
+rod, hammer, rock, piston, adapter, coupling oder bit. Andere Befehle verwenden eine
+Voreinstellung mit --rod NAME, --hammer NAME oder --rock NAME; der Anfang des Namens genügt, wenn
+nur eine Voreinstellung so beginnt. Kolben, Einsteckenden, Kupplungsmuffen und Bohrkronen sind
+Abschnitte von Bohrsträngen: auf der Seite Strang des Fensters einsetzen.</translation>
     </message>
     <message>
-        <source>write the files of the run into DIR; - writes no files</source>
-        <translation>die Dateien des Laufs nach DIR schreiben; - schreibt keine Dateien</translation>
+        <source>write the files of the run into DIR; -o - writes none</source>
+        <translation>die Dateien des Laufs nach DIR schreiben; -o - schreibt keine</translation>
     </message>
     <message>
-        <source>write FILE.csv, and FILE.csv.yaml beside it; - or no -o prints the rows</source>
-        <translation>FILE.csv und daneben FILE.csv.yaml schreiben; - oder kein -o gibt die Zeilen aus</translation>
+        <source>write the rows to FILE.csv, with their record FILE.csv.yaml beside it; -o - prints the rows (default)</source>
+        <translation>die Zeilen nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml daneben; -o - gibt die Zeilen aus (Vorgabe)</translation>
     </message>
     <message>
-        <source>Follows outputs continuously along a parameter and finds every kink and jump on the way. Prints
-where each output is least and largest, its local extremes, kinks, jumps and crossings of the
-levels, each with its error. Where an output would take too much computing, only points of it
-are known, and the table says so.
---goal X prints the values of KEY at which the output is X, each with its error, and whether
-there may be others; where there is none, the nearest value.
-Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
-        <translation>Verfolgt Ergebnisse stetig entlang eines Parameters und findet jeden Knick und Sprung. Sagt, wo jedes
-Ergebnis am kleinsten und am größten ist, und nennt seine lokalen Extreme, Knicke, Sprünge und
-Schnittpunkte mit den gegebenen Werten, jeweils mit Fehler. Wo ein Ergebnis zu viel Rechnung
-brauchte, ist es nur von einzelnen Punkten bekannt, und die Tabelle sagt das.
---goal X nennt die Werte von KEY, bei denen das Ergebnis X ist, mit ihrem Fehler und ob es weitere
-geben kann; wo es keine gibt, was am nächsten kommt.
-Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+        <source>Follows outputs over a whole range of a parameter, between any grid points, and finds every kink
+and jump. For each output, prints where it is smallest and largest, its local extremes, its kinks
+and jumps, and where it crosses a --level, all with their errors. If this needs too much computing
+for an output, it is solved only at single points, and the table says so.
+--goal X prints the values of the parameter at which the output is X, each with its error, and
+whether there may be others. If no value gives X, it prints the value that comes nearest. Values
+carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Verfolgt Ergebnisse über einen ganzen Bereich eines Parameters, auch zwischen den Punkten jedes
+Rasters, und findet jeden Knick und Sprung. Gibt für jedes Ergebnis aus, wo es am kleinsten und am
+größten ist, seine lokalen Extreme, Knicke und Sprünge, und wo es einen Wert von --level kreuzt,
+jeweils mit Fehler. Braucht das bei einem Ergebnis zu viel Rechnung, wird es nur an einzelnen
+Punkten gelöst, und die Tabelle sagt das.
+--goal X gibt die Werte des Parameters aus, bei denen das Ergebnis X ist, jeden mit Fehler, und ob
+es weitere geben kann. Ergibt kein Wert X, gibt es den Wert aus, der am nächsten kommt. Werte
+haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
-string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
-The bit_rock of FILE is not used, except with --law file.
-  --known gain=+-5% zero=+-1%          of the amplifier; zero in % of the peak
-  --known gauge=+-2mm                  place of the gauges
-  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
-Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
-match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
-Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
-Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
-        <translation>Liest Steifigkeit, gamma und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange oder auf
-der letzten Stange eines Strangs. Gibt die Werte mit ihren 95&#xa0;%-Intervallen aus, was sie begrenzt
-und was besser zu messen ist. bit_rock von FILE wird nicht verwendet, außer mit --law file.
-  --known gain=+-5% zero=+-1%          des Verstärkers; zero in % der Spitze
-  --known gauge=+-2mm                  Ort der Messstellen
-  --known rod.diameter=+-0.1mm         Maße des Abschnitts der Messstelle und derer zur Krone hin
-Aufzeichnungen werden wie von `signal` gelesen. DIR erhält identified.yaml, posterior.csv (für
-design --draws), match.csv, force_penetration.csv, incident.csv, identify.json und bei mehreren
-Aufzeichnungen records.csv.
-Exit-Code 0, wenn Steifigkeit oder gamma bekannt ist, 6, wenn das Modell verworfen wird oder keines
-von beiden bekannt ist.
-Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
+        <source>Finds stiffness, elasticity (gamma) and gap of the rock from the waves that strain gauges record
+on the rod, or on the last rod of a string. Prints the values with their 95 % intervals, what
+limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law
+file. --known KEY=+-TOL states how well the inputs are known:
+  --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak
+  --known gauge=+-2mm           distance of the gauges from the bit face
+  --known rod.diameter=+-0.1mm  a size of the section with the gauge, or of a section between
+                                gauge and bit
+Records are read with the options of `signal`. -o DIR writes identified.yaml, posterior.csv
+(random samples of the rock for design --draws), match.csv, force_penetration.csv, incident.csv,
+identify.json and, for several records, records.csv. Exit code 0: stiffness or gamma is known.
+Exit code 6: neither is known, or the record contradicts the model. The intervals can be too
+narrow if the rock does not load along one straight line and unload along another (commands
+§4.17).</source>
+        <translation>Bestimmt Steifigkeit, Elastizität (gamma) und Spalt des Gesteins aus den Wellen, die
+Dehnungsmessstreifen auf der Stange oder auf der letzten Stange eines Strangs aufzeichnen. Gibt
+die Werte mit ihren 95&#xa0;%-Intervallen aus, was ihre Genauigkeit begrenzt und was besser zu messen
+ist. bit_rock von FILE wird nur mit --law file verwendet. --known KEY=+-TOL sagt, wie genau die
+Eingaben bekannt sind:
+  --known gain=+-5% zero=+-1%   Verstärkung des Verstärkers und seine Nulllinie in % der Spitze
+  --known gauge=+-2mm           Abstand der Messstellen von der Kronenstirn
+  --known rod.diameter=+-0.1mm  ein Maß des Abschnitts mit der Messstelle oder eines Abschnitts
+                                zwischen Messstelle und Krone
+Aufzeichnungen werden mit den Optionen von `signal` gelesen. -o DIR schreibt identified.yaml,
+posterior.csv (Stichproben des Gesteins für design --draws), match.csv, force_penetration.csv,
+incident.csv, identify.json und bei mehreren Aufzeichnungen records.csv. Exit-Code 0: Steifigkeit
+oder gamma ist bekannt. Exit-Code 6: keines von beiden ist bekannt, oder die Aufzeichnung
+widerspricht dem Modell. Die Intervalle können zu eng sein, wenn das Gestein nicht längs einer
+Geraden be- und längs einer anderen entlastet (commands §4.17).</translation>
     </message>
     <message>
-        <source>law to fit: auto, bilinear or corner; with file, the law of FILE is tested (default: auto)</source>
-        <translation>Gesetz, das angepasst wird: auto, bilinear oder corner; mit file wird das Gesetz von FILE geprüft (Vorgabe: auto)</translation>
+        <source>rock law to fit to the record: auto, bilinear or corner; file tests the law of FILE instead (default: auto)</source>
+        <translation>Gesteinsgesetz, das an die Aufzeichnung angepasst wird: auto, bilinear oder corner; file prüft stattdessen das Gesetz von FILE (Vorgabe: auto)</translation>
     </message>
     <message>
         <source>date printed in the report, any text (default: none)</source>
         <translation>Datum, das im Bericht steht, beliebiger Text (Vorgabe: keines)</translation>
     </message>
     <message>
-        <source>write no plots and no PDF; needs no display</source>
-        <translation>keine Diagramme und kein PDF schreiben; braucht keinen Bildschirm</translation>
+        <source>write no plots and no PDF; a display is then not needed</source>
+        <translation>keine Diagramme und kein PDF schreiben; dann ist kein Bildschirm nötig</translation>
     </message>
     <message>
-        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
-index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them
-(T: time of a wave along the rod), and with k0 = Z/t0, as its text defines it.</source>
-        <translation>DIR bekommt die Daten der Abbildungen 3 bis 8 als CSV, die Abbildungen als Bilder, discrepancies.csv
-und index.html mit allem. Die Kurven des Referenzfalls gibt es mit k0 = Z/(2T), wie die
-Veröffentlichung sie zeichnet (T: Laufzeit einer Welle durch die Stange), und mit k0 = Z/t0, wie ihr
-Text es definiert.</translation>
+        <source>Writes into DIR the data of Figs 3 to 8 of the paper as CSV, the figures as pictures, and
+discrepancies.csv, which compares each number printed in the paper with the exact one. index.html
+shows all of them. The reference curves of the paper are written twice, because its plots and its
+text scale stiffness differently: with k0 = Z/(2T), as in the plots, and with k0 = Z/t0, as in the
+text. Z is the impedance of the rod, T the time of a wave along the rod, t0 the duration of the
+blow.</source>
+        <translation>Schreibt nach DIR die Daten der Abbildungen 3 bis 8 der Veröffentlichung als CSV, die Abbildungen
+als Bilder und discrepancies.csv, das jede dort gedruckte Zahl mit der exakten vergleicht.
+index.html zeigt alles. Die Referenzkurven gibt es zweimal, weil die Diagramme und der Text der
+Veröffentlichung die Steifigkeit verschieden skalieren: mit k0 = Z/(2T) wie in den Diagrammen und
+mit k0 = Z/t0 wie im Text. Z ist die Impedanz der Stange, T die Laufzeit einer Welle durch die
+Stange, t0 die Dauer des Schlags.</translation>
     </message>
     <message>
-        <source>Follows blow after blow: waves, and the motion of the machine on its damper, carry over from one
-blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how
-many blows start in contact, whether the motion repeats and where the energy goes. FILE needs
-drill.blow_frequency and drill.thrust. Penetrations are upper limits.
-With --scan the same over a parameter; each value is followed twice, from rest and from bouncing.
-DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with --plots
-drilling.png.</source>
-        <translation>Verfolgt Schlag auf Schlag: Wellen und die Bewegung der Maschine auf ihrem Dämpfer gehen von
-einem in den nächsten über; jeder Schlag trifft neues Gestein. Gibt Eindringung und Bohrfortschritt mit
-ihren Fehlern aus, wie viele Schläge im Kontakt beginnen, ob sich die Bewegung wiederholt und wohin
-die Energie geht. FILE braucht drill.blow_frequency und drill.thrust. Eindringungen sind obere
-Grenzen. Mit --scan dasselbe über einem Parameter; jeder Wert wird zweimal verfolgt, aus
-der Ruhe und aus dem Springen. DIR
-bekommt scenario.yaml, summary.json, blows.csv, mit --histories histories.csv und mit --plots
-drilling.png.</translation>
+        <source>Simulates consecutive blows. The residual waves and the motion of the machine on its damper carry
+over from one blow to the next; each blow meets new rock. Prints penetration and penetration rate
+with their errors, the share of blows that start with the bit on the rock, whether the motion
+repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust, the feed
+force. Penetrations are upper limits, because all rock under the bit is assumed to break.
+--scan compares values of a parameter. Each value is simulated twice: starting at rest and
+starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into
+DIR, with --histories also histories.csv, with --plots also drilling.png.</source>
+        <translation>Simuliert aufeinanderfolgende Schläge. Die Restwellen und die Bewegung der Maschine auf ihrem
+Dämpfer gehen von einem Schlag in den nächsten über; jeder Schlag trifft neues Gestein. Gibt
+Eindringung und Bohrfortschritt mit ihren Fehlern aus, den Anteil der Schläge, die mit der
+Bohrkrone am Gestein beginnen, ob sich die Bewegung wiederholt und wohin die Energie geht. FILE
+braucht drill.blow_frequency und drill.thrust, den Andruck. Eindringungen sind obere Grenzen, weil
+angenommen wird, dass alles Gestein unter der Krone bricht.
+--scan vergleicht Werte eines Parameters. Jeder Wert wird zweimal simuliert: mit einem Anfang aus
+der Ruhe und mit springender Maschine. -o DIR schreibt scenario.yaml, summary.json und blows.csv
+nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</translation>
     </message>
 </context>
 </TS>

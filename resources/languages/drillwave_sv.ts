@@ -2494,8 +2494,8 @@ Ta bort ändå?</translation>
         <translation>Ljapunovexponent</translation>
     </message>
     <message>
-        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
-        <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 där den inte gör det</translation>
+        <source>number of blows after which the motion repeats, 1 to 16; 0 if it does not repeat</source>
+        <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 om den inte upprepas</translation>
     </message>
     <message>
         <source>contact share: blows that start with the bit on the rock</source>
@@ -2506,20 +2506,20 @@ Ta bort ändå?</translation>
         <translation>kontakter per slag</translation>
     </message>
     <message>
-        <source>contacts of a blow, mean</source>
-        <translation>kontakter per slag, medelvärde</translation>
+        <source>mean number of contacts between bit and rock in a blow</source>
+        <translation>medelantal kontakter mellan borrkrona och berg i ett slag</translation>
     </message>
     <message>
         <source>deviation of the gap</source>
         <translation>spaltens standardavvikelse</translation>
     </message>
     <message>
-        <source>error of the energy balance of all blows, over the hammer work</source>
-        <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
+        <source>error of the energy balance of all blows, as a share of the hammer work</source>
+        <translation>fel i energibalansen för alla slag, som andel av hammarens arbete</translation>
     </message>
     <message>
-        <source>momentum balance error of all blows, relative to the feed impulse</source>
-        <translation>fel i rörelsemängdens balans för alla slag, relativt matningens impuls</translation>
+        <source>error of the momentum balance of all blows, relative to the impulse of the feed force</source>
+        <translation>fel i rörelsemängdens balans för alla slag, relativt matningskraftens impuls</translation>
     </message>
     <message>
         <source>error of the energy of many blows</source>
@@ -2534,48 +2534,48 @@ Ta bort ändå?</translation>
         <translation>fel i rörelsemängden över många slag</translation>
     </message>
     <message>
-        <source>gap exceeded by 95 % of the blows</source>
-        <translation>spalt som 95&#xa0;% av slagen överskrider</translation>
+        <source>gap between bit and rock that 95 % of the blows exceed</source>
+        <translation>spalt mellan borrkrona och berg som 95&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
-        <source>gap exceeded by 5 % of the blows</source>
-        <translation>spalt som 5&#xa0;% av slagen överskrider</translation>
+        <source>gap between bit and rock that 5 % of the blows exceed</source>
+        <translation>spalt mellan borrkrona och berg som 5&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
-        <source>median gap</source>
-        <translation>spalt som hälften av slagen ligger under</translation>
+        <source>median of the gap between bit and rock at the start of the blows</source>
+        <translation>median av spalten mellan borrkrona och berg när slagen börjar</translation>
     </message>
     <message>
-        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
-        <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; två beräkningar</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
-        <source>its 95 % error; takes a second march with other cells</source>
-        <translation>medelinträngningens 95&#xa0;%-fel; kräver ännu en beräkning med andra celler</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95&#xa0;%-fel för drill_penetration, medelinträngningen per slag. Kräver en andra simulering av alla slag, med andra tidssteg</translation>
     </message>
     <message>
-        <source>largest force of the damper</source>
-        <translation>dämparens största kraft</translation>
+        <source>largest force in the damper between machine and rod</source>
+        <translation>största kraft i dämparen mellan maskin och stång</translation>
     </message>
     <message>
         <source>mean gap at the blow</source>
         <translation>medelspalt vid slaget</translation>
     </message>
     <message>
-        <source>mean gap at the blow, of many blows under a feed (drill)</source>
-        <translation>medelspalt vid slaget, över många slag under en matning (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows (drill)</source>
+        <translation>medelspalt mellan borrkrona och berg när slagen börjar (drill)</translation>
     </message>
     <message>
         <source>mean impulse on the rock</source>
         <translation>medelimpuls på berget</translation>
     </message>
     <message>
-        <source>mean impulse on the rock: feed force over frequency</source>
-        <translation>medelimpuls på berget: matningskraft genom frekvens</translation>
+        <source>mean impulse on the rock per blow: feed force over blow frequency</source>
+        <translation>medelimpuls på berget per slag: matningskraft genom slagfrekvens</translation>
     </message>
     <message>
-        <source>mean of the largest forces on the rock</source>
-        <translation>medelvärde av de största krafterna på berget</translation>
+        <source>mean over all blows of the largest force on the rock</source>
+        <translation>medelvärde över alla slag av den största kraften på berget</translation>
     </message>
     <message>
         <source>mean peak force</source>
@@ -2586,20 +2586,20 @@ Ta bort ändå?</translation>
         <translation>medelinträngning per slag</translation>
     </message>
     <message>
-        <source>mean penetration of a blow: an upper limit</source>
-        <translation>medelinträngning per slag: en övre gräns</translation>
+        <source>mean penetration per blow; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>medelinträngning per slag; en övre gräns, eftersom allt berg under kronan antas brytas</translation>
     </message>
     <message>
-        <source>mean penetration times blow frequency, m/s: an upper limit</source>
-        <translation>medelinträngning gånger slagfrekvens, m/s: en övre gräns</translation>
+        <source>penetration rate, m/s: mean penetration per blow times blow frequency; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>borrsjunkning, m/s: medelinträngning per slag gånger slagfrekvens; en övre gräns, eftersom allt berg under kronan antas brytas</translation>
     </message>
     <message>
         <source>median of the gaps</source>
         <translation>median av spalterna</translation>
     </message>
     <message>
-        <source>round trips of a wave from blow to blow, n_b</source>
-        <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
+        <source>number of round trips that a wave makes through rod or string between two blows (n_b)</source>
+        <translation>antal varv som en våg gör fram och åter genom stång eller sträng mellan två slag (n_b)</translation>
     </message>
     <message>
         <source>penetration rate of many blows</source>
@@ -2610,20 +2610,20 @@ Ta bort ändå?</translation>
         <translation>rörelsens period</translation>
     </message>
     <message>
-        <source>feed force over mean force of the blows, phi</source>
-        <translation>matningskraft genom slagens medelreaktion, phi</translation>
+        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
+        <translation>effektiv matningskraft genom slagfrekvens gånger ett slags impuls (phi); under 1 trycks maskinen tillbaka</translation>
     </message>
     <message>
         <source>round trips from blow to blow</source>
         <translation>varv fram och åter från slag till slag</translation>
     </message>
     <message>
-        <source>contact share: blows that start within 0.05 d0 of the rock</source>
-        <translation>andel slag som börjar inom 0,05 d0 från berget</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z; I0: ett slags impuls, Z: stångens impedans)</translation>
     </message>
     <message>
-        <source>standard deviation of that gap</source>
-        <translation>standardavvikelse för spalten vid slaget</translation>
+        <source>standard deviation of the gap between bit and rock at the start of the blows</source>
+        <translation>standardavvikelse för spalten mellan borrkrona och berg när slagen börjar</translation>
     </message>
     <message>
         <source>thrust number</source>
@@ -3814,8 +3814,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Fyra diagram över tiden från 0 till %1. %2: största N %3, våg mot borrkronan %4, från borrkronan %5. Stötkraft upp till %6, hammarens kraft på strängen upp till %7. Impuls upp till %8. Strängens rörelsemängd upp till %9.</translation>
     </message>
     <message>
-        <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
-        <translation>Fyra diagram över tiden från 0 till %1. Vågor vid x/L = %2: största N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stötkraft upp till %7. Impuls upp till %8. Stångens rörelsemängd upp till %9.</translation>
+        <source>Four plots over time from 0 to %1. Largest values at x/L = %2: normal force N %10, incident wave N0p %3, its reflection from the bit N1n %4, then from the rear end N2p %5 and again from the bit N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
+        <translation>Fyra diagram över tiden från 0 till %1. Största värden vid x/L = %2: normalkraft N %10, infallande våg N0p %3, dess reflexion från kronan N1n %4, sedan från bakänden N2p %5 och åter från kronan N3n %6. Stötkraft upp till %7. Impuls upp till %8. Stångens rörelsemängd upp till %9.</translation>
     </message>
     <message>
         <source>%1, %2 from its rear</source>
@@ -4058,28 +4058,28 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not distinguish it from %1: any of them will do.</source>
-        <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
+        <source>The samples do not distinguish this design from %1: any of them will do.</source>
+        <translation>Stickproven skiljer inte denna konstruktion från %1: vilken som helst duger.</translation>
     </message>
     <message>
         <source>Among them, %1 has the %2: %3.</source>
         <translation>Av dem har %1 %2: %3.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would lose %2&#xa0;% of it %3.</source>
-        <translation>Den nominellt bästa, %1, skulle förlora %2 % av det %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% smaller %3.</source>
+        <translation>För den bästa konstruktionen för de angivna värdena, %1, är målstorheten %2&#xa0;% mindre %3.</translation>
     </message>
     <message>
-        <source>The best design for the values entered, %1, would have %2&#xa0;% more of it %3.</source>
-        <translation>Den nominellt bästa, %1, skulle ha %2 % mer av det %3.</translation>
+        <source>The best design for the values entered, %1, has an objective that is %2&#xa0;% larger %3.</source>
+        <translation>För den bästa konstruktionen för de angivna värdena, %1, är målstorheten %2&#xa0;% större %3.</translation>
     </message>
     <message>
         <source>the draws</source>
         <translation>dragningarna</translation>
     </message>
     <message>
-        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 % of its scatter.</source>
-        <translation>För %1, mät &lt;b&gt;%2&lt;/b&gt; först: %3&#xa0;% av spridningen.</translation>
+        <source>To know the %1 better, measure &lt;b&gt;%2&lt;/b&gt; first: it causes %3 % of the scatter.</source>
+        <translation>För att känna %1 bättre, mät först &lt;b&gt;%2&lt;/b&gt;: den orsakar %3&#xa0;% av spridningen.</translation>
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -4122,12 +4122,12 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Hittills %1 stickprov, %2 återstår.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% less.</source>
-        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% smaller.</source>
+        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
     </message>
     <message>
-        <source>With the values entered, the best design for uncertain rock has %1&#xa0;% more.</source>
-        <translation>Med de angivna värdena har den bästa konstruktionen för osäkert berg %1&#xa0;% mer.</translation>
+        <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% larger.</source>
+        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för osäkert berg %1&#xa0;% större.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4430,16 +4430,16 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Svep</translation>
     </message>
     <message>
-        <source>Statistics at values of this parameter, each started at rest and started bouncing</source>
-        <translation>Statistiken vid värden på denna parameter, var och en från vila och från studsande</translation>
+        <source>Simulates the blows at several values of this parameter, each once from rest and once with a bouncing machine</source>
+        <translation>Simulerar slagen vid flera värden på denna parameter, vart och ett en gång från vila och en gång med studsande maskin</translation>
     </message>
     <message>
         <source>bracket</source>
         <translation>visa gränsfall</translation>
     </message>
     <message>
-        <source>Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: makers do not publish their dampers</source>
-        <translation>Även under konstant kraft, och med en dämpare på halva impedansen där det finns en maskinmassa: ingen tillverkare publicerar sin dämpare</translation>
+        <source>Repeats the scan with a constant feed force and, if a machine mass is given, with a dashpot of half the impedance of the rod. Makers do not publish their dampers: the results show how much this matters</source>
+        <translation>Upprepar svepet med konstant matningskraft och, om en maskinmassa är angiven, med en dämpare på halva stångens impedans. Tillverkare offentliggör inte sina dämpare: resultaten visar hur mycket det betyder</translation>
     </message>
     <message>
         <source>Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no blow frequency and no feed force.</source>
@@ -4454,8 +4454,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Stoppa %1/%2</translation>
     </message>
     <message>
-        <source>φ = %1, %2 round trips between blows</source>
-        <translation>φ = %1, %2 varv fram och åter mellan slagen</translation>
+        <source>Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
+        <translation>Matningskraft genom slagens medelkraft φ = %1; en våg gör %2 varv mellan två slag</translation>
     </message>
     <message>
         <source>No scan: %1</source>
@@ -6278,16 +6278,16 @@ en projektion av fler dimensioner</translation>
         <translation>%1: har lagts dit eller ändrats av någon annan; flytta undan den, eller spara körningarna igen för att ersätta den</translation>
     </message>
     <message>
-        <source>The %1 = %2 is outside the usual range, %3 to %4.</source>
-        <translation>%1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
+        <source>The input %1 = %2 is outside its typical range, %3 to %4.</source>
+        <translation>Indata %1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
     </message>
     <message>
-        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Den första reflexionen kommer tillbaka före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är kraften given. En borrsträng med hammare tar hänsyn till den.</translation>
+        <source>The first reflection returns to the hammer before the last %1 % of the blow. A real hammer would feel it, but here the hammer force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Den första reflexionen kommer tillbaka till hammaren före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är hammarkraften given. En borrsträng med hammare tar hänsyn till den.</translation>
     </message>
     <message>
-        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
-        <translation>Hammaren har stångens impedans, som är standardvärdet: dess slag är ett steg. Ange kolvens data.</translation>
+        <source>No data of the hammer are given. By default it has the impedance of the rod, and the force of its blow is a single step. Give the data of the piston.</source>
+        <translation>Inga data för hammaren är angivna. Som standard har den stångens impedans, och kraften i dess slag är ett enda steg. Ange kolvens data.</translation>
     </message>
     <message>
         <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
@@ -6302,12 +6302,12 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg. Reflexer tillbaka till hammaren försummas här.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3. Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; %2 beräknar det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; to compute it, use %2.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%3). Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; använd %2 för att beräkna det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2). Inträngningen kan ändras med upp till 10&#xa0;%; %3 beräknar det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; to compute it, use %3.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4), nästan i takt med det: %1 är nära %2. Inträngningen kan ändras med upp till 10&#xa0;%; använd %3 för att beräkna det.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6330,12 +6330,12 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps.</source>
-        <translation>Välj längder med större gemensam delare (t.ex. 50 mm): färre tidssteg.</translation>
+        <source>Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are then exact.</source>
+        <translation>Välj längder som är multiplar av en större gemensam längd, t.ex. 50 mm: då är längre tidssteg exakta.</translation>
     </message>
     <message>
-        <source>Enter all lengths in whole millimetres, with one steel: the time step is then exact.</source>
-        <translation>Ange alla längder i hela millimeter, ett stål: då är tidssteget exakt.</translation>
+        <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
+        <translation>Ange alla längder i hela millimeter, med samma stål i alla sektioner: då är tidssteget exakt.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6354,8 +6354,8 @@ en projektion av fler dimensioner</translation>
         <translation>borrkronan ännu är på berget när nästa reflexion kommer</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
-        <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1: dess e = %2 avviker med %3.</translation>
+        <source>The closed form for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
+        <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1. Dess studstal e = %2 har ett fel på %3.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6366,8 +6366,8 @@ en projektion av fler dimensioner</translation>
         <translation>drag</translation>
     </message>
     <message>
-        <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
-        <translation>Spalten har ingen verkan på en rörelse som stel kropp: den flyttar bara tiden för kontakten.</translation>
+        <source>The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts the time of contact and has no other effect.</source>
+        <translation>Stången rör sig som en stel kropp, så spalten mellan borrkrona och berg flyttar bara kontaktens tid och har ingen annan verkan.</translation>
     </message>
     <message>
         <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
@@ -6378,48 +6378,40 @@ en projektion av fler dimensioner</translation>
         <translation>Borrkronan träffar berget %1 gånger i detta slag: reflekterade vågor trycker den tillbaka mot berget.</translation>
     </message>
     <message>
-        <source>The numerical error of e may be as large as %1.</source>
-        <translation>Det numeriska felet i e kan vara så stort som %1.</translation>
+        <source>The numerical error of the coefficient of restitution e may be as large as %1.</source>
+        <translation>Det numeriska felet i studstalet e kan vara så stort som %1.</translation>
     </message>
     <message>
-        <source>would yield</source>
-        <translation>skulle flyta</translation>
+        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are those at that time, not the final ones.</source>
+        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkrona och berg, eller hammare och sträng, kan träffas igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
     </message>
     <message>
-        <source>suffers fatigue at every blow</source>
-        <translation>överskrider utmattningsgränsen vid varje slag</translation>
+        <source>The largest stresses of the sections would take more work than is permitted, so they were not computed and no strength was checked. Try a shorter end_time.</source>
+        <translation>Sektionernas största spänningar skulle kräva mer arbete än vad som är tillåtet. De beräknades därför inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
     </message>
     <message>
-        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
-        <translation>Efter %1 kan borrkrona och berg, eller hammare och sträng, träffas igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it loaded along one straight line.</source>
+        <translation>Kraften på berget når bara %1, under belastningskurvans första hörn vid %2: berget verkar som om det belastades längs en enda rät linje.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
-        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet. De beräknades inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
+        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den, så att spalten mellan borrkrona och berg växer från slag till slag. Öka matningskraften.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
-        <translation>Kraften stannar under belastningskurvans första hörn (%1 av %2): lagen verkar som den bilinjära.</translation>
+        <source>Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Inget dämpar vågorna, så deras fronter klingar aldrig av. Ange en vågförlust; 1 till 30&#xa0;% per varv fram och åter är vanlig.</translation>
     </message>
     <message>
-        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
-        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den: spalter växer utan gräns. Öka matningskraften.</translation>
+        <source>After the piston has separated from the string, the string rebounds against it and takes over up to %1 % of its momentum. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Efter att kolven har skilts från strängen studsar strängen mot den och tar över upp till %1&#xa0;% av dess rörelsemängd. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
-        <translation>Inget dämpar vågorna: språng klingar aldrig av. Ange en vågförlust; 1 till 30&#xa0;% per varv fram och åter är vanlig.</translation>
+        <source>At the moment of a blow, the shank is up to %1 away from its mean position in the machine. A real machine would then have another stroke and another blow. With only a dashpot the shank drifts: add a spring to the damper.</source>
+        <translation>I slagögonblicket är nacken upp till %1 från sitt medelläge i maskinen. En verklig maskin skulle då ha en annan slaglängd och ett annat slag. Med bara en dämpare vandrar nacken: lägg till en fjäder i dämparen.</translation>
     </message>
     <message>
-        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Efter separationen avger kolven ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen. Om maskinen då har dragit den tillbaka, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
-    </message>
-    <message>
-        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
-        <translation>Vid ett slag är nacken upp till %1 från sitt medelläge i maskinen: slaglängd och slag skulle bli andra. Med bara en dämpare kryper den; ge dämparen en fjäder.</translation>
-    </message>
-    <message>
-        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
-        <translation>Slagfrekvensen räknas som %1, så att varje slag faller på ett tidssteg.</translation>
+        <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
+        <translation>Slagfrekvensen är avrundad till %1, så att varje slag faller på ett tidssteg.</translation>
     </message>
     <message>
         <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
@@ -6430,16 +6422,16 @@ en projektion av fler dimensioner</translation>
         <translation>Två jämna rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; en verklig maskin kan hamna i vilken som helst av dem.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: use the means, not the values of single blows.</source>
-        <translation>Rörelsen upprepar sig inte: använd medelvärdena, inte värden för enstaka slag.</translation>
+        <source>The motion does not repeat from blow to blow: use the means, not the values of single blows.</source>
+        <translation>Rörelsen upprepar sig inte från slag till slag: använd medelvärdena, inte värden för enstaka slag.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
-        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%: tidssteget är långt för dessa kontakter. Ett kortare minskar felet i samma mån.</translation>
+        <source>The energy balance of all blows has an error of %1 %, because the time step is long for these contacts. A shorter time step reduces the error in proportion.</source>
+        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%, eftersom tidssteget är långt för dessa kontakter. Ett kortare tidssteg minskar felet i samma mån.</translation>
     </message>
     <message>
-        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
-        <translation>Dämparen är antagen, eftersom tillverkare inte offentliggör sin. Prova dämpare från 0,05 till 0,5 gånger stångens impedans.</translation>
+        <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Dämparens data är antagna, eftersom tillverkare inte offentliggör dem. Prova dämpare från 0,05 till 0,5 gånger stångens impedans.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6454,12 +6446,12 @@ en projektion av fler dimensioner</translation>
         <translation>en fjäder på %1</translation>
     </message>
     <message>
-        <source>Not solved: %1.</source>
-        <translation>Inte löst: %1.</translation>
+        <source>The blows could not be solved: %1.</source>
+        <translation>Slagen kunde inte lösas: %1.</translation>
     </message>
     <message>
-        <source>Stopped before all blows were done.</source>
-        <translation>Stoppat innan alla slag var klara.</translation>
+        <source>The computation was stopped before all blows were solved.</source>
+        <translation>Beräkningen stoppades innan alla slag var lösta.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -6502,8 +6494,8 @@ en projektion av fler dimensioner</translation>
         <translation>Matningen bedöms inte: scenariot ges av sina dimensionslösa tal, inte i fysikaliska enheter.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: no blow frequency is given.</source>
-        <translation>Matningen bedöms inte: ingen slagfrekvens är angiven.</translation>
+        <source>The feed cannot be judged: give a blow frequency.</source>
+        <translation>Matningen bedöms inte: ange en slagfrekvens.</translation>
     </message>
     <message>
         <source>%1 (%2 with the weight along the hole)</source>
@@ -6634,8 +6626,8 @@ en projektion av fler dimensioner</translation>
         <translation>%1 förutsätter drill.blow_frequency; ange den i scenariot eller med --set</translation>
     </message>
     <message>
-        <source>This blow has %1 wave pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
-        <translation>Detta slag har %1 bitar, för många för att följas över alla spalter i en rapport: `drillwave %2` gör det, och tar tid på sig.</translation>
+        <source>The waves of this blow have %1 polynomial pieces, too many to study all gaps in a report: run `drillwave %2` instead, which takes longer.</source>
+        <translation>Vågorna i detta slag har %1 polynombitar, för många för att undersöka alla spalter i en rapport: kör i stället `drillwave %2`, som tar längre tid.</translation>
     </message>
     <message>
         <source>The blow could not be solved at all gaps: %1</source>
@@ -7176,22 +7168,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>in SI</source>
         <translation>i SI-enheter</translation>
-    </message>
-    <message>
-        <source>compression reaches %1</source>
-        <translation>trycket når %1</translation>
-    </message>
-    <message>
-        <source>tension reaches %1</source>
-        <translation>draget når %1</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i restvågorna (odämpade här); dess hållfasthet är %5.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget; dess hållfasthet är %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -7814,8 +7790,8 @@ en projektion av fler dimensioner</translation>
         <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
     </message>
     <message>
-        <source>its blows over all gaps need more wave pieces than a quick study permits</source>
-        <translation>dess slag över alla spalter har fler vågbitar än som följs i förbigående</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
+        <translation>vågorna i dess slag vid alla spalter har fler polynombitar (vågbitar) än en snabb studie tillåter</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7854,8 +7830,8 @@ en projektion av fler dimensioner</translation>
         <translation>dess förlopp behöver mer än 4 miljoner vågbitar: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
     </message>
     <message>
-        <source>it needs more wave pieces than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>det behöver fler vågbitar än tillåtet: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
+        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess vågor har fler polynombitar (vågbitar) än tillåtet, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
@@ -8594,24 +8570,24 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
-        <source>%1 sample could not be solved and is left out: %2.</source>
-        <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
+        <source>%1 sample could not be solved and is left out of the statistics. Reason: %2.</source>
+        <translation>%1 stickprov kunde inte lösas och saknas i statistiken. Orsak: %2.</translation>
     </message>
     <message>
-        <source>%1 samples could not be solved and are left out: %2.</source>
-        <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
+        <source>%1 samples could not be solved and are left out of the statistics. Reason: %2.</source>
+        <translation>%1 stickprov kunde inte lösas och saknas i statistiken. Orsak: %2.</translation>
     </message>
     <message>
-        <source>%1 design has too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 konstruktion har för många olösta stickprov (över 0,1&#xa0;%) och saknar statistik.</translation>
+        <source>%1 design has no statistics, because more than 0.1 % of its samples could not be solved.</source>
+        <translation>%1 konstruktion saknar statistik, eftersom mer än 0,1&#xa0;% av dess stickprov inte kunde lösas.</translation>
     </message>
     <message>
-        <source>%1 designs have too many unsolved samples (above 0.1 %) and no statistics.</source>
-        <translation>%1 konstruktioner har för många olösta stickprov (över 0,1&#xa0;%) och saknar statistik.</translation>
+        <source>%1 designs have no statistics, because more than 0.1 % of their samples could not be solved.</source>
+        <translation>%1 konstruktioner saknar statistik, eftersom mer än 0,1&#xa0;% av deras stickprov inte kunde lösas.</translation>
     </message>
     <message>
-        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
-        <translation>För upp till %1&#xa0;% av stickproven i en konstruktion är det numeriska felet större än statistikens: borrkronan skallrar i dessa slag.</translation>
+        <source>In up to %1 % of the samples of a design, the bit chatters on the rock; the numerical error of these blows is larger than the error of the statistics.</source>
+        <translation>I upp till %1&#xa0;% av stickproven i en konstruktion skallrar borrkronan mot berget; det numeriska felet i dessa slag är större än statistikens fel.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8622,32 +8598,32 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 eller %2 andra</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 störst %3, %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the largest value of %3, %4.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det största värdet på %3, %4.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 minst %3, %4.</translation>
+        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the smallest value of %3, %4.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det minsta värdet på %3, %4.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
-        <translation>Den bästa konstruktionen för osäkert berg ligger vid övre änden av %1: vidga valet.</translation>
+        <source>The best design for uncertain rock has the largest value of %1: extend the range of this variable.</source>
+        <translation>Den bästa konstruktionen för osäkert berg har det största värdet på %1: vidga området för denna variabel.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
-        <translation>Den bästa konstruktionen för osäkert berg ligger vid nedre änden av %1: vidga valet.</translation>
+        <source>The best design for uncertain rock has the smallest value of %1: extend the range of this variable.</source>
+        <translation>Den bästa konstruktionen för osäkert berg har det minsta värdet på %1: vidga området för denna variabel.</translation>
     </message>
     <message>
-        <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
-        <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
+        <translation>Slagenergin skiljer sig med upp till %1&#xa0;% mellan konstruktionerna: maskiner med olika effekt jämförs. Använd --keep-energy för att jämföra vid samma energi.</translation>
     </message>
     <message>
-        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, choose loading work as the objective: --aim max:loading_work@q05.</source>
-        <translation>Verkningsgraden sprider nästan bara med gamma. Välj belastningsarbetet som målstorhet för att jämföra hammare: --aim max:loading_work@q05.</translation>
+        <source>Nearly all scatter of the efficiency comes from the elasticity gamma of the rock. To compare hammers, choose the loading work as the objective: --aim max:loading_work@q05.</source>
+        <translation>Verkningsgraden sprider nästan bara med bergets elasticitet gamma. Välj belastningsarbetet som målstorhet för att jämföra hammare: --aim max:loading_work@q05.</translation>
     </message>
     <message>
         <source>rest</source>
@@ -10674,36 +10650,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avbruten; %1 av %2 rader finns i %3, och samma kommando fortsätter efter dem</translation>
     </message>
     <message>
-        <source>none of %1 designs</source>
-        <translation>ingen av %1 konstruktioner</translation>
+        <source>Keep the present design, %1: none of the %2 designs compared has a better objective (%3 = %4).</source>
+        <translation>Behåll den nuvarande konstruktionen, %1: ingen av de %2 jämförda konstruktionerna har en bättre målstorhet (%3 = %4).</translation>
     </message>
     <message>
-        <source>nothing from %1 to %2</source>
-        <translation>inget från %1 till %2</translation>
+        <source>Take the design %1: its objective %2 is %3.</source>
+        <translation>Ta konstruktionen %1: dess målstorhet %2 är %3.</translation>
     </message>
     <message>
-        <source>%1 makes no difference: %2 is %3, within %4, for all %5 designs.</source>
-        <translation>%1 gör ingen skillnad: %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
+        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
+        <translation>Byt konstruktion från %1 till %2: målstorheten %3 blir %4 i stället för %5.</translation>
     </message>
     <message>
-        <source>The choice</source>
-        <translation>Valet</translation>
-    </message>
-    <message>
-        <source>Keep %1: %2 has a better %3 (%4).</source>
-        <translation>Behåll %1: %2 är bättre (%3: %4).</translation>
-    </message>
-    <message>
-        <source>Take %1: %2 is %3.</source>
-        <translation>Ta %1: %2 är %3.</translation>
-    </message>
-    <message>
-        <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
-        <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
-    </message>
-    <message>
-        <source>Change %1 from %2 to %3: %4 becomes %5 instead of %6.</source>
-        <translation>Ändra %1 från %2 till %3: %4 blir %5 i stället för %6.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
+        <translation>Ändra %1 från %2 till %3: målstorheten %4 blir %5 i stället för %6.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10718,72 +10678,72 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Uppskattningen från ett slag gäller inte: vågorna från ett slag är kvar i strängen när nästa kommer.</translation>
     </message>
     <message>
-        <source>The feed of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
+        <source>The feed force of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
         <translation>Matningskraften %1 är mindre än slagens medelkraft, %2: maskinen trycks tillbaka.</translation>
     </message>
     <message>
-        <source>%1 is below the %2 that this blow requires: penetration will probably be lost.</source>
-        <translation>%1 är mindre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
+        <source>A feed force of %1 is below the %2 that this blow requires: penetration will probably be lost.</source>
+        <translation>En matningskraft på %1 är lägre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow (%2 required).</source>
-        <translation>%1 täcker varje enskilt slag (%2 krävs).</translation>
+        <source>A feed force of %1 covers every single blow (%2 required).</source>
+        <translation>En matningskraft på %1 täcker varje enskilt slag (%2 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock (%2 required); gaps were not examined.</source>
-        <translation>%1 täcker detta slag och stelt berg (%2 krävs); spalter undersöktes inte.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 täcker detta slag och stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>%1 covers every single blow, with return in time at every gap (%2).</source>
-        <translation>%1 täcker varje enskilt slag, med återkomst i tid vid varje spalt (%2).</translation>
+        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>En matningskraft på %1 täcker varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow and rigid rock, with return in time (%2); gaps were not examined.</source>
-        <translation>%1 täcker detta slag och stelt berg, med återkomst i tid (%2); spalter undersöktes inte.</translation>
+        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 täcker detta slag och stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2.</source>
-        <translation>Detta slag täcks av minst %1 vid %2.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
     </message>
     <message>
-        <source>This blow is covered by at least %1 at %2, or at most %3 with this feed.</source>
-        <translation>Detta slag täcks av minst %1 vid %2, eller med denna matningskraft högst %3.</translation>
+        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not every gap (up to %3).</source>
-        <translation>%1 täcker detta slag (%2 krävs), men inte varje spalt (upp till %3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
+        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3).</source>
-        <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3).</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
+        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs).</translation>
     </message>
     <message>
-        <source>%1 covers this blow (%2 required), but not rigid rock (%3); gaps were not examined.</source>
-        <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3); spalter undersöktes inte.</translation>
+        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
-        <translation>Ingen matningskraft är angiven: vid %1 täcker enbart tyngden längs hålet detta slag och stelt berg.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 täcker redan tyngden av maskin och stång längs hålet detta slag och stelt berg.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2.</source>
-        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %2 kräver detta slag minst %1.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, every single blow at least %3.</source>
-        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, varje enskilt slag minst %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and blows at other gaps or on rigid rock up to %3.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %2 kräver detta slag minst %1, och slag vid andra spalter eller på stelt berg upp till %3.</translation>
     </message>
     <message>
-        <source>No feed force is given: this blow requires at least %1 at %2, rigid rock at least %3.</source>
-        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, stelt berg minst %3.</translation>
+        <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1, and rigid rock at least %3.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %2 kräver detta slag minst %1, och stelt berg minst %3.</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
-        <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
+        <source>The feed cannot be judged: give a blow frequency and a feed force.</source>
+        <translation>Matningen bedöms inte: ange slagfrekvens och matningskraft.</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Detta är en uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -10822,60 +10782,60 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>längderna inte är ett helt antal tidssteg</translation>
     </message>
     <message>
-        <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
-        <translation>Ange en vågförlust (%1); 1 till 30 % per varv är vanligt.</translation>
+        <source>Give a wave loss (%1): waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Ange en vågförlust (%1): vågor förlorar vanligen 1 till 30&#xa0;% per varv fram och åter.</translation>
     </message>
     <message>
-        <source>More blows (%1) lower the error.</source>
-        <translation>Fler slag (%1) minskar felet.</translation>
+        <source>Increase the number of blows (%1) to reduce the error.</source>
+        <translation>Öka antalet slag (%1) för att minska felet.</translation>
     </message>
     <message>
-        <source>Shorter time steps, or lengths with a common step, lower it.</source>
-        <translation>Kortare tidssteg, eller längder med ett gemensamt steg, minskar det.</translation>
+        <source>Use shorter time steps, or lengths that are multiples of a common length, to reduce the error.</source>
+        <translation>Använd kortare tidssteg, eller längder som är multiplar av en gemensam längd, för att minska felet.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2.</source>
-        <translation>%1 per slag, %2.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2.</source>
+        <translation>Borrkronan tränger in %1 per slag, med en borrsjunkning på %2.</translation>
     </message>
     <message>
-        <source>%1 per blow, %2: %3 of a single blow from rest.</source>
-        <translation>%1 per slag, %2: %3 av ett enstaka slag från vila.</translation>
+        <source>The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest.</source>
+        <translation>Borrkronan tränger in %1 per slag, med en borrsjunkning på %2: %3 av ett enstaka slag från vila.</translation>
     </message>
     <message>
-        <source>The machine is pushed back without limit.</source>
-        <translation>Maskinen trycks tillbaka utan gräns.</translation>
+        <source>The blows push the machine back without limit: increase the feed force.</source>
+        <translation>Slagen trycker tillbaka maskinen utan gräns: öka matningskraften.</translation>
     </message>
     <message>
-        <source>A feed of %1</source>
-        <translation>En matningskraft på %1</translation>
+        <source>a feed force of %1</source>
+        <translation>en matningskraft på %1</translation>
     </message>
     <message>
-        <source>From %1 to %2 the rate is the same within the errors.</source>
-        <translation>Från %1 till %2 är borrsjunkningen densamma inom felen.</translation>
+        <source>All values from %1 to %2 give the same penetration rate within the errors.</source>
+        <translation>Alla värden från %1 till %2 ger samma borrsjunkning inom felen.</translation>
     </message>
     <message>
         <source>a constant force</source>
         <translation>en konstant kraft</translation>
     </message>
     <message>
-        <source>This mean is not resolved, its error is above %1, because %2.</source>
-        <translation>Detta medelvärde är inte upplöst, dess fel är över %1, eftersom %2.</translation>
+        <source>This mean is inaccurate: its error is above %1, because %2.</source>
+        <translation>Detta medelvärde är osäkert: dess fel är över %1, eftersom %2.</translation>
     </message>
     <message>
-        <source>The bit starts in contact at %1 of blows.</source>
-        <translation>Borrkronan börjar i kontakt vid %1 av slagen.</translation>
+        <source>The bit starts in contact with the rock in %1 of the blows.</source>
+        <translation>Borrkronan börjar i kontakt med berget vid %1 av slagen.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1 (assumed).</source>
-        <translation>Matningen är modellerad som %1 (antagen).</translation>
+        <source>The connection between machine and rod is modelled as %1, which is an assumption.</source>
+        <translation>Förbindelsen mellan maskin och stång är modellerad som %1, vilket är ett antagande.</translation>
     </message>
     <message>
-        <source>Feed modelled as %1.</source>
-        <translation>Matningen är modellerad som %1.</translation>
+        <source>The connection between machine and rod is modelled as %1.</source>
+        <translation>Förbindelsen mellan maskin och stång är modellerad som %1.</translation>
     </message>
     <message>
-        <source>All values give the same rate within the errors, %1.</source>
-        <translation>Alla värden ger samma borrsjunkning inom felen, %1.</translation>
+        <source>All values of the scan give the same penetration rate within the errors, %1.</source>
+        <translation>Alla värden i svepet ger samma borrsjunkning inom felen, %1.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -10962,16 +10922,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>denna borrsträng slås av en given kraft, som inget förval ersätter; välj tal som pulse.duration</translation>
     </message>
     <message>
-        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
-        <translation>Slagenergin skiljer sig med upp till %1 % mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
+        <source>The blow energy differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Slagenergin skiljer sig med upp till %1&#xa0;% mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
     </message>
     <message>
-        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
-        <translation>Byt från %1 till %2: %3 är %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+        <source>Change the design from %1 to %2: the objective %3 is then %4. The present design does not meet all limits.</source>
+        <translation>Byt konstruktion från %1 till %2: målstorheten %3 är då %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: %4 is %5. The present design does not meet all limits.</source>
-        <translation>Ändra %1 från %2 till %3: %4 är %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+        <source>Change %1 from %2 to %3: the objective %4 is then %5. The present design does not meet all limits.</source>
+        <translation>Ändra %1 från %2 till %3: målstorheten %4 är då %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -10980,14 +10940,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Warning for %1: %2</source>
         <translation>Varning för %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 There is %2 more warning.</source>
-        <translation>%1 Det finns %2 varning till.</translation>
-    </message>
-    <message>
-        <source>%1 There are %2 more warnings.</source>
-        <translation>%1 Det finns %2 varningar till.</translation>
     </message>
     <message>
         <source>tab</source>
@@ -11602,20 +11554,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 andra sektioner</translation>
     </message>
     <message>
-        <source>First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.</source>
-        <translation>Först brister: %1, av en dragspänning på %2, %3 av utmattningsgränsen på %4.</translation>
+        <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
+        <translation>Den sektion som brister först är %1: en dragspänning på %2 är %3 av dess utmattningsgräns på %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a tension of %2, %3 of its yield strength of %4.</source>
-        <translation>Först flyter: %1, av en dragspänning på %2, %3 av sträckgränsen på %4.</translation>
+        <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
+        <translation>Den sektion som flyter först är %1: en dragspänning på %2 är %3 av dess sträckgräns på %4.</translation>
     </message>
     <message>
-        <source>First to yield: %1, by a compression of %2, %3 of its yield strength of %4.</source>
-        <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
+        <source>The section that yields first is %1: a compression of %2 is %3 of its yield strength of %4.</source>
+        <translation>Den sektion som flyter först är %1: en tryckspänning på %2 är %3 av dess sträckgräns på %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give %1 to find the section that breaks first.</source>
-        <translation>Ingen sektion har en hållfasthet: ange %1 för att se vilken som brister först.</translation>
+        <source>No section has a strength. Give a strength (%1) to find the section that breaks first.</source>
+        <translation>Ingen sektion har en hållfasthet. Ange en hållfasthet (%1) för att hitta den sektion som brister först.</translation>
     </message>
     <message>
         <source>the rod</source>
@@ -11634,11 +11586,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
-        <translation>%1 %2: %3, %4 från bakänden, efter %5; hållfastheten är %6.</translation>
-    </message>
-    <message>
-        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser model of the string, whose COR and efficiency differ by at most %1.</source>
         <translation>Slaget har för många vågor för att alla ska kunna sparas: vågor och krafter i diagrammen är från en grövre indelad sträng, vars studstal och verkningsgrad avviker med högst %1.</translation>
     </message>
     <message>
@@ -11650,16 +11598,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 kräver rader med punkter och kommatecken; utelämna --decimal-comma</translation>
     </message>
     <message>
-        <source>%1 makes no difference.</source>
-        <translation>%1 gör ingen skillnad.</translation>
+        <source>Enter a wave loss under “%1”: waves usually lose 1 to 30 % in each round trip.</source>
+        <translation>Ange en vågförlust under ”%1”: vågor förlorar vanligen 1 till 30&#xa0;% per varv fram och åter.</translation>
     </message>
     <message>
-        <source>Give a value under “%1”; 1 to 30 % of a round trip is usual.</source>
-        <translation>Ange ett värde under ”%1”; 1 till 30 % per varv är vanligt.</translation>
-    </message>
-    <message>
-        <source>A larger number under “%1” lowers the error.</source>
-        <translation>Ett större tal under ”%1” minskar felet.</translation>
+        <source>Enter a larger number under “%1” to reduce the error.</source>
+        <translation>Ange ett större tal under ”%1” för att minska felet.</translation>
     </message>
     <message>
         <source>undamped</source>
@@ -11674,8 +11618,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
-        <translation>Efter %1 kan borrkronan träffa berget igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
+        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are those at that time, not the final ones.</source>
+        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkronan kan träffa berget igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -12058,76 +12002,76 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avvisad</translation>
     </message>
     <message>
-        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock, and look for a section missing in the file.</source>
-        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan, och om en sektion saknas i filen.</translation>
+        <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
+        <translation>Reflexionen kommer inte vid den tid som beräknas ur scenariofilen: kontrollera givarens avstånd från kronan, våghastigheten, samplingsklockan, och om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section towards the bit differs from the file: measure the bit head and the rod, and look for a section missing in the file.</source>
-        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
+        <source>A section between gauge and bit differs from the scenario file: measure the bit head and the rod, and check whether the file lacks a section.</source>
+        <translation>En sektion mellan givare och borrkrona avviker från scenariofilen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section towards the bit, or the distance between the gauges, differs from the file: measure that distance, the bit head and the rod.</source>
-        <translation>En sektion mot kronan, eller avståndet mellan givarna, avviker från filen: mät det avståndet, kronhuvudet och stången.</translation>
+        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file: measure this distance, the bit head and the rod.</source>
+        <translation>Avståndet mellan givarna, eller en sektion mellan givare och borrkrona, avviker från scenariofilen: mät detta avstånd, kronhuvudet och stången.</translation>
     </message>
     <message>
-        <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
-        <translation>Det finns vågor där inga borde finnas: böjning (använd givare på motstående sidor), slaget innan, eller skarvhylsor.</translation>
+        <source>The record shows waves at times when the rod should be at rest. Possible causes: bending (use gauges on opposite sides of the rod), the blow before, or couplings.</source>
+        <translation>Mätningen visar vågor vid tider då stången borde vara i vila. Möjliga orsaker: böjning (använd givare på motsatta sidor av stången), slaget innan, eller skarvhylsor.</translation>
     </message>
     <message>
-        <source>The zero line moves more than the amplifier is said to allow: check zero, drift and coupling of the amplifier.</source>
-        <translation>Nollinjen rör sig mer än förstärkaren sägs få göra: kontrollera förstärkarens nollpunkt, drift och koppling.</translation>
+        <source>The zero line of the record moves by more than the tolerance of the amplifier: check its zero, drift and coupling.</source>
+        <translation>Mätningens nollinje rör sig mer än förstärkarens tolerans: kontrollera dess nollpunkt, drift och koppling.</translation>
     </message>
     <message>
-        <source>The rod still rings before the blow: measure a single blow.</source>
-        <translation>Stången svänger fortfarande före slaget: mät ett enstaka slag.</translation>
+        <source>The rod still rings from an earlier blow when this blow starts: measure a single blow.</source>
+        <translation>Stången svänger fortfarande efter ett tidigare slag när detta slag börjar: mät ett enstaka slag.</translation>
     </message>
     <message>
         <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
         <translation>Modellen stämmer inte med mätningen, så inget är känt om berget. %1</translation>
     </message>
     <message>
-        <source>The record agrees with the rock of the file.</source>
-        <translation>Mätningen stämmer med filens berg.</translation>
+        <source>The record agrees with the rock of the scenario file.</source>
+        <translation>Mätningen stämmer med scenariofilens berg.</translation>
     </message>
     <message>
-        <source>The record contradicts the rock of the file.</source>
-        <translation>Mätningen motsäger filens berg.</translation>
+        <source>The record contradicts the rock of the scenario file.</source>
+        <translation>Mätningen motsäger scenariofilens berg.</translation>
     </message>
     <message>
-        <source>The record differs from the rock of the file.</source>
-        <translation>Mätningen avviker från filens berg.</translation>
+        <source>The record agrees only roughly with the rock of the scenario file.</source>
+        <translation>Mätningen stämmer bara ungefär med scenariofilens berg.</translation>
     </message>
     <message>
-        <source>The record agrees roughly with the model.</source>
-        <translation>Mätningen stämmer ungefär med modellen.</translation>
+        <source>The record agrees only roughly with the model.</source>
+        <translation>Mätningen stämmer bara ungefär med modellen.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that yields once.</source>
-        <translation>Mätningen stämmer med ett berg som ger efter en gång.</translation>
+        <source>The record agrees with a rock that yields at one force: its loading curve has one corner.</source>
+        <translation>Mätningen stämmer med ett berg som ger efter vid en viss kraft: dess belastningskurva har ett hörn.</translation>
     </message>
     <message>
-        <source>The record agrees with a rock that loads along one line.</source>
-        <translation>Mätningen stämmer med ett berg som belastas längs en rät linje.</translation>
+        <source>The record agrees with a rock whose force rises along one straight line while the bit penetrates.</source>
+        <translation>Mätningen stämmer med ett berg vars kraft stiger längs en enda rät linje när kronan tränger in.</translation>
     </message>
     <message>
-        <source>Stiffness, elasticity and gap are known.</source>
-        <translation>Styvhet, elasticitet och spalt är kända.</translation>
+        <source>Stiffness, elasticity and gap of the rock are known.</source>
+        <translation>Bergets styvhet, elasticitet och spalt är kända.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity are known, the gap is not.</source>
-        <translation>Styvhet och elasticitet är kända, men inte spalten.</translation>
+        <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
+        <translation>Bergets styvhet och elasticitet är kända, men inte spalten mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>The stiffness is known, the elasticity is not.</source>
-        <translation>Styvheten är känd, men inte elasticiteten.</translation>
+        <source>The stiffness of the rock is known, the elasticity is not.</source>
+        <translation>Bergets styvhet är känd, men inte dess elasticitet.</translation>
     </message>
     <message>
-        <source>The elasticity is known, the stiffness is not.</source>
-        <translation>Elasticiteten är känd, men inte styvheten.</translation>
+        <source>The elasticity of the rock is known, the stiffness is not.</source>
+        <translation>Bergets elasticitet är känd, men inte dess styvhet.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor elasticity is known to 20 %.</source>
-        <translation>Varken styvhet eller elasticitet är känd på 20&#xa0;% när.</translation>
+        <source>Neither stiffness nor elasticity of the rock is known to within 20 %.</source>
+        <translation>Varken bergets styvhet eller dess elasticitet är känd på 20&#xa0;% när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12506,12 +12450,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>stämmer inte</translation>
     </message>
     <message>
-        <source>Single blows need no more feed; from %1 an undamped rod would be back before every next blow.</source>
-        <translation>Enskilda slag behöver inte mer matning; från %1 vore en odämpad stång tillbaka före varje nästa slag.</translation>
+        <source>For single blows, no additional feed force is required. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
+        <translation>För enstaka slag krävs ingen ytterligare matningskraft. Från %1 skulle till och med en odämpad stång återvända till berget före varje nästa slag.</translation>
     </message>
     <message>
-        <source>Single blows need no more feed.</source>
-        <translation>Enskilda slag behöver inte mer matning.</translation>
+        <source>For single blows, no additional feed force is required.</source>
+        <translation>För enstaka slag krävs ingen ytterligare matningskraft.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12522,40 +12466,36 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--goal tar bara värdet: --outputs cor --goal 1</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
-        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so the coefficient of restitution e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att studstalet e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers every gap.</source>
-        <translation>%1 mer matning täcker detta slag, %2 mer täcker varje spalt.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>%1 more feed covers this blow, %2 more covers rigid rock.</source>
-        <translation>%1 mer matning täcker detta slag, %2 mer täcker stelt berg.</translation>
+        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker stelt berg.</translation>
     </message>
     <message>
-        <source>%1 more feed covers every gap.</source>
-        <translation>%1 mer matning täcker varje spalt.</translation>
+        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>%1 more feed covers rigid rock.</source>
-        <translation>%1 mer matning täcker stelt berg.</translation>
+        <source>An additional feed force of %1 covers rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 täcker stelt berg.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit or the distance between the gauges differ from the file: check the bit head and that distance, then where measured and modelled wave differ.</source>
-        <translation>Berget följer en annan lag, eller sektionerna mot kronan eller avståndet mellan givarna avviker från filen: kontrollera kronhuvudet och det avståndet, och därefter var uppmätt och beräknad våg skiljer sig åt.</translation>
+        <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
+        <translation>Antingen följer berget en annan lag, eller så är en sektion mellan givare och borrkrona eller avståndet mellan givarna fel i scenariofilen: kontrollera först kronhuvudet och detta avstånd, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
-        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, then where measured and modelled wave differ.</source>
-        <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och därefter var uppmätt och beräknad våg skiljer sig åt.</translation>
+        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file: check the bit head first, then see where the measured and the modelled wave differ.</source>
+        <translation>Antingen följer berget en annan lag, eller så avviker sektionerna mellan givare och borrkrona från scenariofilen: kontrollera först kronhuvudet, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
-        <source>The scan cannot tell the values apart: penetrations are +- %1, because %2.</source>
-        <translation>Svepet kan inte skilja värdena åt: inträngningarna är kända på +- %1, eftersom %2.</translation>
-    </message>
-    <message>
-        <source>%1 gives the highest rate of the values tried, %2%3.</source>
-        <translation>%1 ger den högsta takten av de beräknade värdena, %2%3.</translation>
+        <source>The scan cannot decide which value is best: the penetrations have errors of +- %1, because %2.</source>
+        <translation>Svepet kan inte avgöra vilket värde som är bäst: inträngningarna har fel på +- %1, eftersom %2.</translation>
     </message>
     <message>
         <source>gain within the record</source>
@@ -12884,6 +12824,62 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>there is no answer in a part of the range: %1</source>
         <translation>i en del av området finns inget svar: %1</translation>
+    </message>
+    <message>
+        <source>%1 would yield: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its yield strength is %5.</source>
+        <translation>%1 skulle flyta: spänningen i denna sektion når %2, %3 från dess bakände och %4 efter slagets början. Dess sträckgräns är %5.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Stången skulle flyta: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
+    </message>
+    <message>
+        <source>The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
+        <translation>Stången skulle flyta: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
+    </message>
+    <message>
+        <source>%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its fatigue strength is %5.</source>
+        <translation>%1 utmattas vid varje slag: spänningen i denna sektion når %2, %3 från dess bakände och %4 efter slagets början. Dess utmattningsgräns är %5.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Stången utmattas vid varje slag: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess utmattningsgräns är %4.</translation>
+    </message>
+    <message>
+        <source>The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
+        <translation>Stången utmattas vid varje slag: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess utmattningsgräns är %4.</translation>
+    </message>
+    <message>
+        <source>%1 in compression</source>
+        <translation>%1 tryck</translation>
+    </message>
+    <message>
+        <source>%1 in tension</source>
+        <translation>%1 drag</translation>
+    </message>
+    <message>
+        <source>The choice of the design makes no difference: the objective %1 is %2, within %3, for all %4 designs.</source>
+        <translation>Valet av konstruktion gör ingen skillnad: målstorheten %1 är %2, inom %3, för alla %4 konstruktioner.</translation>
+    </message>
+    <message>
+        <source>The choice of %1 makes no difference: the objective %2 is %3, within %4, for all %5 designs.</source>
+        <translation>Valet av %1 gör ingen skillnad: målstorheten %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
+    </message>
+    <message>
+        <source>The choice of %1 makes no difference to the objectives and limits.</source>
+        <translation>Valet av %1 gör ingen skillnad för målstorheter och gränser.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warning.</source>
+        <translation>Denna konstruktion har %1 varning till.</translation>
+    </message>
+    <message>
+        <source>This design has %1 more warnings.</source>
+        <translation>Denna konstruktion har %1 varningar till.</translation>
+    </message>
+    <message>
+        <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
+        <translation>Den högsta borrsjunkningen i svepet, %1, nås med %2.</translation>
     </message>
 </context>
 <context>
@@ -13898,8 +13894,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Följ på varandra följande slag (cirka %1 s)</translation>
     </message>
     <message>
-        <source>Estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
+        <translation>Detta är en uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
@@ -15751,9 +15747,9 @@ Kommandon:
 </translation>
     </message>
     <message>
-        <source>FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of
-a built-in example, or - for standard input.</source>
-        <translation>FILE är ett scenario, ett resultat som innehåller ett (summary.json, histories.csv,
+        <source>FILE is a scenario, a result file that contains its scenario (summary.json, histories.csv,
+map.csv.yaml …), the name of a built-in example, or - for standard input.</source>
+        <translation>FILE är ett scenario, en resultatfil som innehåller sitt scenario (summary.json, histories.csv,
 map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</translation>
     </message>
     <message>
@@ -15767,44 +15763,40 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
         <translation>Flaggor:</translation>
     </message>
     <message>
-        <source>this help</source>
-        <translation>denna text</translation>
+        <source>print this help</source>
+        <translation>skriv ut denna hjälp</translation>
     </message>
     <message>
-        <source>version of the program</source>
-        <translation>programmets version</translation>
+        <source>solve one blow; print a summary, write histories, events and plots</source>
+        <translation>lös ett slag; skriv en sammanfattning, förlopp, händelser och diagram</translation>
     </message>
     <message>
-        <source>solve one blow; a summary, and histories, events and plots into a folder</source>
-        <translation>lös ett slag; en sammanfattning, och förlopp, händelser och diagram till en mapp</translation>
+        <source>change parameters of the scenario, such as rod.length=4.27m beta=0.8</source>
+        <translation>ändra scenariots parametrar, t.ex. rod.length=4.27m beta=0.8</translation>
     </message>
     <message>
-        <source>change parameters, e.g. rod.length=4.27m beta=0.8</source>
-        <translation>ändra parametrar, t.ex. rod.length=4.27m beta=0.8</translation>
+        <source>use the rod of this preset; `drillwave presets` lists rods, hammers and rocks</source>
+        <translation>använd stången i detta förval; `drillwave presets` listar stänger, hammare och berg</translation>
     </message>
     <message>
-        <source>use this rod; `drillwave presets` lists rods, hammers and rocks</source>
-        <translation>ta denna stång; `drillwave presets` listar stänger, hammare och berg</translation>
+        <source>use the hammer of this preset</source>
+        <translation>använd hammaren i detta förval</translation>
     </message>
     <message>
-        <source>use this hammer</source>
-        <translation>ta denna hammare</translation>
+        <source>use the rock of this preset</source>
+        <translation>använd berget i detta förval</translation>
     </message>
     <message>
-        <source>use this rock</source>
-        <translation>ta detta berg</translation>
+        <source>with -o, also write plots in these formats</source>
+        <translation>med -o: skriv även diagram i dessa format</translation>
     </message>
     <message>
-        <source>with -o, also plots in these formats</source>
-        <translation>med -o: även diagram i dessa format</translation>
+        <source>with -o, write CSV columns in SI (default for scenarios with units)</source>
+        <translation>med -o: skriv CSV-kolumner i SI-enheter (standard för scenarier med enheter)</translation>
     </message>
     <message>
-        <source>with -o, CSV columns in SI (default for scenarios with units)</source>
-        <translation>med -o: CSV-kolumner i SI-enheter, som de ändå är när scenariot har enheter</translation>
-    </message>
-    <message>
-        <source>with -o, CSV columns dimensionless</source>
-        <translation>med -o: CSV-kolumner dimensionslösa även när scenariot har enheter</translation>
+        <source>with -o, write CSV columns in dimensionless form</source>
+        <translation>med -o: skriv CSV-kolumner dimensionslöst</translation>
     </message>
     <message>
         <source>overwrite existing files</source>
@@ -15815,209 +15807,222 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
         <translation>skriv på tyska (de), svenska (sv) eller engelska (en)</translation>
     </message>
     <message>
-        <source>solve a grid of parameters, one CSV row per point</source>
-        <translation>lös ett rutnät av parametrar, en CSV-rad per punkt</translation>
+        <source>solve one blow for every combination of parameter values, one CSV row each</source>
+        <translation>lös ett slag för varje kombination av parametervärden, en CSV-rad per slag</translation>
     </message>
     <message>
-        <source>Every combination of the values of the axes is one row, later axes fastest. Values carry units
-where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
-FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.
---plots draws one axis or two: curves along the one with more values, one for each of the other.</source>
-        <translation>Varje kombination av axlarnas värden är en rad; de senare axlarna varierar snabbast. Värden anges
-med enhet där parametern har en: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
-FILE.csv.yaml bredvid FILE.csv anger vad raderna är: version, kommando, axlar och scenario.
---plots ritar en axel eller två: kurvor längs den med fler värden, en för varje värde på den andra.</translation>
+        <source>Solves one blow for every combination of the --vary values. Each combination is one row; the
+parameter given last varies fastest. Values carry units where the parameter has one: --vary
+rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml beside FILE.csv records version, command, varied parameters and scenario. --plots
+can draw one or two varied parameters: the one with more values is the horizontal axis, and each
+value of the other one gives a curve.</source>
+        <translation>Löser ett slag för varje kombination av värdena i --vary. Varje kombination är en rad; den sist
+angivna parametern varierar snabbast. Värden anges med enhet där parametern har en: --vary
+rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml bredvid FILE.csv innehåller version, kommando, varierade parametrar och scenario.
+--plots kan rita en eller två varierade parametrar: den med fler värden är den vågräta axeln, och
+varje värde på den andra ger en kurva.</translation>
     </message>
     <message>
-        <source>an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C</source>
-        <translation>en axel: START:STOP:COUNT, START:STOP:COUNT:log eller A,B,C</translation>
+        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
+        <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
     </message>
     <message>
-        <source>outputs in SI, with units in the header</source>
-        <translation>resultat i SI-enheter, angivna i huvudet</translation>
+        <source>write outputs in SI, with units in the header</source>
+        <translation>skriv resultat i SI-enheter, angivna i huvudet</translation>
     </message>
     <message>
-        <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
-        <translation>bara del I av N sammanhängande delar, för `drillwave join`; huvud bara i del 1</translation>
+        <source>solve only the I-th of N parts of the rows, which `drillwave join` puts together; only part 1 has the header</source>
+        <translation>lös bara den I:te av N delar av raderna, som `drillwave join` sätter ihop; bara del 1 har huvudet</translation>
     </message>
     <message>
-        <source>with -o, also pictures in these formats, as in the window</source>
-        <translation>med -o: även bilder i dessa format, som i fönstret</translation>
+        <source>with -o, also write the picture of the window in these formats</source>
+        <translation>med -o: skriv även fönstrets bild i dessa format</translation>
     </message>
     <message>
-        <source>solve every row of a table of cases; its columns and the outputs</source>
-        <translation>lös varje rad i en tabell med fall; tabellens kolumner och resultaten</translation>
+        <source>solve every row of a table of cases; write its columns and the outputs</source>
+        <translation>lös varje rad i en tabell med fall; skriv dess kolumner och resultaten</translation>
     </message>
     <message>
-        <source>The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length [m].
-An empty cell leaves the value of FILE. Columns that are no parameters are passed through.
-CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.</source>
-        <translation>Huvudet i CASES anger parametrar, med en enhet inom hakparentes eller enheter i cellerna:
-rod.length [m]. En tom cell behåller värdet i FILE. Kolumner som inte är parametrar förs över
-oförändrade. CASES får vara - eller ett rör (pipe). FILE.csv.yaml bredvid FILE.csv anger vad
-raderna är.</translation>
+        <source>CASES.csv is a table with one case in each row. Its header names parameters, with a unit in
+brackets, as in rod.length [m], or with units in the cells. An empty cell keeps the value of FILE.
+Columns that are not parameters are copied to the output. CASES can be - (standard input) or a
+pipe. FILE.csv.yaml beside FILE.csv records version, command and scenario.</source>
+        <translation>CASES.csv är en tabell med ett fall per rad. Huvudet anger parametrar, med en enhet inom
+hakparentes, som i rod.length [m], eller med enheter i cellerna. En tom cell behåller värdet i
+FILE. Kolumner som inte är parametrar förs över till utdata. CASES kan vara - (standard in) eller
+ett rör (pipe). FILE.csv.yaml bredvid FILE.csv innehåller version, kommando och scenario.</translation>
     </message>
     <message>
-        <source>follow outputs along a parameter; print extremes, kinks and crossings with errors</source>
-        <translation>resultat längs en parameter: extremvärden, knäckar och korsningar med lägen och fel</translation>
+        <source>follow outputs along a parameter: extremes, kinks, jumps and crossings, with errors</source>
+        <translation>följ resultat längs en parameter: extremvärden, knäckar, språng och korsningar</translation>
     </message>
     <message>
-        <source>parameter to vary: START:STOP or START:STOP:log</source>
-        <translation>parametern att följa: START:STOP eller START:STOP:log</translation>
+        <source>vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)</source>
+        <translation>variera denna parameter kontinuerligt; RANGE är START:STOP eller START:STOP:log (i dess logaritm)</translation>
     </message>
     <message>
-        <source>one line per value: A,B,C, or START:STOP:COUNT[:log]</source>
-        <translation>en kurva för varje värde: A,B,C eller START:STOP:COUNT[:log]</translation>
+        <source>vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
+        <translation>variera denna parameter, med en kurva för varje värde; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
     </message>
     <message>
-        <source>also where the outputs cross this value, in the unit of their columns</source>
-        <translation>även var resultaten korsar detta värde, i kolumnernas enhet</translation>
+        <source>also print where the outputs cross this value, in the unit of their columns</source>
+        <translation>skriv även ut var resultaten korsar detta värde, i kolumnernas enhet</translation>
     </message>
     <message>
-        <source>find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there is none</source>
-        <translation>alla KEY-värden där det enda resultatet är X, i kolumnens enhet; annars slutkod 6</translation>
+        <source>print every value of the parameter at which the output is X, in the unit of its column; exit code 6 if there is none</source>
+        <translation>skriv varje värde på parametern där resultatet är X, i kolumnens enhet; slutkod 6 om det inte finns något</translation>
     </message>
     <message>
-        <source>outputs in SI</source>
-        <translation>resultat i SI-enheter</translation>
+        <source>print and write outputs in SI</source>
+        <translation>skriv resultat i SI-enheter</translation>
     </message>
     <message>
-        <source>also write curve points to FILE.csv, settings to FILE.csv.yaml, goal crossings to FILE_goal.csv; - prints the points instead</source>
-        <translation>skriv även kurvpunkter till FILE.csv, inställningar till FILE.csv.yaml, målets ställen till FILE_goal.csv; - skriver bara ut punkterna</translation>
+        <source>also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values that --goal finds to FILE_goal.csv; -o - prints the points instead of the tables</source>
+        <translation>skriv även kurvans punkter till FILE.csv, inställningarna till FILE.csv.yaml och de värden som --goal hittar till FILE_goal.csv; -o - skriver ut punkterna i stället för tabellerna</translation>
     </message>
     <message>
-        <source>an output over two parameters, and its contours</source>
-        <translation>ett resultat över två parametrar, med nivåkurvor</translation>
+        <source>map one output over two parameters, with contours</source>
+        <translation>karta av ett resultat över två parametrar, med nivåkurvor</translation>
     </message>
     <message>
-        <source>FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one
-point between two neighbouring points on either side of the level, placed there by the solver, not
-by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps there.</source>
-        <translation>FILE.csv har samma rader som `drillwave sweep` över samma två axlar; --y varierar snabbast. En
-nivåkurva har en punkt mellan två grannpunkter på var sin sida om nivån; dess läge beräknas av
-lösaren, inte genom interpolation: FILE_contours.csv anger hur nära nivån den ligger, eller att
-resultatet gör ett språng där.</translation>
+        <source>Solves the output at every point of a grid of two parameters. FILE.csv has one row for each point,
+with the same columns as from `drillwave sweep`; --y varies fastest. With --level X, also finds
+the contour on which the output is X. Each point of a contour lies between two neighbouring grid
+points and is solved for, not interpolated. FILE_contours.csv lists these points, how near to X
+each one is, and where the output jumps over X.</source>
+        <translation>Löser resultatet i varje punkt i ett rutnät av två parametrar. FILE.csv har en rad per punkt, med
+samma kolumner som från `drillwave sweep`; --y varierar snabbast. Med --level X bestäms även
+nivåkurvan där resultatet är X. Varje punkt på en nivåkurva ligger mellan två närliggande
+rutnätspunkter och beräknas av lösaren, inte genom interpolation. FILE_contours.csv anger dessa
+punkter, hur nära X var och en ligger, och var resultatet hoppar över X.</translation>
     </message>
     <message>
-        <source>parameter across and its values; :log after the count for even ratios</source>
-        <translation>parameter åt höger och dess värden; :log efter antalet för jämna förhållanden</translation>
+        <source>vary this parameter on the horizontal axis; VALUES is START:STOP:COUNT or START:STOP:COUNT:log (equal ratios)</source>
+        <translation>variera denna parameter på den vågräta axeln; VALUES är START:STOP:COUNT eller START:STOP:COUNT:log (lika förhållanden)</translation>
     </message>
     <message>
-        <source>parameter upwards and its values; also :log</source>
-        <translation>parameter uppåt och dess värden; även :log</translation>
+        <source>vary this parameter on the vertical axis; VALUES is START:STOP:COUNT or START:STOP:COUNT:log (equal ratios)</source>
+        <translation>variera denna parameter på den lodräta axeln; VALUES är START:STOP:COUNT eller START:STOP:COUNT:log (lika förhållanden)</translation>
     </message>
     <message>
-        <source>place the contour of this value; may be given again</source>
-        <translation>bestäm nivåkurvan för detta värde; kan anges flera gånger</translation>
+        <source>find the contour on which the output has this value; may be repeated</source>
+        <translation>bestäm nivåkurvan där resultatet har detta värde; kan anges flera gånger</translation>
     </message>
     <message>
-        <source>the output in SI, and levels too, which may then carry units</source>
-        <translation>resultatet i SI-enheter, och även nivåer, som då får ha enhet</translation>
+        <source>use SI units for the output and for the value of --level, which may then carry a unit</source>
+        <translation>använd SI-enheter för resultatet och för värdet i --level, som då får ha enhet</translation>
     </message>
     <message>
-        <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
-        <translation>skriv även punkter, FILE.csv.yaml och FILE_contours.csv; - skriver bara ut punkter</translation>
+        <source>also write the points of the map to FILE.csv, with its record FILE.csv.yaml, and the contours to FILE_contours.csv; -o - prints the points instead of the summary</source>
+        <translation>skriv även kartans punkter till FILE.csv, med protokollet FILE.csv.yaml, och nivåkurvorna till FILE_contours.csv; -o - skriver ut punkterna i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>put the parts of a sweep, table or map of --shard together</source>
-        <translation>sätt ihop de delar som sweep, table eller map har skrivit med --shard</translation>
+        <source>put the parts of a sweep, table or map together that --shard has split</source>
+        <translation>sätt ihop de delar av sweep, table eller map som --shard har delat upp</translation>
     </message>
     <message>
-        <source>where to write, with FILE.yaml beside it; - is standard output</source>
-        <translation>vart resultatet skrivs, med FILE.yaml bredvid; - är standard ut</translation>
+        <source>file to write, with its record FILE.yaml beside it; -o - prints the file</source>
+        <translation>fil att skriva, med protokollet FILE.yaml bredvid; -o - skriver ut filen</translation>
     </message>
     <message>
-        <source>restitution, forces and efficiency over all gaps between bit and rock</source>
-        <translation>studstal, krafter och verkningsgrad över alla spalter mellan borrkrona och berg</translation>
+        <source>restitution, forces and efficiency for all gaps between bit and rock</source>
+        <translation>studstal, krafter och verkningsgrad för alla spalter mellan borrkrona och berg</translation>
     </message>
     <message>
-        <source>Results have a period in the gap, d0 = 2 I0/Z, which nobody controls at the rig: extremes and
-where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e &gt; 1, for all gaps of
-a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).</source>
-        <translation>Resultaten har en period i spalten, d0 = 2 I0/Z, och ingen styr spalten på riggen: extremvärden
-och var de ligger, medelvärde, 5-, 50- och 95&#xa0;%-kvantiler och andelen spalter med e &gt; 1, när alla
-spalter i en period är lika sannolika och, med --gap-deviation, för en normalfördelad spalt
-(avskuren vid noll).</translation>
+        <source>Prints how the results depend on the gap between bit and rock at the start of the blow. At the rig
+nobody controls this gap, and the results repeat with every d0 = 2 I0/Z of it (I0: impulse of the
+blow, Z: impedance of the rod). So all gaps of one such period count as equally likely. Prints
+extremes with their gaps, mean, 5, 50 and 95 % quantiles, and the share of gaps with a coefficient
+of restitution e above 1. --gap-deviation adds the same for a normally distributed gap; gaps below
+zero are cut off.</source>
+        <translation>Skriver ut hur resultaten beror på spalten mellan borrkrona och berg när slaget börjar. På riggen
+styr ingen denna spalt, och resultaten upprepas med varje d0 = 2 I0/Z av den (I0: slagets impuls,
+Z: stångens impedans). Därför räknas alla spalter i en sådan period som lika sannolika. Skriver
+extremvärden med sina spalter, medelvärde, 5-, 50- och 95&#xa0;%-kvantiler och andelen spalter med ett
+studstal e över 1. --gap-deviation lägger till detsamma för en normalfördelad spalt; spalter under
+noll är avskurna.</translation>
     </message>
     <message>
-        <source>standard deviation of the random (normal) gap</source>
-        <translation>den slumpmässiga (normalfördelade) spaltens standardavvikelse</translation>
+        <source>standard deviation of a normally distributed gap, for which results are added</source>
+        <translation>standardavvikelse för en normalfördelad spalt, för vilken resultat läggs till</translation>
     </message>
     <message>
-        <source>also write the results along the gap; - prints them instead of the table</source>
-        <translation>skriv även resultaten längs spalten; - skriver ut dem i stället för tabellen</translation>
+        <source>also write the results at each gap to FILE.csv; -o - prints them instead of the table</source>
+        <translation>skriv även resultaten vid varje spalt till FILE.csv; -o - skriver ut dem i stället för tabellen</translation>
     </message>
     <message>
-        <source>with -o, columns in SI, with units in the header</source>
-        <translation>med -o: kolumner i SI-enheter, angivna i huvudet</translation>
+        <source>with -o, write columns in SI, with units in the header</source>
+        <translation>med -o: skriv kolumner i SI-enheter, angivna i huvudet</translation>
     </message>
     <message>
-        <source>short for --set drill.settle=N: transient blows, excluded from statistics</source>
-        <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
+        <source>number of first blows (transient blows) that the statistics exclude: short for --set drill.settle=N</source>
+        <translation>antal första slag (insvängning) som statistiken utesluter: kortform för --set drill.settle=N</translation>
     </message>
     <message>
-        <source>short for --set drill.seed=N, seed of the random blow intervals</source>
-        <translation>kortform för --set drill.seed=N, startvärde för de slumpmässiga slagintervallen</translation>
+        <source>seed of the random intervals between blows: short for --set drill.seed=N</source>
+        <translation>startvärde för de slumpmässiga slagintervallen: kortform för --set drill.seed=N</translation>
     </message>
     <message>
-        <source>scan these values; :log after the count, or KEY=A,B,C</source>
-        <translation>svep över dessa värden; :log kan läggas till; eller KEY=A,B,C</translation>
+        <source>vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
+        <translation>variera denna parameter och jämför dess värden; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
     </message>
     <message>
-        <source>with --scan, also write the gap of every counted blow</source>
-        <translation>med --scan: skriv även spalten för varje slag som räknas</translation>
+        <source>with --scan, also write the gap of each blow to this file, except for transient blows</source>
+        <translation>med --scan: skriv även spalten för varje slag till denna fil, utom för insvängningen</translation>
     </message>
     <message>
-        <source>with -o DIR, also write the histories from blow A to blow B</source>
-        <translation>med -o DIR: skriv även vad som händer från slag A till slag B</translation>
+        <source>with -o DIR, also write the motion and forces over time from blow A to blow B</source>
+        <translation>med -o DIR: skriv även rörelse och krafter över tiden från slag A till slag B</translation>
     </message>
     <message>
-        <source>numbers as multiples of d0, v0, I0, F0 and t0</source>
-        <translation>tal som multiplar av d0, v0, I0, F0 och t0</translation>
+        <source>print numbers as multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help glossary 2`)</source>
+        <translation>skriv tal som multiplar av ett slags skalor d0, v0, I0, F0 och t0 (`drillwave help glossary 2`)</translation>
     </message>
     <message>
-        <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
-        <translation>även en rad per slag, med FILE.csv.yaml, eller allt i DIR; - skriver ut rader</translation>
+        <source>also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files into DIR; -o - prints the rows</source>
+        <translation>skriv även en rad per slag till FILE.csv, med protokollet FILE.csv.yaml, eller alla filer till DIR; -o - skriver ut raderna</translation>
     </message>
     <message>
-        <source>short for --along drill.blow_frequency=VALUES</source>
-        <translation>kortform för --along drill.blow_frequency=VALUES</translation>
+        <source>vary the blow frequency: short for --along drill.blow_frequency=VALUES</source>
+        <translation>variera slagfrekvensen: kortform för --along drill.blow_frequency=VALUES</translation>
     </message>
     <message>
-        <source>also write the table of --along; - prints it instead</source>
-        <translation>skriv även tabellen från --along; - skriver ut den i stället</translation>
+        <source>also write the table of --along to FILE.csv; -o - prints this CSV instead of the tables</source>
+        <translation>skriv även tabellen från --along till FILE.csv; -o - skriver ut denna CSV i stället för tabellerna</translation>
     </message>
     <message>
-        <source>find the best design for uncertain inputs, its cost, and what to measure</source>
-        <translation>vilket val som är bäst över det som inte är känt, vad det kostar, vad man bör mäta</translation>
+        <source>find the best design for uncertain inputs, and which input to measure</source>
+        <translation>hitta den bästa konstruktionen vid osäkra storheter, och vad som bör mätas</translation>
     </message>
     <message>
-        <source>uncertain input; see below</source>
-        <translation>vad som inte är känt; se nedan</translation>
+        <source>uncertain input and the range of its values; see the description of the command</source>
+        <translation>osäker storhet och området för dess värden; se beskrivningen av kommandot</translation>
     </message>
     <message>
-        <source>samples of uncertain inputs, one per row; header as for table</source>
-        <translation>rader med värden som hör ihop, med huvud som för table</translation>
+        <source>take the samples of uncertain inputs from this table, one per row; its header names parameters</source>
+        <translation>ta stickproven av osäkra storheter ur denna tabell, ett per rad; dess huvud anger parametrar</translation>
     </message>
     <message>
-        <source>objective to maximise, or min:… to minimise; up to three, the first ranks the designs</source>
-        <translation>målstorhet att maximera, eller min:… att minimera; upp till tre, den första rangordnar konstruktionerna</translation>
+        <source>objective: a statistic of an output to maximise, or with min:… to minimise; up to three, the first ranks the designs</source>
+        <translation>målstorhet: en statistik av ett resultat att maximera, eller med min:… att minimera; upp till tre, den första rangordnar konstruktionerna</translation>
     </message>
     <message>
-        <source>scale the blow of every design to the blow energy of FILE</source>
-        <translation>varje konstruktions slag har samma energi som det i FILE</translation>
+        <source>give every design the blow energy of FILE, by scaling its impulse or hammer velocity</source>
+        <translation>ge varje konstruktion slagenergin i FILE, genom att skala impuls eller hammarhastighet</translation>
     </message>
     <message>
-        <source>also write tables, the best design and the JSON object into DIR</source>
-        <translation>skriv även tabeller, den bästa konstruktionen och JSON-objektet till DIR</translation>
+        <source>also write the tables, the scenario of the best design and the JSON object into DIR</source>
+        <translation>skriv även tabellerna, den bästa konstruktionens scenario och JSON-objektet till DIR</translation>
     </message>
     <message>
         <source>write a report: inputs with sources, results, verdict, plots, scenario</source>
         <translation>en sida att lämna över: indata med källor, resultat, omdöme, diagram, scenariot</translation>
     </message>
     <message>
-        <source>project, shown below the title</source>
-        <translation>under titeln: vad rapporten är till för</translation>
+        <source>name of the project, shown below the title</source>
+        <translation>projektets namn, står under titeln</translation>
     </message>
     <message>
         <source>author</source>
@@ -16028,723 +16033,760 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>vem den är avsedd för</translation>
     </message>
     <message>
-        <source>where to write; - prints the HTML</source>
-        <translation>vart rapporten skrivs; - skriver ut HTML-texten</translation>
+        <source>file or folder to write the report to; -o - prints the HTML</source>
+        <translation>fil eller mapp för rapporten; -o - skriver ut HTML-texten</translation>
     </message>
     <message>
         <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
-        <translation>artikelns figurer, och varje tal som den trycker bredvid det exakta</translation>
+        <translation>återge artikelns figurer och jämför varje tryckt tal med det exakta</translation>
     </message>
     <message>
-        <source>where to write; - prints only discrepancies.csv</source>
-        <translation>vart figurerna skrivs; - skriver bara ut discrepancies.csv</translation>
+        <source>folder to write into; -o - prints only discrepancies.csv</source>
+        <translation>mapp att skriva i; -o - skriver bara ut discrepancies.csv</translation>
     </message>
     <message>
-        <source>error against run time, every method and resolution</source>
-        <translation>fel mot beräkningstid, alla metoder och upplösningar</translation>
+        <source>compare error and run time of every method and resolution</source>
+        <translation>jämför fel och beräkningstid för alla metoder och upplösningar</translation>
     </message>
     <message>
-        <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
-100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For drill
-strings: polynomial cells of several sizes beside a plain lattice.</source>
-        <translation>Löser slaget exakt, i sluten form där den gäller och med artikelns gitter på 100 till 20000
-segment, och jämför fel och beräkningstider. Tar omkring tio sekunder. För en borrsträng:
-polynomceller av flera storlekar bredvid ett enkelt gitter.</translation>
+        <source>Solves the blow exactly, in closed form if it applies, and on the paper&apos;s lattice with 100 to
+20000 segments. Compares the errors and run times of these methods, which takes some ten seconds.
+For drill strings, compares the solver of this program (polynomial cells) at several cell sizes
+with a plain lattice.</source>
+        <translation>Löser slaget exakt, i sluten form om den gäller, och med artikelns gitter på 100 till 20000
+segment. Jämför metodernas fel och beräkningstider, vilket tar omkring tio sekunder. För en
+borrsträng jämförs programmets metod (polynomceller) vid flera cellstorlekar med ett enkelt
+gitter.</translation>
     </message>
     <message>
-        <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
-        <translation>skriv även accuracy.csv till DIR; - skriver ut den i stället för tabellen</translation>
+        <source>also write the table to accuracy.csv in DIR; -o - prints this CSV instead of the table</source>
+        <translation>skriv även tabellen till accuracy.csv i DIR; -o - skriver ut denna CSV i stället för tabellen</translation>
     </message>
     <message>
         <source>check the solver on stiff and extreme cases</source>
         <translation>kontrollera lösaren på styva och extrema fall</translation>
     </message>
     <message>
-        <source>Solves some thousand cases: the published ones, the known traps of such solvers, each parameter
-through its whole range, and products of extremes for every shape. Each is checked for the balance
-of momentum and of energy, for pulling rock, for contacts missed after the end, for continuity
-(e over changes of 1e-10 in each parameter), against its limits on soft and rigid rock and, where
-its steps resolve the contact, against the lattice solver; its stated error against a solution in
-long double. Exit code 6 if any check fails.
-Not covered, as it needs more than 30 million wave pieces: beta below 1e-6 with gamma below 1, and
-tau below 0.1 with exponential and piston blows.</source>
-        <translation>Löser några tusen fall: de publicerade, de kända fallgroparna för sådana lösare, varje parameter
-genom hela sitt område, och kombinationer av extremvärden för varje form. För vart och ett
-kontrolleras att rörelsemängd och energi balanserar, att berget inte drar, att ingen kontakt missas
-efter slutet och att e är kontinuerligt (vid ändringar på 1e-10 i varje parameter). Det jämförs med
-gränsfallen mjukt och stelt berg och, där stegen är små nog för kontakten, med gitterlösaren,
-och dess angivna fel med en lösning i long double. Slutkod 6 om någon kontroll underkänns.
-Inte med, eftersom det kräver mer än 30 miljoner vågbitar: beta under 1e-6 med gamma under 1, och
-tau under 0,1 med exponentiella slag och kolvslag.</translation>
+        <source>Solves some thousand cases: published cases, cases known to break such solvers, each parameter
+through its whole range, and combinations of extreme values for every shape of the blow. The
+checks of each case: momentum and energy are balanced, the rock does not pull, no contact is
+missed after the end, and e hardly changes if a parameter changes by 1e-10. Results are also
+compared with the limits of soft and rigid rock and, if its steps are short enough for the
+contact, with the lattice solver. The stated error is compared with a solution in long double.
+Exit code 6 if any check fails.
+Two ranges are not covered, because their waves have more than 30 million polynomial pieces: beta
+below 1e-6 with gamma below 1, and tau below 0.1 with exponential and piston blows.</source>
+        <translation>Löser några tusen fall: publicerade fall, fall som är kända för att fälla sådana lösare, varje
+parameter genom hela sitt område och kombinationer av extremvärden för varje slagform. För varje
+fall kontrolleras att rörelsemängd och energi balanserar, att berget inte drar, att ingen kontakt
+missas efter slutet och att e knappt ändras om en parameter ändras med 1e-10. Resultaten jämförs
+även med gränsfallen mjukt och stelt berg och, om stegen är korta nog för kontakten, med
+gitterlösaren. Det angivna felet jämförs med en lösning i long double. Slutkod 6 om någon kontroll
+underkänns.
+Två områden ingår inte, eftersom deras vågor har mer än 30 miljoner polynombitar: beta under 1e-6
+med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</translation>
     </message>
     <message>
         <source>print one JSON object with all cases</source>
         <translation>skriv ut ett JSON-objekt med alla fall</translation>
     </message>
     <message>
-        <source>write stability.csv into this folder; - prints it instead of the summary</source>
-        <translation>skriv stability.csv till denna mapp; - skriver ut den i stället för sammanfattningen</translation>
+        <source>write a table of all cases to stability.csv in DIR; -o - prints it instead of the summary</source>
+        <translation>skriv en tabell över alla fall till stability.csv i DIR; -o - skriver ut den i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>list the problems of scenarios, one per line</source>
-        <translation>lista felen i scenarier, ett per rad</translation>
+        <source>list the errors of scenario files, one per line</source>
+        <translation>lista felen i scenariofiler, ett per rad</translation>
     </message>
     <message>
-        <source>Prints nothing for a file without problems. Also checks files of presets.</source>
-        <translation>Säger inget om en fil utan fel. Tar även filer med förval.</translation>
+        <source>Checks scenario files and preset files. Prints one line for each error, and nothing for a file without errors.</source>
+        <translation>Kontrollerar scenariofiler och filer med förval. Skriver en rad för varje fel, och inget för en fil utan fel.</translation>
     </message>
     <message>
-        <source>write them as scenario files into DIR; - prints them</source>
-        <translation>skriv dem som scenariofiler till DIR; - skriver ut dem</translation>
+        <source>write the scenarios into DIR, one file each; -o - prints them</source>
+        <translation>skriv scenarierna till DIR, en fil var; -o - skriver ut dem</translation>
     </message>
     <message>
-        <source>list rods, hammers, rocks and pieces of drill strings, with their sources</source>
-        <translation>lista stänger, hammare, berg och delar till borrsträngar, med sina källor</translation>
+        <source>list rods, hammers, rocks and sections of drill strings, with their sources</source>
+        <translation>lista stänger, hammare, berg och sektioner till borrsträngar, med sina källor</translation>
     </message>
     <message>
-        <source>only those with all of these words in kind, name, numbers or source: &quot;T38 bit&quot;</source>
-        <translation>bara de som har alla dessa ord i typ, namn, tal eller källa: &quot;T38 bit&quot;</translation>
+        <source>list only presets with all of these words in kind, name, numbers or source, such as &quot;T38 bit&quot;</source>
+        <translation>lista bara förval med alla dessa ord i typ, namn, tal eller källa, t.ex. &quot;T38 bit&quot;</translation>
     </message>
     <message>
-        <source>mean gap at the blow, of many blows under a feed (drill)</source>
-        <translation>medelspalt vid slaget, över många slag under en matning (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows (drill)</source>
+        <translation>medelspalt mellan borrkrona och berg när slagen börjar (drill)</translation>
     </message>
     <message>
-        <source>standard deviation of that gap</source>
-        <translation>standardavvikelse för spalten vid slaget</translation>
+        <source>standard deviation of the gap between bit and rock at the start of the blows</source>
+        <translation>standardavvikelse för spalten mellan borrkrona och berg när slagen börjar</translation>
     </message>
     <message>
-        <source>gap exceeded by 95 % of the blows</source>
-        <translation>spalt som 95&#xa0;% av slagen överskrider</translation>
+        <source>gap between bit and rock that 95 % of the blows exceed</source>
+        <translation>spalt mellan borrkrona och berg som 95&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
-        <source>median gap</source>
-        <translation>spalt som hälften av slagen ligger under</translation>
+        <source>median of the gap between bit and rock at the start of the blows</source>
+        <translation>median av spalten mellan borrkrona och berg när slagen börjar</translation>
     </message>
     <message>
-        <source>gap exceeded by 5 % of the blows</source>
-        <translation>spalt som 5&#xa0;% av slagen överskrider</translation>
+        <source>gap between bit and rock that 5 % of the blows exceed</source>
+        <translation>spalt mellan borrkrona och berg som 5&#xa0;% av slagen överskrider</translation>
     </message>
     <message>
-        <source>mean penetration of a blow: an upper limit</source>
-        <translation>medelinträngning per slag: en övre gräns</translation>
+        <source>mean penetration per blow; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>medelinträngning per slag; en övre gräns, eftersom allt berg under kronan antas brytas</translation>
     </message>
     <message>
-        <source>its 95 % error; takes a second march with other cells</source>
-        <translation>medelinträngningens 95&#xa0;%-fel; kräver ännu en beräkning med andra celler</translation>
+        <source>95 % error of drill_penetration, the mean penetration per blow. Needs a second simulation of all blows, with other time steps</source>
+        <translation>95&#xa0;%-fel för drill_penetration, medelinträngningen per slag. Kräver en andra simulering av alla slag, med andra tidssteg</translation>
     </message>
     <message>
-        <source>mean penetration times blow frequency, m/s: an upper limit</source>
-        <translation>medelinträngning gånger slagfrekvens, m/s: en övre gräns</translation>
+        <source>penetration rate, m/s: mean penetration per blow times blow frequency; an upper limit, as all rock under the bit is assumed to break</source>
+        <translation>borrsjunkning, m/s: medelinträngning per slag gånger slagfrekvens; en övre gräns, eftersom allt berg under kronan antas brytas</translation>
     </message>
     <message>
-        <source>mean impulse on the rock: feed force over frequency</source>
-        <translation>medelimpuls på berget: matningskraft genom frekvens</translation>
+        <source>mean impulse on the rock per blow: feed force over blow frequency</source>
+        <translation>medelimpuls på berget per slag: matningskraft genom slagfrekvens</translation>
     </message>
     <message>
-        <source>mean of the largest forces on the rock</source>
-        <translation>medelvärde av de största krafterna på berget</translation>
+        <source>mean over all blows of the largest force on the rock</source>
+        <translation>medelvärde över alla slag av den största kraften på berget</translation>
     </message>
     <message>
-        <source>largest force of the damper</source>
-        <translation>dämparens största kraft</translation>
+        <source>largest force in the damper between machine and rod</source>
+        <translation>största kraft i dämparen mellan maskin och stång</translation>
     </message>
     <message>
-        <source>contact share: blows that start within 0.05 d0 of the rock</source>
-        <translation>andel slag som börjar inom 0,05 d0 från berget</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
+        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z; I0: ett slags impuls, Z: stångens impedans)</translation>
     </message>
     <message>
-        <source>contacts of a blow, mean</source>
-        <translation>kontakter per slag, medelvärde</translation>
+        <source>mean number of contacts between bit and rock in a blow</source>
+        <translation>medelantal kontakter mellan borrkrona och berg i ett slag</translation>
     </message>
     <message>
-        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
-        <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 där den inte gör det</translation>
+        <source>number of blows after which the motion repeats, 1 to 16; 0 if it does not repeat</source>
+        <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 om den inte upprepas</translation>
     </message>
     <message>
-        <source>growth of a small difference per blow (Lyapunov exponent); above 0, use only means; takes a second march</source>
-        <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; två beräkningar</translation>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
-        <source>feed force over mean force of the blows, phi</source>
-        <translation>matningskraft genom slagens medelreaktion, phi</translation>
+        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
+        <translation>effektiv matningskraft genom slagfrekvens gånger ett slags impuls (phi); under 1 trycks maskinen tillbaka</translation>
     </message>
     <message>
-        <source>round trips of a wave from blow to blow, n_b</source>
-        <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
+        <source>number of round trips that a wave makes through rod or string between two blows (n_b)</source>
+        <translation>antal varv som en våg gör fram och åter genom stång eller sträng mellan två slag (n_b)</translation>
     </message>
     <message>
-        <source>momentum balance error of all blows, relative to the feed impulse</source>
-        <translation>fel i rörelsemängdens balans för alla slag, relativt matningens impuls</translation>
+        <source>error of the momentum balance of all blows, relative to the impulse of the feed force</source>
+        <translation>fel i rörelsemängdens balans för alla slag, relativt matningskraftens impuls</translation>
     </message>
     <message>
-        <source>error of the energy balance of all blows, over the hammer work</source>
-        <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
+        <source>error of the energy balance of all blows, as a share of the hammer work</source>
+        <translation>fel i energibalansen för alla slag, som andel av hammarens arbete</translation>
     </message>
     <message>
         <source>
-  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter
-  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual
-  or a section of it (help theory 10), and for any other word (help feed) the places of the
-  manual that have it. drillwave version prints the version.
+  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
+  a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
+  the manual or a section of it (help theory 10). For any other word (help feed) it prints the
+  places of the manual that contain the word. drillwave version prints the version.
   Chapters: %1.
-  Without a display the window needs `-platform offscreen`.
-  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
-  drillwave --language de  in German this once (sv: Swedish, en: English).
-  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
+  Without a display, the window needs `-platform offscreen`.
+  drillwave --reset-ui  opens the window with its default layout, page, units and choices.
+  drillwave --language de  opens it in German, only this time (sv: Swedish, en: English).
+  Commands also have --language; DRILLWAVE_LANGUAGE=de in the environment sets it for all of them.
 
 Exit codes: %2.
 </source>
         <translation>
-  drillwave help TOPIC  skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h, till en
-  parameter (help bit_rock.gamma), ett resultat (help cor) eller en flagga (help --shard), ett
-  kapitel i handboken eller ett avsnitt ur det (help theory 10), och för varje annat ord (help
-  matning) de ställen i handboken där ordet förekommer. drillwave version skriver ut versionen.
+  drillwave help TOPIC  skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h. TOPIC kan
+  också vara en parameter (help bit_rock.gamma), ett resultat (help cor), en flagga (help --shard),
+  ett kapitel i handboken eller ett avsnitt ur det (help theory 10). För varje annat ord (help
+  matning) skrivs de ställen i handboken där ordet förekommer. drillwave version skriver versionen.
   Kapitel i handboken:
   %1.
   Utan bildskärm behöver fönstret `-platform offscreen`.
-  drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val;
-  drillwave --language de  på tyska just denna gång (sv: svenska, en: engelska).
-  Även kommandon har --language; för alla på en gång sätts DRILLWAVE_LANGUAGE=de.
+  drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val.
+  drillwave --language de  öppnar det på tyska, bara denna gång (sv: svenska, en: engelska).
+  Även kommandon har --language; DRILLWAVE_LANGUAGE=de i miljön ställer in det för alla.
 
 Slutkoder: %2.
 </translation>
     </message>
     <message>
-        <source>print the help of a command, a chapter of the manual, a parameter, an output</source>
-        <translation>skriva ut hjälpen till ett kommando, ett kapitel i handboken, en parameter eller ett resultat</translation>
+        <source>print the help of a command, parameter or output, or a chapter of the manual</source>
+        <translation>skriv ut hjälpen till kommando, parameter eller resultat, eller ett kapitel i handboken</translation>
     </message>
     <message>
         <source>TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a
-parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word
-(feed, units, exit codes): then the places of the manual that have it, the best first.</source>
-        <translation>TOPIC är ett kommando (run), ett kapitel i handboken (theory) eller ett avsnitt ur det
-(theory 10), en parameter (bit_rock.gamma), ett resultat (cor), en symbol (e), en flagga
-(--shard) eller vilket annat ord som helst (matning, units, exit codes): då de ställen i
-handboken där ordet förekommer, de bästa först.</translation>
+parameter (bit_rock.gamma), an output (cor), a symbol (e) or an option (--shard). For any other
+word (feed, units, exit codes), the places of the manual that contain it are printed, the best
+first.</source>
+        <translation>TOPIC är ett kommando (run), ett kapitel i handboken (theory) eller ett avsnitt ur det (theory
+10), en parameter (bit_rock.gamma), ett resultat (cor), en symbol (e) eller en flagga (--shard).
+För varje annat ord (matning, units, exit codes) skrivs de ställen i handboken där det förekommer,
+de bästa först.</translation>
     </message>
     <message>
         <source>print the version of the program</source>
         <translation>skriva ut programmets version</translation>
     </message>
     <message>
-        <source>keep completed rows in FILE.csv.partial, and resume an interrupted run after them</source>
-        <translation>behåll färdiga rader i FILE.csv.partial och återuppta en avbruten körning efter dem</translation>
+        <source>keep completed rows in FILE.csv.partial; after an interruption, the same command continues after them</source>
+        <translation>behåll färdiga rader i FILE.csv.partial; efter ett avbrott fortsätter samma kommando efter dem</translation>
     </message>
     <message>
-        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
-PART is a file of rows with its record beside it, or a folder with all parts; any order will do.
-All must be of one run (scenario, axes, table of cases, build, number of parts), be there once
-and have the size and checksum of their records: what is missing, doubled, foreign or changed is
-named, with exit code 5.</source>
-        <translation>FILE och FILE.yaml blir byte för byte de från körningen i ett stycke, med dess avslutningskod. En
-PART är en fil med rader och dess protokoll intill, eller en mapp med alla delar; ordningen är fri.
-Alla måste vara från en körning (scenario, axlar, falltabell, program, antal delar), finnas en gång
-och ha protokollens storlek och kontrollsumma: det som saknas, är dubbelt, främmande eller ändrat
-nämns, med avslutningskod 5.</translation>
+        <source>Writes FILE and its record FILE.yaml as the command would have written them without --shard, and
+ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or a
+folder with all parts, in any order. All parts must come from the same run: same scenario, varied
+parameters, table of cases, build and number of parts. If a part is missing, given twice, from
+another run or changed since it was written, the message names it, with exit code 5.</source>
+        <translation>Skriver FILE och dess protokoll FILE.yaml som kommandot hade skrivit dem utan --shard, och slutar
+med samma slutkod. En PART är en fil med rader och dess protokoll PART.yaml intill, eller en mapp
+med alla delar, i valfri ordning. Alla delar måste komma från samma körning: samma scenario,
+varierade parametrar, falltabell, program och antal delar. Om en del saknas, är angiven två
+gånger, kommer från en annan körning eller har ändrats sedan den skrevs nämns den i meddelandet,
+med slutkod 5.</translation>
     </message>
     <message>
-        <source>list the built-in scenarios, print those of NAME, or write them into a folder</source>
-        <translation>lista de inbyggda scenarierna, skriva ut dem som NAME anger eller skriva dem i en mapp</translation>
+        <source>list the built-in scenarios, print the named ones, or write them into a folder</source>
+        <translation>lista de inbyggda scenarierna, skriv ut de nämnda eller skriv dem i en mapp</translation>
     </message>
     <message>
-        <source>`drillwave examples t38_string &gt; my.yaml` writes a file to start from.</source>
-        <translation>`drillwave examples t38_string &gt; my.yaml` ger en fil som kan ändras.</translation>
+        <source>`drillwave examples t38_string &gt; my.yaml` saves a built-in scenario as a file to edit.</source>
+        <translation>`drillwave examples t38_string &gt; my.yaml` sparar ett inbyggt scenario som en fil att ändra i.</translation>
     </message>
     <message>
-        <source>a sequence of blows under a feed: penetration rate, gap and contact, with errors</source>
-        <translation>en slagföljd under en matning: borrsjunkning, spalt och kontakt, med fel</translation>
+        <source>simulate consecutive blows under a feed force: penetration rate, gaps, errors</source>
+        <translation>simulera slag i följd under en matningskraft: borrsjunkning, spalter, fel</translation>
     </message>
     <message>
-        <source>take the blow from a record; the options below say how it is read</source>
-        <translation>ta slaget från en mätning; alternativen nedan säger hur den läses</translation>
+        <source>use this measured record as the blow; the options below say how to read it</source>
+        <translation>använd denna mätning som slag; alternativen nedan säger hur den läses</translation>
     </message>
     <message>
-        <source>keep all samples of --signal instead of thinning them to an error of 1e-4</source>
-        <translation>behåll alla mätvärden från --signal i stället för att gallra dem till ett fel på 1e-4</translation>
+        <source>keep all samples of --signal; by default some are left out, as long as impulse and coefficient of restitution change by less than 1e-4</source>
+        <translation>behåll alla mätvärden från --signal; som standard utelämnas några, så länge impuls och studstal ändras med mindre än 1e-4</translation>
     </message>
     <message>
-        <source>sign between cells: tab, semicolon, comma, bar or blank (default: found)</source>
-        <translation>tecken mellan celler: tab, semicolon, comma, bar eller blank (standard: hittas)</translation>
+        <source>sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)</source>
+        <translation>tecken mellan tabellens celler: tab, semicolon, comma, bar eller blank (standard: hittas)</translation>
     </message>
     <message>
-        <source>decimal sign: point or comma (default: found)</source>
-        <translation>decimaltecken: point eller comma (standard: hittas)</translation>
+        <source>decimal sign of the table: point or comma (default: detected)</source>
+        <translation>tabellens decimaltecken: point eller comma (standard: hittas)</translation>
     </message>
     <message>
-        <source>first line with a sample (default: found)</source>
-        <translation>första raden med ett mätvärde (standard: hittas)</translation>
+        <source>number of the first line with a sample (default: detected)</source>
+        <translation>nummer på första raden med ett mätvärde (standard: hittas)</translation>
     </message>
     <message>
-        <source>utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: found)</source>
-        <translation>utf-8, windows-1252, latin-1, utf-16le eller utf-16be (standard: hittas)</translation>
+        <source>character encoding of the table: utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: detected)</source>
+        <translation>tabellens teckenkodning: utf-8, windows-1252, latin-1, utf-16le eller utf-16be (standard: hittas)</translation>
     </message>
     <message>
-        <source>column of times, by name or number from 1</source>
-        <translation>kolumn med tider, med namn eller nummer från 1</translation>
+        <source>column of the times, by name or by number from 1</source>
+        <translation>tidernas kolumn, med namn eller nummer från 1</translation>
     </message>
     <message>
-        <source>column of the signal, by name or number; A+B averages two opposite gauges</source>
-        <translation>kolumn med signalen, med namn eller nummer; A+B tar medelvärdet av två motstående givare</translation>
+        <source>column of the signal, by name or by number from 1; A+B takes the mean of two gauges on opposite sides</source>
+        <translation>signalens kolumn, med namn eller nummer från 1; A+B tar medelvärdet av två givare på motsatta sidor</translation>
     </message>
     <message>
-        <source>unit of the times where the table does not state it: s, ms, us</source>
-        <translation>tidernas enhet där tabellen inte anger den: s, ms, us</translation>
+        <source>unit of the times, if the table does not state it: s, ms, us</source>
+        <translation>tidernas enhet, om tabellen inte anger den: s, ms, us</translation>
     </message>
     <message>
-        <source>unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s</source>
-        <translation>signalens enhet där tabellen inte anger den: kN, microstrain, V, MPa, m/s</translation>
+        <source>unit of the signal, if the table does not state it: kN, microstrain, V, MPa, m/s</source>
+        <translation>signalens enhet, om tabellen inte anger den: kN, microstrain, V, MPa, m/s</translation>
     </message>
     <message>
-        <source>sampling rate, such as 5MHz; replaces a column of times</source>
-        <translation>samplingsfrekvens, 5MHz; en kolumn med tider läses inte då</translation>
+        <source>sampling rate, such as 5MHz, used instead of a column of times</source>
+        <translation>samplingsfrekvens, t.ex. 5MHz, i stället för en kolumn med tider</translation>
     </message>
     <message>
-        <source>factor of the signal, or force per unit: 50kN/V, 18kN s/m</source>
-        <translation>signalens faktor, eller kraft per enhet: 50kN/V, 18kN s/m</translation>
+        <source>multiply the signal by this factor, or by a force per unit: 50kN/V, 18kN s/m</source>
+        <translation>multiplicera signalen med denna faktor, eller med en kraft per enhet: 50kN/V, 18kN s/m</translation>
     </message>
     <message>
-        <source>gain of the amplifier, of a signal in volts (default: 1)</source>
+        <source>gain of the amplifier, for a signal in volts (default: 1)</source>
         <translation>förstärkarens förstärkning, för en signal i volt (standard: 1)</translation>
     </message>
     <message>
-        <source>supply of the bridge in volts, of a signal in volts</source>
-        <translation>bryggans matning i volt, för en signal i volt</translation>
+        <source>supply voltage of the bridge in volts, for a signal in volts</source>
+        <translation>bryggans matningsspänning i volt, för en signal i volt</translation>
     </message>
     <message>
-        <source>bridge factor: 1 quarter, 2 half, 4 full bridge, 2.6 full with Poisson gauges</source>
-        <translation>bryggfaktor: 1 kvarts-, 2 halv-, 4 helbrygga, 2.6 helbrygga med tvärgivare</translation>
+        <source>bridge factor of the strain gauges: 1 for a quarter bridge, 2 for a half, 4 for a full bridge, 2.6 for a full bridge with Poisson gauges</source>
+        <translation>töjningsgivarnas bryggfaktor: 1 för en kvartsbrygga, 2 för en halv-, 4 för en helbrygga, 2.6 för en helbrygga med tvärgivare</translation>
     </message>
     <message>
-        <source>gauge factor, of a signal in volts or mV/V</source>
-        <translation>givarfaktor, för en signal i volt eller mV/V</translation>
+        <source>gauge factor of the strain gauges, for a signal in volts or mV/V</source>
+        <translation>töjningsgivarnas givarfaktor, för en signal i volt eller mV/V</translation>
     </message>
     <message>
-        <source>area of the bar at the gauge, 1134mm^2</source>
-        <translation>stångens area vid givaren, 1134mm^2</translation>
+        <source>cross-section of the bar at the gauge, such as 1134mm^2</source>
+        <translation>stångens tvärsnitt vid givaren, t.ex. 1134mm^2</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of the bar, 210GPa</source>
-        <translation>stångens elasticitetsmodul, 210GPa</translation>
+        <source>Young&apos;s modulus of the bar that carries the gauge, such as 210GPa</source>
+        <translation>elasticitetsmodul för stången med givaren, t.ex. 210GPa</translation>
     </message>
     <message>
-        <source>time range whose mean is the zero line, -50us:-10us</source>
-        <translation>tider vars medelvärde är nollinjen, -50us:-10us</translation>
+        <source>time range in which the signal is zero on average, such as -50us:-10us</source>
+        <translation>tidsområde där signalen i medeltal är noll, t.ex. -50us:-10us</translation>
     </message>
     <message>
-        <source>leave out samples before this time of the table, 0us</source>
-        <translation>utelämna mätvärden före denna tid i tabellen, 0us</translation>
+        <source>ignore samples before this time of the table, such as 0us</source>
+        <translation>utelämna mätvärden före denna tid i tabellen, t.ex. 0us</translation>
     </message>
     <message>
-        <source>leave out samples after this time of the table, 400us</source>
-        <translation>utelämna mätvärden efter denna tid i tabellen, 400us</translation>
+        <source>ignore samples after this time of the table, such as 400us</source>
+        <translation>utelämna mätvärden efter denna tid i tabellen, t.ex. 400us</translation>
     </message>
     <message>
-        <source>reverse the sign</source>
-        <translation>vänd tecknet: det största värdet drar</translation>
+        <source>reverse the sign of the signal: its largest value is tension (default: compression)</source>
+        <translation>vänd signalens tecken: dess största värde är drag (standard: tryck)</translation>
     </message>
     <message>
-        <source>rows without a number: refuse or skip (default: refuse)</source>
-        <translation>rader utan tal: refuse eller skip (standard: refuse)</translation>
+        <source>treatment of rows without a number: refuse the table, or skip these rows (default: refuse)</source>
+        <translation>behandling av rader utan tal: refuse (avvisa tabellen) eller skip (hoppa över raderna) (standard: refuse)</translation>
     </message>
     <message>
-        <source>read with the settings kept under this name</source>
-        <translation>läs med inställningarna som sparats under detta namn</translation>
+        <source>read with the options that `drillwave signal --save-recorder NAME` has saved</source>
+        <translation>läs med de alternativ som `drillwave signal --save-recorder NAME` har sparat</translation>
     </message>
     <message>
-        <source>design variable and its values; also :log, KEY=A,B,C or hammer=NAME</source>
-        <translation>vad som kan väljas; även med :log efter, KEY=A,B,C eller hammer=NAME</translation>
+        <source>design variable to vary; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: hammer=NAME,NAME</source>
+        <translation>konstruktionsvariabel att variera; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C; för att jämföra förval: hammer=NAME,NAME</translation>
     </message>
     <message>
-        <source>read records of force, strain or voltage; their units, blow and quality</source>
-        <translation>läs mätningar av kraft, töjning eller volt; deras enheter, slag och kvalitet</translation>
+        <source>read records of force, strain or voltage; print their units, blow and quality</source>
+        <translation>läs mätningar av kraft, töjning eller spänning: enheter, slag och kvalitet</translation>
     </message>
     <message>
-        <source>Finds encoding, separator, decimal sign, columns and units, and asks for what the table does not
-state: exit code 5, the questions last. Several FILEs are one series: a row for each.
-Commands that take a scenario take a blow from a record by --signal FILE with the same options.</source>
-        <translation>Hittar kodning, avgränsare, decimaltecken, kolumner och enheter, och frågar efter det som tabellen inte
-anger: returkod 5, frågorna sist. Flera FILE är en serie: en rad för var och en.
-Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE och samma alternativ.</translation>
+        <source>Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns
+and units. If the table does not state something, the last lines ask for it, and the exit code is
+5. Several FILEs are read as one series and give one row each. Commands that take a scenario can
+use such a record as the blow, with --signal FILE and the same options.</source>
+        <translation>Läser tabeller med en signal som mätts över tiden och hittar kodning, avgränsare, decimaltecken,
+kolumner och enheter. Om tabellen inte anger något frågar de sista raderna efter det, och
+slutkoden är 5. Flera FILE läses som en serie och ger en rad var. Kommandon som tar ett scenario
+kan använda en sådan mätning som slag, med --signal FILE och samma alternativ.</translation>
     </message>
     <message>
-        <source>keep these options under a name for --recorder</source>
-        <translation>spara dessa alternativ under ett namn för --recorder</translation>
+        <source>save these options under this name, for later use with --recorder NAME</source>
+        <translation>spara dessa alternativ under detta namn, för senare användning med --recorder NAME</translation>
     </message>
     <message>
-        <source>Print JSON, of several FILEs an array</source>
-        <translation>skriv ut JSON, för flera FILE en array</translation>
+        <source>print JSON; for several FILEs, an array</source>
+        <translation>skriv ut JSON; för flera FILE en array</translation>
     </message>
     <message>
-        <source>Write the signal as read: time [us],force [kN]</source>
-        <translation>skriv signalen som den lästes: time [us],force [kN]</translation>
+        <source>write the signal as read, with the columns time [us] and force [kN]</source>
+        <translation>skriv signalen som den lästes, med kolumnerna time [us] och force [kN]</translation>
     </message>
     <message>
-        <source>Overwrite FILE.csv</source>
-        <translation>skriv över FILE.csv</translation>
+        <source>overwrite FILE.csv if it exists</source>
+        <translation>skriv över FILE.csv om den finns</translation>
     </message>
     <message>
-        <source>CSV with semicolons and decimal commas</source>
-        <translation>CSV med semikolon och decimalkomma</translation>
+        <source>write CSV with semicolons between cells and decimal commas</source>
+        <translation>skriv CSV med semikolon mellan celler och decimalkomma</translation>
     </message>
     <message>
-        <source>mean of the random (normal) gap, e.g. 0.5mm, or 0.2 in units of d0 (default: the gap of FILE)</source>
-        <translation>medelvärde för den slumpmässiga (normalfördelade) spalten, t.ex. 0.5mm, eller 0.2 i enheten d0 (standard: spalten i FILE)</translation>
+        <source>mean of a normally distributed gap, such as 0.5mm; without physical units in multiples of d0, such as 0.2 (default: the gap of FILE)</source>
+        <translation>medelvärde för en normalfördelad spalt, t.ex. 0.5mm; utan fysikaliska enheter i multiplar av d0, t.ex. 0.2 (standard: spalten i FILE)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
         <translation>skriv ut ett JSON-objekt i stället för tabellen</translation>
     </message>
     <message>
-        <source>a file of presets of your own instead of the built-in ones</source>
-        <translation>en fil med egna förval i stället för de inbyggda</translation>
+        <source>take presets from this file instead of the built-in ones</source>
+        <translation>ta förval ur denna fil i stället för de inbyggda</translation>
     </message>
     <message>
         <source>print one JSON object instead of the summary</source>
         <translation>skriv ut ett JSON-objekt i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>exact, lattice or closed_form (default: the method of the result FILE, else exact)</source>
-        <translation>exact, lattice eller closed_form (standard: metoden i resultatet FILE, annars exact)</translation>
+        <source>method of solution: exact, lattice or closed_form (default: that of FILE if it is a result, else exact)</source>
+        <translation>lösningsmetod: exact, lattice eller closed_form (standard: den i FILE om det är ett resultat, annars exact)</translation>
     </message>
     <message>
-        <source>number of lattice segments (default: 10000, as in the paper)</source>
-        <translation>antal gittersegment (standard: 10000, som i artikeln)</translation>
+        <source>number of segments into which the lattice method divides the rod (default: 10000, as in the paper)</source>
+        <translation>antal segment som gittermetoden delar stången i (standard: 10000, som i artikeln)</translation>
     </message>
     <message>
-        <source>give up a blow that needs more than N wave pieces (default: 1000000, at worst some seconds)</source>
-        <translation>avbryt ett slag som behöver fler än N vågbitar (standard: 1000000, i värsta fall några sekunder)</translation>
+        <source>limit the work: a blow is not solved if the exact solver splits its waves into more than N polynomial pieces (default: 1000000, at worst some seconds)</source>
+        <translation>begränsa arbetet: ett slag löses inte om den exakta metoden delar dess vågor i fler än N polynombitar (standard: 1000000, i värsta fall några sekunder)</translation>
     </message>
     <message>
-        <source>output columns, see below (default: cor)</source>
-        <translation>kolumner med utdata, se nedan (standard: cor)</translation>
+        <source>outputs to write as columns, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>resultat att skriva som kolumner, listade nedan (standard: cor, studstalet)</translation>
     </message>
     <message>
-        <source>leave the outputs of a row empty if it needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
-        <translation>lämna utdata för en rad tomma om den behöver fler än N vågbitar (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>limit the work: a row has no outputs if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
+        <translation>begränsa arbetet: en rad får inga resultat om den exakta metoden delar slagets vågor i fler än N polynombitar (standard: 1000000, i värsta fall 2 s)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
         <translation>antal trådar (standard: alla)</translation>
     </message>
     <message>
-        <source>outputs to follow, see below (default: cor)</source>
-        <translation>utdata att följa, se nedan (standard: cor)</translation>
+        <source>outputs to follow, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>resultat att följa, listade nedan (standard: cor, studstalet)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the tables</source>
         <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
     </message>
     <message>
-        <source>skip a blow that needs more than N wave pieces (default: 1000000)</source>
-        <translation>hoppa över ett slag som behöver fler än N vågbitar (standard: 1000000)</translation>
+        <source>limit the work: a blow is left out if the exact solver splits its waves into more than N polynomial pieces (default: 1000000)</source>
+        <translation>begränsa arbetet: ett slag utelämnas om den exakta metoden delar dess vågor i fler än N polynombitar (standard: 1000000)</translation>
     </message>
     <message>
-        <source>output to map, see below (default: cor)</source>
-        <translation>utdata för kartan, se nedan (standard: cor)</translation>
+        <source>output to map, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>kartans resultat, listade nedan (standard: cor, studstalet)</translation>
     </message>
     <message>
         <source>print one JSON object, with the contours, instead of the summary</source>
         <translation>skriv ut ett JSON-objekt med konturerna i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>skip a point that needs more than N wave pieces (default: 1000000, at worst 2 s)</source>
-        <translation>hoppa över en punkt som behöver fler än N vågbitar (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>limit the work: a point is left out if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
+        <translation>begränsa arbetet: en punkt utelämnas om den exakta metoden delar slagets vågor i fler än N polynombitar (standard: 1000000, i värsta fall 2 s)</translation>
     </message>
     <message>
-        <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
-        <translation>kort för --set drill.blows=N (standard: 1000, i ett svep 300)</translation>
+        <source>number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)</source>
+        <translation>antal slag: kortform för --set drill.blows=N (standard: 1000, med --scan 300)</translation>
     </message>
     <message>
-        <source>time steps per t0, 10 to 400 (default: 40, for a scan 20)</source>
-        <translation>tidssteg per t0, 10 till 400 (standard: 40, i ett svep 20)</translation>
+        <source>time steps per duration t0 of the blow, 10 to 400 (default: 40, with --scan 20)</source>
+        <translation>tidssteg per slagets varaktighet t0, 10 till 400 (standard: 40, med --scan 20)</translation>
     </message>
     <message>
-        <source>numbers in SI (default)</source>
-        <translation>tal i SI (standard)</translation>
+        <source>print numbers in SI units (default)</source>
+        <translation>skriv tal i SI-enheter (standard)</translation>
     </message>
     <message>
-        <source>most cells times nodes (default: 4e9)</source>
-        <translation>högsta antal celler gånger noder (standard: 4e9)</translation>
+        <source>limit the work: refuse a computation if its time steps times the ends of its sections exceed N (default: 4e9)</source>
+        <translation>begränsa arbetet: avvisa en beräkning vars tidssteg gånger dess sektionsändar överstiger N (standard: 4e9)</translation>
     </message>
     <message>
-        <source>also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] (default COUNT: 101, or each whole number)</source>
-        <translation>även en tabell längs en parameter: A,B,C eller START:STOP[:COUNT][:log] (standard för COUNT: 101, eller varje heltal)</translation>
+        <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>
+        <translation>variera denna parameter och lägg till en tabell över den; VALUES är START:STOP[:COUNT], START:STOP[:COUNT]:log (lika förhållanden) eller A,B,C (standard för COUNT: 101, eller varje heltal)</translation>
     </message>
     <message>
         <source>number of threads for --along (default: all)</source>
         <translation>antal trådar för --along (standard: alla)</translation>
     </message>
     <message>
-        <source>samples of a design, rounded up to a power of two (default: 4096, for a string 1024)</source>
-        <translation>stickprov för en konstruktion, avrundat uppåt till en tvåpotens (standard: 4096, för en sträng 1024)</translation>
+        <source>number of random samples for each design, rounded up to a power of two (default: 4096, for a drill string 1024)</source>
+        <translation>antal slumpmässiga stickprov per konstruktion, avrundat uppåt till en tvåpotens (standard: 4096, för en borrsträng 1024)</translation>
     </message>
     <message>
-        <source>seed of the samples (default: 1)</source>
-        <translation>startvärde för stickproven (standard: 1)</translation>
+        <source>seed of the random samples (default: 1)</source>
+        <translation>startvärde för de slumpmässiga stickproven (standard: 1)</translation>
     </message>
     <message>
         <source>formats of the figures (default: png,svg)</source>
         <translation>figurernas format (standard: png,svg)</translation>
     </message>
     <message>
-        <source>numbers of lattice segments (default: from 100 to 20000)</source>
-        <translation>antal gittersegment (standard: från 100 till 20000)</translation>
+        <source>numbers of segments of the lattice method to compare (default: from 100 to 20000)</source>
+        <translation>antal segment för gittermetoden att jämföra (standard: från 100 till 20000)</translation>
     </message>
     <message>
-        <source>most moves of waves by a segment in the lattices (default: 1000000000, half a minute)</source>
-        <translation>högsta antal steg av vågor med ett segment i gittren (standard: 1000000000, en halv minut)</translation>
+        <source>limit the work of the lattice method, counted in moves of a wave by one segment (default: 1000000000, half a minute)</source>
+        <translation>begränsa gittermetodens arbete, räknat i steg av en våg med ett segment (standard: 1000000000, en halv minut)</translation>
     </message>
     <message>
-        <source>rock properties from strain gauges, with their uncertainty</source>
-        <translation>bergets egenskaper från töjningsgivare, med deras osäkerhet</translation>
+        <source>find stiffness and elasticity of the rock from strain gauges, with uncertainty</source>
+        <translation>bestäm bergets styvhet och elasticitet ur töjningsgivare, med osäkerhet</translation>
     </message>
     <message>
-        <source>also write tables, draws and the identified scenario into DIR</source>
-        <translation>skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
+        <source>also write tables, random samples of the rock and the scenario with the identified rock into DIR</source>
+        <translation>skriv även tabeller, slumpmässiga stickprov av berget och scenariot med det identifierade berget till DIR</translation>
     </message>
     <message>
-        <source>upper limit for every design</source>
-        <translation>övre gräns för varje konstruktion</translation>
+        <source>limit: accept only designs for which this statistic of the output is at most VALUE</source>
+        <translation>gräns: godta bara konstruktioner för vilka denna statistik av resultatet är högst VALUE</translation>
     </message>
     <message>
-        <source>lower limit for every design</source>
-        <translation>undre gräns för varje konstruktion</translation>
+        <source>limit: accept only designs for which this statistic of the output is at least VALUE</source>
+        <translation>gräns: godta bara konstruktioner för vilka denna statistik av resultatet är minst VALUE</translation>
     </message>
     <message>
-        <source>read these records of strain gauges, in their order along the hole</source>
-        <translation>läs dessa registreringar från töjningsgivare, i ordning längs hålet</translation>
+        <source>read these records of strain gauges; give several in their order along the hole</source>
+        <translation>läs dessa mätningar från töjningsgivare; ange flera i deras ordning längs hålet</translation>
     </message>
     <message>
-        <source>use one gauge or two, by their distance from the bit face; A+B@… averages</source>
-        <translation>använd en eller två givare, med avstånd från borrkronans front; A+B@… tar medelvärde</translation>
+        <source>column of a gauge and its distance from the bit face, once or twice; A+B@… takes the mean of two gauges on opposite sides</source>
+        <translation>kolumn för en givare och dess avstånd från kronans front, en eller två gånger; A+B@… tar medelvärdet av två givare på motsatta sidor</translation>
     </message>
     <message>
-        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95&#xa0;%-toleransen för gain, zero, gauge eller ett mått; se nedan</translation>
+        <source>tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its value with 95 % probability; see the description of the command</source>
+        <translation>tolerans för en känd indata: KEY (gain, zero, gauge eller ett mått) ligger med 95&#xa0;% sannolikhet inom +-TOL från sitt värde; se beskrivningen av kommandot</translation>
     </message>
     <message>
-        <source>support: rigid, or bar for a specimen between two like bars (default: rigid)</source>
-        <translation>stöd: rigid (stelt), eller bar för ett prov mellan två likadana stänger (standard: rigid)</translation>
+        <source>support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars (default: rigid)</source>
+        <translation>stöd bakom berg eller prov: rigid (stelt), eller bar om provet ligger mellan två likadana stänger (standard: rigid)</translation>
     </message>
     <message>
-        <source>predict the gauge on the bar behind, by its distance from the specimen</source>
-        <translation>förutsäg givaren på den bakre stången, med dess avstånd från provet</translation>
+        <source>predict the wave at a gauge on the bar behind the specimen, by its distance from the specimen, and print the error; needs --backing bar</source>
+        <translation>förutsäg vågen vid en givare på stången bakom provet, efter dess avstånd från provet, och skriv felet; kräver --backing bar</translation>
     </message>
     <message>
-        <source>take dispersion as fit, bar or none (default: fit)</source>
-        <translation>ta dispersionen som fit, bar eller none (standard: fit)</translation>
+        <source>dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) or none (default: fit)</source>
+        <translation>vågornas dispersion mellan givare och krona: fit (anpassad till mätningen), bar (den i en rund stång) eller none (ingen) (standard: fit)</translation>
     </message>
     <message>
-        <source>end the window this long after the returning wave arrives</source>
-        <translation>avsluta fönstret så länge efter att den återvändande vågen kommer</translation>
+        <source>ignore the record later than this time after the reflected wave arrives at the gauge</source>
+        <translation>bortse från mätningen senare än denna tid efter att den reflekterade vågen nått givaren</translation>
     </message>
     <message>
-        <source>identify the first or all fronts of a record (default: first)</source>
-        <translation>utvärdera första eller alla slag i en registrering, first eller all (standard: first)</translation>
+        <source>blows of a record to evaluate: first, or all (default: first)</source>
+        <translation>slag i en mätning som utvärderas: first (det första) eller all (alla) (standard: first)</translation>
     </message>
     <message>
-        <source>seed of noise and draws (default: 1)</source>
-        <translation>startvärde för brus och dragningar (standard: 1)</translation>
+        <source>seed of the random numbers for noise and samples (default: 1)</source>
+        <translation>startvärde för slumptalen för brus och stickprov (standard: 1)</translation>
     </message>
     <message>
-        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
-again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on pages of A4.
-DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
-units, and those of `run --json`; the source of a value is the comment behind it in the file. For
-drill strings also the sections, drawn to scale, with their largest stresses.</source>
-        <translation>FILE.html innehåller allt i en enda fil, även bilder och scenario, och kan köras igen:
-`drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på A4-sidor. DIR får
-båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har enheter, och är de som
-`run --json` ger; källan till ett värde är kommentaren efter det i filen. För en borrsträng även
-dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
+        <source>FILE.html is a single file with inputs, results, pictures and the scenario. It can be run again:
+`drillwave run FILE.html`. FILE.pdf has the same content for printing on A4. -o DIR writes both,
+as report.html and report.pdf. The numbers are those of `run --json`, in SI if the scenario has
+physical units. The source of a value is the comment after it in the scenario file. For drill
+strings, the report also shows the sections, drawn to scale, with their largest stresses.</source>
+        <translation>FILE.html är en enda fil med indata, resultat, bilder och scenariot. Den kan köras igen:
+`drillwave run FILE.html`. FILE.pdf har samma innehåll för utskrift på A4. -o DIR skriver båda,
+som report.html och report.pdf. Talen är de som `run --json` ger, i SI-enheter om scenariot har
+fysikaliska enheter. Källan till ett värde är kommentaren efter det i scenariofilen. För en
+borrsträng visar rapporten även sektionerna, skalenligt ritade, med sina största spänningar.</translation>
     </message>
     <message>
-        <source>add studies: drill (continuous drilling), design (block `design` of FILE)</source>
-        <translation>lägg till studier: drill (kontinuerlig borrning), design (blocket `design` i FILE)</translation>
+        <source>add studies to the report: drill (consecutive blows), design (best design, from the block `design` of FILE)</source>
+        <translation>lägg till studier i rapporten: drill (slag i följd), design (bästa konstruktion, enligt blocket `design` i FILE)</translation>
     </message>
     <message>
-        <source>number of threads of --with (default: all)</source>
-        <translation>antal trådar för --with (förval: alla)</translation>
+        <source>number of threads for the studies of --with (default: all)</source>
+        <translation>antal trådar för studierna i --with (standard: alla)</translation>
     </message>
     <message>
-        <source>required feed force of single blows, and whether the installed one covers it</source>
-        <translation>matningskraft som enstaka slag kräver, och om den angivna täcker den</translation>
+        <source>feed force that single blows require, and whether the installed one is sufficient</source>
+        <translation>matningskraft som enstaka slag kräver, och om den angivna räcker</translation>
     </message>
     <message>
-        <source>Prints whether the installed feed force covers single blows, as an estimate, and a table of
-four cases: this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst
-gap on elastic rock (gamma = 1). With blow frequency f, impulse I0 of a blow and restitution e
-each case has (theory §10):
-  required         f I0 (1 + e), the mean force that balances the blow
-  return in time   f I0 (1 + 2e), with which an undamped rigid rod is back at the rock before
-                   the next blow
-  margin           effective over required feed force, less 1
-  covered up to    blow frequency up to which the effective feed force covers the case
-Below f I0 the machine is pushed back. With drill.inclination, the effective feed force is the
-installed one plus the weight of rod and drill.machine_mass along the hole. `drillwave drill`
-solves consecutive blows. Needs a scenario in physical units with drill.blow_frequency; margins
-need drill.thrust. For drill strings, I0 is the impulse of the hammer&apos;s face; gaps have no
-period, so only this blow and rigid rock are printed.</source>
-        <translation>Skriver ut om matningskraften täcker enstaka slag, som en uppskattning, och en tabell med fyra fall:
-detta slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den sämsta
-spalten på elastiskt berg (gamma = 1). Med slagfrekvens f, impuls I0 för ett slag och studstal e
-har varje fall (theory §10):
-  krävs            f I0 (1 + e), medelkraften som balanserar slaget
-  retur i tid      f I0 (1 + 2e), med vilken en odämpad stel stång är tillbaka vid berget före nästa
-                   slag
-  marginal         effektiv genom krävd matningskraft, minus 1
-  täcks upp till   slagfrekvens upp till vilken den effektiva matningskraften täcker fallet
-Under f I0 trycks maskinen tillbaka. Med drill.inclination är den effektiva matningskraften den
-angivna plus tyngden av stång och drill.machine_mass längs hålet. `drillwave drill` löser slag i
-följd. Kräver ett scenario i fysikaliska enheter med drill.blow_frequency; marginaler kräver
-drill.thrust. För borrsträngar är I0 impulsen på hammarens yta; spalter har ingen period, så bara
-detta slag och stelt berg skrivs ut.</translation>
+        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
+this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
+(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
+I0 the impulse of a blow and e the coefficient of restitution:
+  required        f I0 (1 + e), the feed force that balances the blows
+  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
+                  before the next blow
+  margin          effective over required feed force, less 1
+  covered up to   highest blow frequency at which the effective feed force is not below the
+                  required one
+If the feed force is below f I0, the blows push the machine back. The effective feed force is the
+installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
+hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and
+drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, I0
+is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+        <translation>Uppskattar från enstaka slag om den angivna matningskraften räcker. Skriver ut fyra fall: detta
+slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den spalt på
+elastiskt berg (gamma = 1) som kräver mest. I tabellens kolumner (theory §10) är f slagfrekvensen,
+I0 ett slags impuls och e studstalet:
+  krävs           f I0 (1 + e), den matningskraft som balanserar slagen
+  retur i tid     f I0 (1 + 2e), den matningskraft som för en odämpad stel stång tillbaka till
+                  berget före nästa slag
+  marginal        effektiv genom krävd matningskraft, minus 1
+  täcks upp till  högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
+                  den krävda
+Om matningskraften är lägre än f I0 trycker slagen tillbaka maskinen. Den effektiva
+matningskraften är den angivna; om drill.inclination anges tillkommer tyngden av stång och
+drill.machine_mass längs hålet. För slag i följd, använd `drillwave drill`. FILE måste ha
+fysikaliska enheter och drill.blow_frequency; marginaler kräver drill.thrust, den angivna
+matningskraften. För borrsträngar är I0 den impuls som hammaren överför, och bara detta slag och
+stelt berg skrivs ut.</translation>
     </message>
     <message>
-        <source>with -o, also the record of a strain gauge, by its distance from the bit face</source>
-        <translation>med -o även inspelningen från en töjningsgivare, efter dess avstånd från kronans yta</translation>
+        <source>with -o, also write the strain that a gauge at this distance from the bit face would record; COLUMN names it</source>
+        <translation>med -o: skriv även den töjning som en givare på detta avstånd från kronans front skulle registrera; COLUMN ger den namn</translation>
     </message>
     <message>
-        <source>white noise in that record (default: 0%)</source>
-        <translation>vitt brus i den (förval: 0%)</translation>
+        <source>white noise to add to --record, in % of its largest strain (default: 0%)</source>
+        <translation>vitt brus att lägga till i --record, i % av den största töjningen (standard: 0%)</translation>
     </message>
     <message>
-        <source>seed of that noise (default: 1)</source>
-        <translation>frö för detta brus (förval: 1)</translation>
+        <source>seed of the random numbers for --noise (default: 1)</source>
+        <translation>startvärde för slumptalen för --noise (standard: 1)</translation>
     </message>
     <message>
-        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. For drill strings, the histories are taken at the middle of the longest
-section. The plots are blow.*, rock.*, wave_picture.* and rod.*.
---record near@1.13m --record far@2.93m --noise 1% writes record.csv, a rehearsal for `identify`:
-the strain at one or two gauges in 1e6 samples a second; --record top+bottom@1.13m that of gauges
-on opposite sides, each with noise of its own.</source>
-        <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
-de fyra första kan räknas om. För borrsträngar gäller förloppen mitten av den längsta sektionen.
-Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.
---record near@1.13m --record far@2.93m --noise 1% skriver record.csv, en övning inför `identify`:
-töjningen vid en eller två givare med 1e6 sampel per sekund; --record upp+ner@1.13m den från givare
-mitt emot varandra, var och en med eget brus.</translation>
+        <source>-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains the
+scenario, so that `drillwave run` can run it again. With --plots, it also writes the plots blow.*,
+rock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle of the
+longest section. To rehearse a measurement for `identify`, --record near@1.13m --record far@2.93m
+--noise 1% also writes record.csv, the strain that two gauges would record in 1e6 samples per
+second. --record top+bottom@1.13m records two gauges on opposite sides of the rod, each with its
+own noise.</source>
+        <translation>-o DIR skriver scenario.yaml, summary.json, histories.csv och events.csv; var och en innehåller
+scenariot, så att `drillwave run` kan köra den igen. Med --plots skrivs även diagrammen blow.*,
+rock.*, wave_picture.* och rod.*. För borrsträngar gäller förloppen mitten av den längsta
+sektionen. För att öva en mätning inför `identify` skriver --record near@1.13m --record far@2.93m
+--noise 1% även record.csv, den töjning som två givare skulle registrera med 1e6 sampel per
+sekund. --record upp+ner@1.13m registrerar två givare på motsatta sidor av stången, var och en med
+eget brus.</translation>
     </message>
     <message>
-        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
-design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
-designs that are equally good within the errors, what is worth measuring, and the worst case
-found in the ranges. A warning about the strength of the design to take is in the first sentence.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-  --choose hammer=NAME,NAME            presets by name, or hammer=all; also rod=, and
-                                       bit= of a drill string, whose hammers are pistons
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
-stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
-worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Löser varje konstruktion bland valen för samma stickprov av de osäkra storheterna. Skriver ut den
-bästa konstruktionen efter det första målet (robustast), den bästa om allt är som i FILE (nominellt
-bästa), de konstruktioner som är lika bra inom felen, vad som är värt att mäta, och det sämsta fallet
-som hittades inom områdena. En varning om hållfastheten står i den första meningen.
-  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
-                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
-  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
-  --choose hammer=NAME,NAME            förval med namn, eller hammer=all; även rod=, och bit= för en
-                                       borrsträng, vars hammare är kolvar
-Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
-max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. Blocket `design` i FILE gäller
-för varje alternativ som inte anges. DIR får designs.csv, pareto.csv, sensitivity.csv, worst.csv,
-best.yaml, design.json och, med --plots, design.png.</translation>
+        <source>Solves every design, that is, every combination of the --choose values, with the same random
+samples of the uncertain inputs. Prints which design is best over all samples (best for uncertain
+rock) and which is best with the inputs of FILE (best for the values entered), both by the first
+--aim. Also prints which designs are equally good within the errors, which input to measure first,
+and the worst case found in the ranges. The first sentence includes a warning if the recommended
+design exceeds a strength.
+  --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, equally likely
+                             in the logarithm; with :normal or :lognormal, a normal distribution
+                             with 95 % of the values from LOW to HIGH
+  --uncertain KEY=+-P%       range around the value of FILE, or of the design
+  --choose hammer=NAME,NAME  hammer presets by name, or all of them: hammer=all; also rod=. For
+                             drill strings, hammer= takes pistons, and bit= takes bits
+A STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs of FILE).
+Without --aim, the objectives are max:efficiency@q05 and, if FILE has a blow frequency,
+min:thrust@q95. Options that are not given are taken from the block `design` of FILE. -o DIR
+writes designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with
+--plots, design.png.</source>
+        <translation>Löser varje konstruktion, det vill säga varje kombination av värdena i --choose, med samma
+slumpmässiga stickprov av de osäkra storheterna. Skriver ut vilken konstruktion som är bäst över
+alla stickprov (bäst för osäkert berg) och vilken som är bäst med indata i FILE (bäst för de
+angivna värdena), båda efter det första --aim. Skriver även vilka konstruktioner som är lika bra
+inom felen, vilken storhet som bör mätas först, och det sämsta fallet som hittades inom områdena.
+Den första meningen innehåller en varning om den rekommenderade konstruktionen överskrider en
+hållfasthet.
+  --uncertain KEY=LOW:HIGH   alla värden från LOW till HIGH lika sannolika; med :log lika
+                             sannolika i logaritmen; med :normal eller :lognormal en
+                             normalfördelning med 95&#xa0;% av värdena från LOW till HIGH
+  --uncertain KEY=+-P%       område kring värdet i FILE, eller i konstruktionen
+  --choose hammer=NAME,NAME  hammarförval med namn, eller alla: hammer=all; även rod=. För
+                             borrsträngar tar hammer= kolvar och bit= borrkronor
+En STATISTIC är mean, q01 till q99 (kvantiler), min, max eller nominal (med indata i FILE). Utan
+--aim är målstorheterna max:efficiency@q05 och, om FILE har en slagfrekvens, min:thrust@q95.
+Alternativ som inte anges tas ur blocket `design` i FILE. -o DIR skriver designs.csv, pareto.csv,
+sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots, design.png.</translation>
     </message>
     <message>
-        <source>Lists the built-in presets, or those of a file in the same format; with KIND only rod, hammer, rock,
-piston, adapter, coupling or bit. A command takes them with --rod
-NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
-adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
-        <translation>De inbyggda, eller de i en fil med samma format; med KIND endast rod, hammer, rock, piston,
-adapter, coupling eller bit. Ett kommando tar dem med --rod NAME, --hammer NAME
-och --rock NAME; början av ett namn räcker där bara ett börjar så. Kolvar, nackadaptrar, skarvhylsor
-och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida Sträng.</translation>
+        <source>Lists the built-in presets, or those of FILE.yaml. KIND restricts the list to rod, hammer, rock,
+piston, adapter, coupling or bit. Other commands use a preset with --rod NAME, --hammer NAME or
+--rock NAME; the beginning of the name suffices if only one preset has it. Pistons, adapters,
+couplings and bits are sections of drill strings: insert them on the page String of the window.</source>
+        <translation>Listar de inbyggda förvalen, eller dem i FILE.yaml. KIND begränsar listan till rod, hammer, rock,
+piston, adapter, coupling eller bit. Andra kommandon använder ett förval med --rod NAME, --hammer
+NAME eller --rock NAME; början av namnet räcker om bara ett förval börjar så. Kolvar,
+nackadaptrar, skarvhylsor och borrkronor är sektioner i borrsträngar: de läggs in på fönstrets
+sida Sträng.</translation>
     </message>
     <message>
-        <source>write the files of the run into DIR; - writes no files</source>
-        <translation>skriv körningens filer till DIR; - skriver inga filer</translation>
+        <source>write the files of the run into DIR; -o - writes none</source>
+        <translation>skriv körningens filer till DIR; -o - skriver inga</translation>
     </message>
     <message>
-        <source>write FILE.csv, and FILE.csv.yaml beside it; - or no -o prints the rows</source>
-        <translation>skriv FILE.csv och FILE.csv.yaml bredvid; - eller inget -o skriver ut raderna</translation>
+        <source>write the rows to FILE.csv, with their record FILE.csv.yaml beside it; -o - prints the rows (default)</source>
+        <translation>skriv raderna till FILE.csv, med protokollet FILE.csv.yaml bredvid; -o - skriver ut raderna (standard)</translation>
     </message>
     <message>
-        <source>Follows outputs continuously along a parameter and finds every kink and jump on the way. Prints
-where each output is least and largest, its local extremes, kinks, jumps and crossings of the
-levels, each with its error. Where an output would take too much computing, only points of it
-are known, and the table says so.
---goal X prints the values of KEY at which the output is X, each with its error, and whether
-there may be others; where there is none, the nearest value.
-Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
-        <translation>Följer resultat kontinuerligt längs en parameter och hittar varje knäck och språng. Anger var varje
-resultat är minst och störst, dess lokala extremvärden, knäckar, språng och korsningar av nivåerna,
-allt med sitt fel. Där ett resultat skulle kräva för mycket beräkning är det känt bara i enstaka
-punkter, och tabellen säger det.
---goal X skriver de värden på KEY där resultatet är X, med deras fel och om det kan finnas fler;
-där inget finns, vad som kommer närmast.
-Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+        <source>Follows outputs over a whole range of a parameter, between any grid points, and finds every kink
+and jump. For each output, prints where it is smallest and largest, its local extremes, its kinks
+and jumps, and where it crosses a --level, all with their errors. If this needs too much computing
+for an output, it is solved only at single points, and the table says so.
+--goal X prints the values of the parameter at which the output is X, each with its error, and
+whether there may be others. If no value gives X, it prints the value that comes nearest. Values
+carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Följer resultat över ett helt område av en parameter, även mellan punkterna i varje rutnät, och
+hittar varje knäck och språng. Skriver för varje resultat var det är minst och störst, dess lokala
+extremvärden, knäckar och språng, och var det korsar en nivå (--level), allt med sitt fel. Om det
+kräver för mycket beräkning löses resultatet bara i enstaka punkter, och tabellen säger det.
+--goal X skriver de värden på parametern där resultatet är X, vart och ett med sitt fel, och om
+det kan finnas fler. Om inget värde ger X skrivs det värde som kommer närmast. Värden anges med
+enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
-string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
-The bit_rock of FILE is not used, except with --law file.
-  --known gain=+-5% zero=+-1%          of the amplifier; zero in % of the peak
-  --known gauge=+-2mm                  place of the gauges
-  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
-Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
-match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
-Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
-Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
-        <translation>Läser bergets styvhet, gamma och spalt från töjningsgivare på stången eller på den sista stången i
-en sträng. Skriver ut värdena med deras 95&#xa0;%-intervall, vad som begränsar dem och vad som bör mätas
-bättre. bit_rock i FILE används inte, utom med --law file.
-  --known gain=+-5% zero=+-1%          för förstärkaren; zero i % av toppen
-  --known gauge=+-2mm                  givarnas plats
-  --known rod.diameter=+-0.1mm         mått på givarens sektion och på sektionerna mot kronan
-Mätningar läses som av `signal`. DIR får identified.yaml, posterior.csv (för design --draws),
-match.csv, force_penetration.csv, incident.csv, identify.json och, för flera mätningar, records.csv.
-Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen av dem är känd.
-Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
+        <source>Finds stiffness, elasticity (gamma) and gap of the rock from the waves that strain gauges record
+on the rod, or on the last rod of a string. Prints the values with their 95 % intervals, what
+limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law
+file. --known KEY=+-TOL states how well the inputs are known:
+  --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak
+  --known gauge=+-2mm           distance of the gauges from the bit face
+  --known rod.diameter=+-0.1mm  a size of the section with the gauge, or of a section between
+                                gauge and bit
+Records are read with the options of `signal`. -o DIR writes identified.yaml, posterior.csv
+(random samples of the rock for design --draws), match.csv, force_penetration.csv, incident.csv,
+identify.json and, for several records, records.csv. Exit code 0: stiffness or gamma is known.
+Exit code 6: neither is known, or the record contradicts the model. The intervals can be too
+narrow if the rock does not load along one straight line and unload along another (commands
+§4.17).</source>
+        <translation>Bestämmer bergets styvhet, elasticitet (gamma) och spalt ur de vågor som töjningsgivare
+registrerar på stången, eller på den sista stången i en sträng. Skriver ut värdena med deras 95
+%-intervall, vad som begränsar noggrannheten och vad som bör mätas bättre. bit_rock i FILE används
+bara med --law file. --known KEY=+-TOL anger hur väl indata är kända:
+  --known gain=+-5% zero=+-1%   förstärkarens förstärkning, och dess nollinje i % av toppen
+  --known gauge=+-2mm           givarnas avstånd från kronans front
+  --known rod.diameter=+-0.1mm  ett mått på sektionen med givaren, eller på en sektion mellan
+                                givare och krona
+Mätningar läses med alternativen för `signal`. -o DIR skriver identified.yaml, posterior.csv
+(stickprov av berget för design --draws), match.csv, force_penetration.csv, incident.csv,
+identify.json och, för flera mätningar, records.csv. Slutkod 0: styvhet eller gamma är känd.
+Slutkod 6: ingen av dem är känd, eller mätningen motsäger modellen. Intervallen kan vara för snäva
+om berget inte belastas längs en rät linje och avlastas längs en annan (commands §4.17).</translation>
     </message>
     <message>
-        <source>law to fit: auto, bilinear or corner; with file, the law of FILE is tested (default: auto)</source>
-        <translation>lag som anpassas: auto, bilinear eller corner; med file prövas lagen i FILE (standard: auto)</translation>
+        <source>rock law to fit to the record: auto, bilinear or corner; file tests the law of FILE instead (default: auto)</source>
+        <translation>berglag som anpassas till mätningen: auto, bilinear eller corner; file prövar i stället lagen i FILE (standard: auto)</translation>
     </message>
     <message>
         <source>date printed in the report, any text (default: none)</source>
         <translation>datum som står i rapporten, valfri text (standard: inget)</translation>
     </message>
     <message>
-        <source>write no plots and no PDF; needs no display</source>
-        <translation>skriv inga diagram och ingen PDF; behöver ingen skärm</translation>
+        <source>write no plots and no PDF; a display is then not needed</source>
+        <translation>skriv inga diagram och ingen PDF; då behövs ingen skärm</translation>
     </message>
     <message>
-        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
-index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them
-(T: time of a wave along the rod), and with k0 = Z/t0, as its text defines it.</source>
-        <translation>DIR får data till fig. 3 till 8 som CSV, figurerna som bilder, discrepancies.csv och index.html med
-alltsammans. Referenskurvorna finns med både k0 = Z/(2T), som artikeln ritar dem med (T: en vågs tid längs
-stången), och k0 = Z/t0, som artikelns text definierar det.</translation>
+        <source>Writes into DIR the data of Figs 3 to 8 of the paper as CSV, the figures as pictures, and
+discrepancies.csv, which compares each number printed in the paper with the exact one. index.html
+shows all of them. The reference curves of the paper are written twice, because its plots and its
+text scale stiffness differently: with k0 = Z/(2T), as in the plots, and with k0 = Z/t0, as in the
+text. Z is the impedance of the rod, T the time of a wave along the rod, t0 the duration of the
+blow.</source>
+        <translation>Skriver till DIR data för artikelns fig. 3 till 8 som CSV, figurerna som bilder och
+discrepancies.csv, som jämför varje tal som artikeln trycker med det exakta. index.html visar
+alltsammans. Referenskurvorna skrivs två gånger, eftersom artikelns diagram och text skalar
+styvheten olika: med k0 = Z/(2T) som i diagrammen och med k0 = Z/t0 som i texten. Z är stångens
+impedans, T en vågs tid längs stången, t0 slagets varaktighet.</translation>
     </message>
     <message>
-        <source>Follows blow after blow: waves, and the motion of the machine on its damper, carry over from one
-blow to the next; each blow meets new rock. Prints penetration and rate with their errors, how
-many blows start in contact, whether the motion repeats and where the energy goes. FILE needs
-drill.blow_frequency and drill.thrust. Penetrations are upper limits.
-With --scan the same over a parameter; each value is followed twice, from rest and from bouncing.
-DIR gets scenario.yaml, summary.json, blows.csv, with --histories histories.csv, and with --plots
-drilling.png.</source>
-        <translation>Följer slag efter slag: vågor och maskinens rörelse på dämparen går vidare från ett slag till
-nästa; varje slag möter nytt berg. Skriver inträngning och borrsjunkning med sina fel, hur många slag som
-börjar i kontakt, om rörelsen upprepar sig och vart energin tar vägen. FILE behöver
-drill.blow_frequency och drill.thrust. Inträngningar är övre gränser. Med --scan detsamma över en
-parameter; varje värde följs två gånger, från vila och från studsande. DIR får scenario.yaml, summary.json, blows.csv,
-med --histories histories.csv och med --plots drilling.png.</translation>
+        <source>Simulates consecutive blows. The residual waves and the motion of the machine on its damper carry
+over from one blow to the next; each blow meets new rock. Prints penetration and penetration rate
+with their errors, the share of blows that start with the bit on the rock, whether the motion
+repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust, the feed
+force. Penetrations are upper limits, because all rock under the bit is assumed to break.
+--scan compares values of a parameter. Each value is simulated twice: starting at rest and
+starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into
+DIR, with --histories also histories.csv, with --plots also drilling.png.</source>
+        <translation>Simulerar på varandra följande slag. Restvågorna och maskinens rörelse på sin dämpare förs vidare
+från ett slag till nästa; varje slag möter nytt berg. Skriver inträngning och borrsjunkning med
+sina fel, andelen slag som börjar med borrkronan mot berget, om rörelsen upprepar sig och vart
+energin tar vägen. FILE behöver drill.blow_frequency och drill.thrust, matningskraften.
+Inträngningar är övre gränser, eftersom allt berg under kronan antas brytas.
+--scan jämför värden på en parameter. Varje värde simuleras två gånger: med start från vila och
+med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv till DIR, med
+--histories även histories.csv, med --plots även drilling.png.</translation>
     </message>
 </context>
 </TS>

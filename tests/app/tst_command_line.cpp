@@ -432,7 +432,7 @@ void TestCommandLine::mistakesAreToldInTheLanguageOfTheCommand() {
     const Finished remark =
         run({"run", example("t38_medium_rock"), "--set", "rod.density=9001kg/m^3", "--language", "de"});
     QCOMPARE(remark.exitCode, 0);
-    QVERIFY2(remark.error.contains("ρ = 9001 kg/m^3 liegt außerhalb des üblichen Bereichs"), remark.error);
+    QVERIFY2(remark.error.contains("ρ = 9001 kg/m^3 liegt außerhalb ihres üblichen Bereichs"), remark.error);
 }
 
 void TestCommandLine::pointsBeyondTheLimitAreTold() {
@@ -508,8 +508,9 @@ void TestCommandLine::implausibleValuesAreRemarkedOnBeforeTheWork() {
     QByteArray error;
     while (!error.contains('\n') && process.waitForReadyRead(60000)) error += process.readAllStandardError();
     error += process.readAllStandardError();
-    QVERIFY2(error.contains("t38_medium_rock.yaml: warning: The duration t0 = 200 s is outside the usual"),
-             error);
+    QVERIFY2(
+        error.contains("t38_medium_rock.yaml: warning: The input duration t0 = 200 s is outside its typical"),
+        error);
     QCOMPARE(process.state(), QProcess::Running);
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);
     QVERIFY(process.waitForFinished(60000));
@@ -518,7 +519,8 @@ void TestCommandLine::implausibleValuesAreRemarkedOnBeforeTheWork() {
         const Finished finished =
             run({command, example("t38_medium_rock"), "--set", "rod.density=9001kg/m^3"});
         QCOMPARE(finished.exitCode, 0);
-        QVERIFY2(finished.error.contains("warning: The density ρ = 9001 kg/m^3 is outside the usual range"),
+        QVERIFY2(finished.error.contains(
+                     "warning: The input density ρ = 9001 kg/m^3 is outside its typical range"),
                  finished.error);
     }
 }

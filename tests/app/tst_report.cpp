@@ -217,7 +217,7 @@ void TestReport::studiesHaveTheNumbersOfTheirCommands() {
     }
     const QJsonObject drill = json({"drill", file});
     const QByteArray share = QByteArray::number(100 * drill["contact_share"].toDouble(), 'g', 3);
-    QVERIFY(html.contains("The bit starts in contact at " + share + " % of blows."));
+    QVERIFY(html.contains("The bit starts in contact with the rock in " + share + " % of the blows."));
 
     const QJsonObject design = json({"design", file});
     const QString designs = tableOf(html, "design");

@@ -205,8 +205,8 @@ void TestRows::unsolvedRowsAreWrittenEmptyAndExitCodeIsSix() {
     const Finished finished = run({"sweep", example("paper_fig4a"), "--vary", "beta=1,1e-300,2", "-j1"});
     QCOMPARE(finished.exitCode, 6);
     QVERIFY2(
-        finished.error.contains("1 of 3 rows could not be solved: their output cells are empty; 1 row: it "
-                                "needs more wave pieces than permitted"),
+        finished.error.contains("1 of 3 rows could not be solved: their output cells are empty; 1 row: its "
+                                "waves have more polynomial pieces (wave pieces) than permitted"),
         finished.error);
     QVERIFY2(finished.error.contains("--work-limit, now 1000000, permits more"), finished.error);
     QCOMPARE(finished.error.count('\n'), 1);

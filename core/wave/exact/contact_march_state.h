@@ -247,8 +247,9 @@ class ContactMarch {
         fail(atMemory
                  ? translatable("its histories need more than 4 million wave pieces, because of very many "
                                 "reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer")
-                 : translatable("it needs more wave pieces than permitted, because of very many reflections; "
-                                "a stiffer rock, a larger gamma or a shorter blow needs fewer"));
+                 : translatable(
+                       "its waves have more polynomial pieces (wave pieces) than permitted, because of very "
+                       "many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer"));
         m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
         return true;
     }

@@ -244,16 +244,18 @@ void TestImpactSummary::aRodIsWarnedOfStressAboveItsYieldStrength() {
     QCOMPARE(alerts[0].code, AlertCode::stressAboveYield);
     QCOMPARE(alerts[0].parameter, std::string_view("rod.yield_strength"));
     QCOMPARE(alertText(alerts[0]),
-             std::string("The rod would yield: compression reaches 359.8 MPa, 1.83 m from the hammer at 600 "
-                         "us, during the blow; its strength is 300 MPa."));
+             std::string(
+                 "The rod would yield: during the blow the stress reaches 359.8 MPa in compression, at 1.83 "
+                 "m from the hammer and 600 us after the start of the blow. Its yield strength is 300 MPa."));
     // Only the waves left reach it.
     scenario.rod.yieldStrength = 370e6;
     alerts = overloads(scenario, forces);
     QCOMPARE(alerts.size(), std::size_t{1});
     QCOMPARE(alerts[0].level, AlertLevel::information);
     QCOMPARE(alertText(alerts[0]),
-             std::string("The rod would yield: tension reaches 382.2 MPa, 915 mm from the hammer at 4 ms, "
-                         "after the blow, in the residual waves (undamped here); its strength is 370 MPa."));
+             std::string("The rod would yield: after the blow the residual waves, undamped here, give a "
+                         "stress of 382.2 MPa in tension, at 915 mm from the hammer and 4 ms after the start "
+                         "of the blow. Its yield strength is 370 MPa."));
 }
 
 void TestImpactSummary::aRodIsWarnedOfTensionAboveItsFatigueStrength() {

@@ -435,8 +435,10 @@ void TestSectionParameter::implausibleSectionsAreRemarkedOn() {
     scenario.drillString.parts[1].sections[0].length = 190;
     scenario.drillString.hammer.velocity = 100;
     QCOMPARE(keys(), QStringList({"hammer.velocity", "string.2.length"}));
-    QCOMPARE(QString::fromStdString(alertText(alertsFor(scenario)[1])),
-             QString("The length of 1st to 3rd coupling = 190 m is outside the usual range, 10 mm to 10 m."));
+    QCOMPARE(
+        QString::fromStdString(alertText(alertsFor(scenario)[1])),
+        QString(
+            "The input length of 1st to 3rd coupling = 190 m is outside its typical range, 10 mm to 10 m."));
 }
 
 QTEST_GUILESS_MAIN(TestSectionParameter)

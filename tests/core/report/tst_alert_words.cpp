@@ -28,13 +28,14 @@ const std::vector<Example>& examples() {
     constexpr AlertLevel warning = AlertLevel::warning;
     static const std::vector<Example> all{
         {{warning, AlertCode::implausibleValue, "rod.youngs_modulus", {{"value", 210, Quantity::stress}}},
-         "The Young's modulus E = 0.00021 MPa is outside the usual range, 60 GPa to 250 GPa."},
+         "The input Young's modulus E = 0.00021 MPa is outside its typical range, 60 GPa to 250 GPa."},
         {{warning, AlertCode::longPulse, "tau", {{"late_impulse", 0.1239}}},
-         "The first reflection returns before the last 12.3 % of the blow. A real hammer would feel it, but "
-         "here the force is prescribed. To include it, use a drill string with a hammer."},
+         "The first reflection returns to the hammer before the last 12.3 % of the blow. A real hammer would "
+         "feel it, but here the hammer force is prescribed. To include it, use a drill string with a "
+         "hammer."},
         {{note, AlertCode::defaultHammer, "pulse.impedance_ratio", {}},
-         "The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data "
-         "of the piston."},
+         "No data of the hammer are given. By default it has the impedance of the rod, and the force of its "
+         "blow is a single step. Give the data of the piston."},
         {{note,
           AlertCode::defaultHammer,
           "pulse.length",
@@ -50,7 +51,9 @@ const std::vector<Example>& examples() {
          "The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. "
          "Reflections that return to the hammer are neglected here."},
         {{note, AlertCode::gapWithoutEffect, "delta", {}},
-         "The gap has no effect on a rigid body motion: it only shifts the time of contact."},
+         "The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts "
+         "the time of contact "
+         "and has no other effect."},
         {{warning,
           AlertCode::thrustBelowNeeded,
           "drill.thrust",
@@ -58,10 +61,9 @@ const std::vector<Example>& examples() {
            {"balance", 2000, Quantity::force},
            {"required", 2800, Quantity::force},
            {"frequency", 50, Quantity::frequency}}},
-         "The feed of 1.5 kN is less than the mean force of the blows, 2 kN: the machine is pushed back. "
-         "This "
-         "blow is covered by at least 2.8 kN at 50 Hz, or at most 26.7 Hz with this feed. Friction, rotation "
-         "and buckling are not modelled."},
+         "The feed force of 1.5 kN is less than the mean force of the blows, 2 kN: the machine is pushed "
+         "back. To cover this blow, the feed force must be at least 2.8 kN at 50 Hz, or the blow frequency "
+         "at most 26.7 Hz with this feed force. Friction, rotation and buckling are not modelled."},
         {{note, AlertCode::superRebound, "", {{"cor", 1.25}}},
          "The rod rebounds with more momentum than it had before impact (e = 1.25). An estimate for rigid "
          "rock (e = 1) gives too small a feed force."},
@@ -72,41 +74,42 @@ const std::vector<Example>& examples() {
           "tau",
           {{"tau", 0.4}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
          "The closed form for elastic rock does not apply, because the blow is longer than a round trip in "
-         "the rod (tau = 0.4 < 0.5): its e = 0.5 has an error of 0.125."},
+         "the rod (tau = 0.4 < 0.5). Its coefficient of restitution, e = 0.5, has an error of 0.125."},
         {{note,
           AlertCode::closedFormInvalid,
           "delta",
           {{"delta", 0.3}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
          "The closed form for elastic rock does not apply, because the bit meets the rock in the middle of a "
-         "wave (delta = 0.3 is not a whole number): its e = 0.5 has an error of 0.125."},
+         "wave (delta = 0.3 is not a whole number). Its coefficient of restitution, e = 0.5, has an error of "
+         "0.125."},
         {{note,
           AlertCode::closedFormInvalid,
           "bit_rock.law",
           {{"bit_rock.law", 2}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
          "The closed form for elastic rock does not apply, because the loading curve of the rock is not a "
-         "straight line: its e = 0.5 has an error of 0.125."},
+         "straight line. Its coefficient of restitution, e = 0.5, has an error of 0.125."},
         {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 1e6, Quantity::force}}},
-         "The force of corner 2 = 1000 kN is outside the usual range, 5 kN to 500 kN."},
+         "The input force of corner 2 = 1000 kN is outside its typical range, 5 kN to 500 kN."},
         {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 9, Quantity::ratio}}},
-         "The force of corner 2 = 9 is outside the usual range, 0.05 to 2."},
+         "The input force of corner 2 = 9 is outside its typical range, 0.05 to 2."},
         {{note,
           AlertCode::cornersWithoutEffect,
           "bit_rock.law",
           {{"peak_force", 80e3, Quantity::force}, {"corner_force", 90e3, Quantity::force}}},
-         "The force stays below the first corner of the loading curve (80 kN of 90 kN): the law acts like a "
-         "bilinear one."},
+         "The force on the rock reaches only 80 kN, below the first corner of the loading curve at 90 kN: "
+         "the rock acts as if it loaded along one straight line."},
         {{note,
           AlertCode::closedFormInvalid,
           "beta",
           {{"beta", 0.02}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
          "The closed form for elastic rock does not apply, because the bit is still on the rock when the "
-         "next reflection arrives: its e = 0.5 has an error of 0.125."},
+         "next reflection arrives. Its coefficient of restitution, e = 0.5, has an error of 0.125."},
         {{warning, AlertCode::inputDecides, "", {{"contacts", 40}, {"cor_error", 2e-4}}},
-         "The bit chatters on the rock (40 contacts), so e depends on the last digits of the input and "
-         "can be known only to within 0.00021. A longer rod, a shorter blow or a softer rock reduces the "
-         "chatter."},
+         "The bit chatters on the rock (40 contacts), so the coefficient of restitution e depends on the "
+         "last digits of the input and can be known only to within 0.00021. A longer rod, a shorter blow or "
+         "a softer rock reduces the chatter."},
         {{warning, AlertCode::reducedAccuracy, "", {{"cor_error", 2e-8}}},
-         "The numerical error of e may be as large as 2.1e-08."},
+         "The numerical error of the coefficient of restitution e may be as large as 2.1e-08."},
         {{warning,
           AlertCode::stressAboveYield,
           "rod.yield_strength",
@@ -114,8 +117,8 @@ const std::vector<Example>& examples() {
            {"place", 1.83, Quantity::length},
            {"time", 600e-6, Quantity::time},
            {"strength", 300e6, Quantity::stress}}},
-         "The rod would yield: compression reaches 360 MPa, 1.83 m from the hammer at 600 us, during the "
-         "blow; its strength is 300 MPa."},
+         "The rod would yield: during the blow the stress reaches 360 MPa in compression, at 1.83 m from the "
+         "hammer and 600 us after the start of the blow. Its yield strength is 300 MPa."},
         {{note,
           AlertCode::stressAboveFatigue,
           "rod.fatigue_strength",
@@ -123,19 +126,21 @@ const std::vector<Example>& examples() {
            {"place", 0.915, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 150e6, Quantity::stress}}},
-         "The rod suffers fatigue at every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, "
-         "after the blow, in the residual waves (undamped here); its strength is 150 MPa."},
+         "The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a "
+         "stress of 160 MPa in tension, at 915 mm from the hammer and 4 ms after the start of the blow. Its "
+         "fatigue strength is 150 MPa."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
-         "The waves of a blow make only 4.5 round trips before the next blow, and meet it undamped. "
-         "Penetration may change by up to 10 % with blow frequency and string length; `drill` computes it."},
+         "The waves of a blow make only 4.5 round trips in the string before the next blow and still act on "
+         "it (undamped). Penetration may change by up to 10 % with blow frequency and string length; to "
+         "compute it, use `drill`."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 2}, {"wave_loss", 0.1}}},
-         "The waves of a blow make only 2 round trips before the next blow, and meet it with 81 % left at a "
-         "wave loss of 10 %. Penetration may change by up to 10 % with blow frequency and string length; "
-         "`drill` "
-         "computes it."},
+         "The waves of a blow make only 2 round trips in the string before the next blow and still act on it "
+         "(with 81 % left at a wave loss of 10 %). Penetration may change by up to 10 % with blow frequency "
+         "and string length; to compute it, use `drill`."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
-         "The waves of a blow make only 4.06 round trips before the next blow, and meet it undamped and "
-         "nearly in step (close to 4). Penetration may change by up to 10 %; `drill` computes it."},
+         "The waves of a blow make only 4.06 round trips in the string before the next blow and still act on "
+         "it (undamped), nearly in step with it: 4.06 is close to 4. Penetration may change by up to 10 %; "
+         "to compute it, use `drill`."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",
@@ -145,22 +150,22 @@ const std::vector<Example>& examples() {
            {"strength", 300e6, Quantity::stress},
            {"section", 9}},
           Message("3rd rod")},
-         "3rd rod would yield: tension reaches 362.2 MPa, 1.5 m from its rear end at 4 ms; its strength is "
-         "300 MPa."},
+         "3rd rod would yield: the stress in this section reaches 362.2 MPa in tension, at 1.5 m from its "
+         "rear end and 4 ms after the start of the blow. Its yield strength is 300 MPa."},
         {{AlertLevel::information, AlertCode::wavesThinned, "", {{"difference", 2.5e-3}}},
-         "This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR "
-         "and efficiency differ by at most 0.0026."},
+         "This blow has too many waves to keep. Plots of waves and forces show a coarser model of the "
+         "string, whose COR and efficiency differ by at most 0.0026."},
         {{warning,
           AlertCode::lengthsRounded,
           "",
           {{"time", 2e-7, Quantity::time}, {"efficiency_error", 1e-3}}},
-         "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and "
-         "the efficiency may have an error of 0.0011. Enter all lengths in whole millimetres, with one "
-         "steel: the time step is then exact."},
+         "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and the "
+         "efficiency may have an error of 0.0011. Enter all lengths in whole millimetres, with the same "
+         "steel in all sections: the time step is then exact."},
         {{warning, AlertCode::lengthsRounded, "", {{"time", 2e-7, Quantity::time}, {"cor_error", 5e-3}}},
-         "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and "
-         "force on the rock and rebound have errors: e by up to 0.0053. Enter all lengths in whole "
-         "millimetres, with one steel: the time step is then exact."},
+         "The transit times of the sections share no time step: they were rounded by up to 0.2 us, and force "
+         "on the rock and rebound have errors: e by up to 0.0053. Enter all lengths in whole millimetres, "
+         "with the same steel in all sections: the time step is then exact."},
         {{warning,
           AlertCode::lengthsRounded,
           "",
@@ -169,33 +174,36 @@ const std::vector<Example>& examples() {
            {"shared_cell", 4e-7, Quantity::time}}},
          "The transit times of the sections only share a time step of 0.4 us, which takes more work than is "
          "permitted: they were rounded by up to 0.2 us, and the efficiency may have an error of 0.0011. "
-         "Choose lengths with a larger common divisor (e.g. 50 mm): fewer time steps."},
+         "Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are "
+         "then exact."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
-         "After 16.7 ms the bit may still hit the rock again: these are the values at the next blow, not the "
-         "final ones."},
+         "This blow is not over after 16.7 ms, when the next blow starts: the bit may hit the rock again. "
+         "The values are those at that time, not the final ones."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
-         "After 16.7 ms bit and rock, or hammer and string, may still meet again: these are the values at "
-         "the next blow, not the final ones."},
+         "This blow is not over after 16.7 ms, when the next blow starts: bit and rock, or hammer and "
+         "string, may meet again. The values are those at that time, not the final ones."},
         {{warning,
           AlertCode::pushedBack,
           "",
           {{"force", 3000, Quantity::force}, {"needed", 3060, Quantity::force}}},
-         "The feed force of 3 kN is below the mean force of the blows, 3.06 kN, or too close to it: gaps "
-         "grow without bound. Increase the feed force."},
+         "The feed force of 3 kN is below the mean force of the blows, 3.06 kN, or too close to it, so the "
+         "gap between bit and rock grows from blow to blow. Increase the feed force."},
         {{note, AlertCode::noWaveLoss, "", {}},
-         "Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual."},
+         "Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip "
+         "is usual."},
         {{warning, AlertCode::restrikeInTheWay, "", {{"share", 0.1234}}},
-         "After separation the piston still transfers up to 12.3 % of its momentum: it is in the way of the "
-         "rebounding string. If the machine has drawn it back by then, switch off “may strike again” "
-         "(restrike: false in the file)."},
+         "After the piston has separated from the string, the string rebounds against it and takes over up "
+         "to 12.3 % of its momentum. If the machine has drawn the piston back by then, switch off “may "
+         "strike again” (restrike: false in the file)."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
-         "At a blow the shank is up to 6 mm away from its mean position in the machine: stroke and blow "
-         "would differ. With only a dashpot it creeps; give the damper a spring."},
+         "At the moment of a blow, the shank is up to 6 mm away from its mean position in the machine. A "
+         "real machine would then have another stroke and another blow. With only a dashpot the shank "
+         "drifts: add a spring to the damper."},
         {{note,
           AlertCode::frequencyRounded,
           "",
           {{"frequency", 60, Quantity::frequency}, {"used", 60.01, Quantity::frequency}}},
-         "The blow frequency is computed as 60.01 Hz, so that each blow falls on a time step."},
+         "The blow frequency is rounded to 60.01 Hz, so that each blow falls on a time step."},
         {{warning, AlertCode::notSettled, "", {}},
          "The means of the first and second half of the blows differ by more than three times their error. "
          "Increase the number of blows, or of transient blows."},
@@ -203,16 +211,16 @@ const std::vector<Example>& examples() {
          "Two steady motions are possible. The start or the time step decides which one is computed; a real "
          "drill may settle into either."},
         {{note, AlertCode::irregularMotion, "", {}},
-         "The motion does not repeat: use the means, not the values of single blows."},
+         "The motion does not repeat from blow to blow: use the means, not the values of single blows."},
         {{warning, AlertCode::energyUnbalanced, "", {{"share", 0.0021}}},
-         "The energy balance of all blows has an error of 0.21 %: the time step is long for these contacts. "
-         "A shorter one reduces the error in proportion."},
+         "The energy balance of all blows has an error of 0.21 %, because the time step is long for these "
+         "contacts. A shorter time step reduces the error in proportion."},
         {{note, AlertCode::damperAssumed, "", {}},
-         "The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times "
-         "the impedance of the rod."},
+         "The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to "
+         "0.5 times the impedance of the rod."},
         {{warning, AlertCode::stressesLeftOut, "", {}},
-         "The largest stresses of the sections take more work than is permitted. They were not computed, and "
-         "no strength was checked. Try a shorter end_time."},
+         "The largest stresses of the sections would take more work than is permitted, so they were not "
+         "computed and no strength was checked. Try a shorter end_time."},
     };
     return all;
 }
@@ -266,7 +274,7 @@ class TestAlertWords : public QObject {
         QCOMPARE(some[0].level, AlertLevel::information);
         const std::vector<Alert> inStep = remarks(70, 36.6);
         QCOMPARE(inStep[0].level, AlertLevel::warning);
-        QVERIFY(textOf(inStep[0]).contains("in step (close to 1)"));
+        QVERIFY(textOf(inStep[0]).contains("is close to 1."));
         QVERIFY(textOf(some[0]).contains("undamped"));
         Scenario damped;
         damped.drill.blowFrequency = 60;
@@ -302,11 +310,11 @@ class TestAlertWords : public QObject {
         summary.cor = 0.4;
         const std::vector<Alert> alerts = resultAlerts(scenario, summary);
         QCOMPARE(alerts.size(), std::size_t{1});
-        QCOMPARE(textOf(alerts[0]), QString("The feed of 1.5 kN is less than the mean force of the blows, 2 "
-                                            "kN: the machine is pushed back. This "
-                                            "blow is covered by at least 2.8 kN at 50 Hz, or at most 26.7 Hz "
-                                            "with this feed. Friction, rotation "
-                                            "and buckling are not modelled."));
+        QCOMPARE(textOf(alerts[0]),
+                 QString("The feed force of 1.5 kN is less than the mean force of the blows, 2 kN: the "
+                         "machine is pushed back. To cover this blow, the feed force must be at least 2.8 kN "
+                         "at 50 Hz, or the blow frequency at most 26.7 Hz with this feed force. Friction, "
+                         "rotation and buckling are not modelled."));
     }
 };
 

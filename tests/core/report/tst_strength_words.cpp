@@ -50,12 +50,12 @@ class TestStrengthWords : public QObject {
         const std::vector<SectionStress> stresses{stressed(600e6, 500e6), stressed(300e6, 100e6),
                                                   stressed(300e6, 300e6), stressed(855e6, 200e6)};
         QCOMPARE(strengthSentence(scenario, stresses, plainStyle()).text(),
-                 std::string("First to yield: 3rd rod, by a compression of 855 MPa, 95 % of its yield "
-                             "strength of 900 MPa."));
+                 std::string("The section that yields first is 3rd rod: a compression of 855 MPa is 95 % of "
+                             "its yield strength of 900 MPa."));
         parts[2].sections.front().yieldStrength.reset();
         QCOMPARE(strengthSentence(scenario, stresses, plainStyle()).text(),
-                 std::string("First to break: 2nd rod, by a tension of 300 MPa, 75 % of its fatigue "
-                             "strength of 400 MPa."));
+                 std::string("The section that breaks first is 2nd rod: a tension of 300 MPa is 75 % of its "
+                             "fatigue strength of 400 MPa."));
         parts[0].sections.front().fatigueStrength.reset();
         QVERIFY(strengthSentence(scenario, stresses, plainStyle())
                     .text()
@@ -66,7 +66,7 @@ class TestStrengthWords : public QObject {
         const std::vector<SectionStress> stresses(4, stressed(1e8, 1e8));
         QVERIFY(strengthSentence(threeRods(), stresses, plainStyle())
                     .text()
-                    .starts_with("No section has a strength: give string.rod.fatigue_strength"));
+                    .starts_with("No section has a strength. Give a strength (string.rod.fatigue_strength)"));
         QVERIFY(strengthSentence(threeRods(), {}, plainStyle()).isEmpty());
     }
 

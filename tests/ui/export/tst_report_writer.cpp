@@ -133,22 +133,24 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow_data() {
     QTest::addColumn<QStringList>("there");
     QTest::addColumn<QStringList>("absent");
     const QString rod = QStringLiteral("t38_medium_rock"), string = QStringLiteral("t38_string");
-    QTest::newRow("US") << rod << true
-                        << QStringList{"1798 lbf covers every single blow (1631 lbf required).",
-                                       "12.0079 ft",
-                                       "1.49606 in",
-                                       "in US units",
-                                       " ksi",
-                                       " lbf s",
-                                       "3600 bpm"}
-                        << QStringList{" kN<", " MPa<", " mm<"};
+    QTest::newRow("US")
+        << rod << true
+        << QStringList{"A feed force of 1798 lbf covers every single blow (1631 lbf required).",
+                       "12.0079 ft",
+                       "1.49606 in",
+                       "in US units",
+                       " ksi",
+                       " lbf s",
+                       "3600 bpm"}
+        << QStringList{" kN<", " MPa<", " mm<"};
     QTest::newRow("a string, US") << string << true
                                   << QStringList{"lbf covers this blow and rigid rock", " ksi at ", " ft lbf"}
                                   << QStringList{" kN<", " MPa"};
-    QTest::newRow("German") << rod << false
-                            << QStringList{"8 kN covers every single blow (7,253 kN required).", ">3,66 m<",
-                                           "+10,3 %"}
-                            << QStringList{">3.66 m<", "66.1 Hz", "10.3 %"};
+    QTest::newRow("German")
+        << rod << false
+        << QStringList{"A feed force of 8 kN covers every single blow (7,253 kN required).", ">3,66 m<",
+                       "+10,3 %"}
+        << QStringList{">3.66 m<", "66.1 Hz", "10.3 %"};
 }
 
 // Every number in full stands behind its cell all the same, in SI and with a point.

@@ -255,17 +255,18 @@ class TestResultPanel : public QObject {
         ResultPanel panel;
         const auto first = [&] { return panel.text().section('\n', 0, 0); };
         panel.present(solved(drillOf(9.5e3), UnitSystem::si));
-        QVERIFY2(first().startsWith("9.5 kN covers this blow and rigid rock, with return in time (") &&
-                     first().endsWith(" …"),
-                 qPrintable(first()));
-        QTRY_VERIFY2_WITH_TIMEOUT(
-            first().contains("9.5 kN covers every single blow (") && first().endsWith(" kN required)."),
-            qPrintable(first()), 30000);
+        QVERIFY2(
+            first().startsWith("A feed force of 9.5 kN covers this blow and rigid rock, and even returns") &&
+                first().endsWith(" …"),
+            qPrintable(first()));
+        QTRY_VERIFY2_WITH_TIMEOUT(first().contains("A feed force of 9.5 kN covers every single blow (") &&
+                                      first().endsWith(" kN required)."),
+                                  qPrintable(first()), 30000);
         const QLocale before;
         const auto restore = qScopeGuard([&] { QLocale::setDefault(before); });
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
         panel.present(solved(drillOf(1.5e3), UnitSystem::si));
-        QTRY_VERIFY2_WITH_TIMEOUT(first().startsWith("⚠ The feed of 1,5 kN is less than ") &&
+        QTRY_VERIFY2_WITH_TIMEOUT(first().startsWith("⚠ The feed force of 1,5 kN is less than ") &&
                                       first().endsWith(": the machine is pushed back."),
                                   qPrintable(first()), 30000);
         panel.present(solved(scenarioOf(0.5, 1, 10, 0)));
@@ -286,7 +287,7 @@ class TestResultPanel : public QObject {
         const QString expected = QString::fromStdString(sequenceText(march, PrintedStyle(plainStyle())));
         QTRY_VERIFY2_WITH_TIMEOUT(line->text().startsWith(expected.section(": ", 0, 0)),
                                   qPrintable(line->text()), 60000);
-        QVERIFY(panel.text().contains("The bit starts in contact at "));
+        QVERIFY(panel.text().contains("The bit starts in contact with the rock in "));
         QVERIFY(!line->text().contains("href=\"loss\""));
     }
 

@@ -344,18 +344,19 @@ void BlowPlots::summarize() {
     const auto shown = [&locale](double value, const ShownUnit& unit) {
         return locale.toString(value, 'g', 4) + QLatin1Char(' ') + unit.unit;
     };
-    m_summary = tr("Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p "
-                   "%5, N3n %6. "
-                   "Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
-                    .arg(shown(curves.timeEnd, curves.units.time), sectionText(curves.section, locale),
-                         shown(largestMagnitude(curves.waves[0]), curves.units.force),
-                         shown(largestMagnitude(curves.waves[1]), curves.units.force),
-                         shown(largestMagnitude(curves.waves[2]), curves.units.force),
-                         shown(largestMagnitude(curves.waves[3]), curves.units.force),
-                         shown(largestMagnitude(curves.force), curves.units.force),
-                         shown(largestMagnitude(curves.impulse), curves.units.impulse),
-                         shown(largestMagnitude(curves.momentum), curves.units.impulse))
-                    .arg(shown(largestMagnitude(curves.sectionForce), curves.units.force));
+    m_summary =
+        tr("Four plots over time from 0 to %1. Largest values at x/L = %2: normal force N %10, incident wave "
+           "N0p %3, its reflection from the bit N1n %4, then from the rear end N2p %5 and again from the bit "
+           "N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
+            .arg(shown(curves.timeEnd, curves.units.time), sectionText(curves.section, locale),
+                 shown(largestMagnitude(curves.waves[0]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[1]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[2]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[3]), curves.units.force),
+                 shown(largestMagnitude(curves.force), curves.units.force),
+                 shown(largestMagnitude(curves.impulse), curves.units.impulse),
+                 shown(largestMagnitude(curves.momentum), curves.units.impulse))
+            .arg(shown(largestMagnitude(curves.sectionForce), curves.units.force));
 }
 
 void BlowPlots::restyle() {

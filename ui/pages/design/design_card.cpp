@@ -37,11 +37,6 @@ class CardNames : public DesignNames {
         return m_units.designName(design).toStdString();
     }
     Message aim(const DesignAim& aim) const override { return aimName(aim).toStdString(); }
-    Message subject(const SweepAxis& choice) const override {
-        QString name = choiceName(choice);
-        name[0] = name[0].toUpper();
-        return name.toStdString();
-    }
     Message choice(const SweepAxis& choice) const override { return choiceName(choice).toStdString(); }
     std::string value(const Output& output, double number, int significant) const override {
         return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();
@@ -129,7 +124,7 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
             names << units.designName(best.ties[i]);
         if (best.ties.size() > enough) names << QStringLiteral("…");
         text += QStringLiteral("<br>") +
-                DesignCard::tr("The samples do not distinguish it from %1: any of them will do.")
+                DesignCard::tr("The samples do not distinguish this design from %1: any of them will do.")
                     .arg(names.join(QStringLiteral("; ")));
         if (best.nextBest)
             text += QLatin1Char(' ') + DesignCard::tr("Among them, %1 has the %2: %3.")
@@ -144,19 +139,22 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     text +=
         QStringLiteral("<p>") +
         (first.sense == Sense::largest
-             ? DesignCard::tr("The best design for the values entered, %1, would lose %2 % of it %3.")
-             : DesignCard::tr("The best design for the values entered, %1, would have %2 % more of it %3."))
+             ? DesignCard::tr(
+                   "The best design for the values entered, %1, has an objective that is %2 % smaller %3.")
+             : DesignCard::tr(
+                   "The best design for the values entered, %1, has an objective that is %2 % larger %3."))
             .arg(units.designName(*best.nominal), percentBetween(other, robust, units), where);
     const std::size_t output = report.study.placeOf(*first.output, {}).output;
     const auto asInFile = [&](std::size_t design) { return report.findings.designs[design].nominal[output]; };
     if (!std::isfinite(asInFile(*best.robust))) return text;  // that one blow could not be solved
     const QString costs = percentBetween(asInFile(*best.robust), asInFile(*best.nominal), units);
     return text + QLatin1Char(' ') +
-           (first.sense == Sense::largest
-                ? DesignCard::tr("With the values entered, the best design for uncertain rock has %1 % less.")
-                      .arg(costs)
-                : DesignCard::tr("With the values entered, the best design for uncertain rock has %1 % more.")
-                      .arg(costs));
+           (first.sense == Sense::largest ? DesignCard::tr("With the values entered, the objective of the "
+                                                           "best design for uncertain rock is %1 % smaller.")
+                                                .arg(costs)
+                                          : DesignCard::tr("With the values entered, the objective of the "
+                                                           "best design for uncertain rock is %1 % larger.")
+                                                .arg(costs));
 }
 
 QString measureSentence(const DesignReport& report, const DesignUnits& units) {
@@ -170,7 +168,8 @@ QString measureSentence(const DesignReport& report, const DesignUnits& units) {
                                  ? parameterName(*study.uncertain[*first].parameter)
                                  : DesignCard::tr("the draws");
         const double percent = std::round(100 * std::min(output.indices[*first].total.value, 1.0));
-        sentences << DesignCard::tr("For %1 measure <b>%2</b> first: %3 % of its scatter.")
+        sentences << DesignCard::tr(
+                         "To know the %1 better, measure <b>%2</b> first: it causes %3 % of the scatter.")
                          .arg(outputName(*report.findings.aimed[o]), name,
                               numberText(percent, 3, units.locale()));
     }

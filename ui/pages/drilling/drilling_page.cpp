@@ -85,14 +85,16 @@ QWidget* DrillingPage::makeScanControls() {
     m_scanButton = new QPushButton(tr("Scan"), controls);
     m_scanButton->setObjectName(QStringLiteral("scan"));
     m_scanButton->setToolTip(
-        tr("Statistics at values of this parameter, each started at rest and started bouncing"));
+        tr("Simulates the blows at several values of this parameter, each once from rest and once with a "
+           "bouncing machine"));
     connect(m_scanButton, &QPushButton::clicked, this,
             [this] { m_scan.job().state() == StudyState::running ? stopScan() : scan(); });
     m_bracket = new QCheckBox(tr("bracket"), this);
     m_bracket->setObjectName(QStringLiteral("bracket"));
     m_bracket->setToolTip(
-        tr("Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: "
-           "makers do not publish their dampers"));
+        tr("Repeats the scan with a constant feed force and, if a machine mass is given, with a dashpot of "
+           "half the impedance of the rod. Makers do not publish their dampers: the results show how much "
+           "this matters"));
     row->addWidget(m_scanButton);
     row->addStretch();
     return controls;
@@ -259,9 +261,10 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     const DrillingResult& result = *answer.result;
     const LocalStyle style = LocalStyle::of(document().units());
     QStringList sentences = translatedEach(sequenceSentences(result, style));
-    QString numbers = tr("φ = %1, %2 round trips between blows")
-                          .arg(numberText(result.groups.phi, 4, locale()),
-                               numberText(result.groups.roundTrips, 4, locale()));
+    QString numbers =
+        tr("Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows")
+            .arg(numberText(result.groups.phi, 4, locale()),
+                 numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers +=
             tr("; in contact means within %1 of the rock; %2")

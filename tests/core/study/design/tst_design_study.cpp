@@ -354,18 +354,20 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         QTest::newRow(name) << problem << headline << begins << widens;
     };
     row("the present one is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}}, "keep",
-        "Keep pulse.duration = 200 us: nothing from 100 us to 300 us has a better efficiency mean");
+        "Keep the present design, pulse.duration = 200 us: none of the 5 designs compared has a better "
+        "objective (efficiency mean = 0.7");
     row("another is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.5}}, "change",
-        "Change pulse.duration from 200 us to 250 us: efficiency mean becomes 0.8");
+        "Change pulse.duration from 200 us to 250 us: the objective efficiency mean becomes 0.8");
     row("another is better by less than the errors", {.first = {0.5, 0.6, 0.7, 0.701, 0.5}, .error = 1e-2},
-        "keep", "Keep pulse.duration = 200 us");
+        "keep", "Keep the present design, pulse.duration = 200 us");
     row("the next aim decides", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}, .second = {9, 1, 2, 3, 9}}, "change",
-        "Change pulse.duration from 200 us to 150 us: peak_force mean becomes 1");
-    row("ties in all aims", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}}, "keep", "Keep pulse.duration = 200 us");
+        "Change pulse.duration from 200 us to 150 us: the objective peak_force mean becomes 1");
+    row("ties in all aims", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}}, "keep",
+        "Keep the present design, pulse.duration = 200 us");
     row("flat", {.first = {0.7, 0.7, 0.7, 0.7, 0.7}, .error = 1e-3}, "no_difference",
-        "pulse.duration makes no difference: efficiency mean is 0.7, within ");
+        "The choice of pulse.duration makes no difference: the objective efficiency mean is 0.7, within ");
     row("flat but for rounding", {.first = {0.7, 0.7, 0.7 + 1e-15, 0.7, 0.7}, .error = 0}, "no_difference",
-        "pulse");
+        "The choice of pulse");
     row("the end is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}}, "change",
         "Change pulse.duration from 200 us to 300 us", true);
     row("the other end is better", {.first = {0.9, 0.8, 0.7, 0.6, 0.5}}, "change",
@@ -373,28 +375,31 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
     row("the end is no better than its neighbour", {.first = {0.5, 0.6, 0.7, 0.9, 0.9001}, .error = 1e-2},
         "change", "Change pulse.duration from 200 us to 300 us");
     row("the present one has no answer", {.first = {0.5, 0.6, NAN, 0.7, 0.5}}, "change",
-        "Take pulse.duration = 250 us: efficiency mean is 0.7");
+        "Take the design pulse.duration = 250 us: its objective efficiency mean is 0.7");
     row("none is feasible", {.first = {NAN, NAN, NAN, NAN, NAN}}, "none_feasible", "");
     row("a limit excludes the best",
         {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 1, 3}, .bound = 2}, "change",
-        "Change pulse.duration from 200 us to 250 us: efficiency mean becomes 0.8");
+        "Change pulse.duration from 200 us to 250 us: the objective efficiency mean becomes 0.8");
     row("a limit excludes all that is better",
         {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 3, 3}, .bound = 2}, "keep",
-        "Keep pulse.duration = 200 us");
+        "Keep the present design, pulse.duration = 200 us");
     row("a limit excludes the present one",
         {.first = {0.5, 0.6, 0.7, 0.5, 0.4}, .second = {1, 1, 3, 1, 1}, .bound = 2}, "change",
-        "Change pulse.duration from 200 us to 150 us: efficiency mean is 0.6 +- 5e-05. The present design "
-        "does not meet all limits.");
+        "Change pulse.duration from 200 us to 150 us: the objective efficiency mean is then 0.6 +- 5e-05. "
+        "The present design does not meet all limits.");
     row("a limit excludes all", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .bound = 0.5}, "none_feasible", "");
     row("the present hammer is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}, .isNamed = true}, "keep",
-        "Keep medium drifter: none of 5 designs has a better efficiency mean");
+        "Keep the present design, medium drifter: none of the 5 designs compared has a better objective "
+        "(efficiency mean");
     row("the last hammer is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .isNamed = true}, "change",
-        "Change from medium drifter to heavy drifter, piston: efficiency mean becomes 0.9");
+        "Change the design from medium drifter to heavy drifter, piston: the objective efficiency mean "
+        "becomes 0.9");
     row("hammers are equal", {.first = {0.7, 0.7, 0.7, 0.7, 0.7}, .error = 1e-3, .isNamed = true},
-        "no_difference", "hammer makes no difference: efficiency mean is 0.7, within ");
+        "no_difference",
+        "The choice of hammer makes no difference: the objective efficiency mean is 0.7, within ");
     row("the present hammer is none of them",
         {.first = {0.5, 0.6, 0.7, 0.8, 0.5}, .isNamed = true, .isForeign = true}, "change",
-        "Take Montabert HC 50: efficiency mean is 0.8");
+        "Take the design Montabert HC 50: its objective efficiency mean is 0.8");
 }
 
 void TestDesignStudy::headlinesFollowTheAims() {
@@ -465,7 +470,8 @@ void TestDesignStudy::choicesWithoutEffectKeepTheirPresentValue() {
          {report.findings.best.robust, report.findings.best.chosen, report.findings.recommended})
         QCOMPARE(best.value() % 3, std::size_t{1});
     const std::string sentence = headlineMessage(report).text();
-    QVERIFY2(sentence.find("rod.length makes no difference.") != std::string::npos, sentence.c_str());
+    QVERIFY2(sentence.find("The choice of rod.length makes no difference to") != std::string::npos,
+             sentence.c_str());
     for (const DesignRemark& remark : remarksOn(report))
         if (remark.code == "optimum_at_edge")
             QVERIFY2(remark.text.text().find("rod.length") == std::string::npos, "widen the lengths");

@@ -82,31 +82,35 @@ QString saidOf(const DrillingScan& scan, const std::optional<Sequence>& present 
 void TestDrillingScan::theSentenceNamesTheBestAsFarAsTheErrorsTell() {
     const QString limits = QStringLiteral(" Friction, rotation and buckling are not modelled.");
     const DrillingScan clear = scanWith({{1.5, 0.01}, {1.8, 0.01}, {2, 0.01}, {1.9, 0.01}, {1.7, 0.01}});
-    QCOMPARE(saidOf(clear), "A feed of 5 kN gives the highest rate of the values tried, 7.2 m/min." + limits);
+    QCOMPARE(saidOf(clear),
+             "The highest penetration rate of the scan, 7.2 m/min, is reached with a feed force of 5 kN." +
+                 limits);
     const std::optional<Sequence> present = sequenceOf(clear.points[1].result);
     QCOMPARE(saidOf(clear, present),
-             "A feed of 5 kN gives the highest rate of the values tried, 7.2 m/min (+11.1 %)." + limits);
+             "The highest penetration rate of the scan, 7.2 m/min (+11.1 %), is reached with a feed force of "
+             "5 kN." +
+                 limits);
     // The present one is no less than the errors.
     QCOMPARE(saidOf(clear, sequenceOf(clear.points[2].result)),
-             "A feed of 5 kN gives the highest rate of the values tried, 7.2 m/min." + limits);
+             "The highest penetration rate of the scan, 7.2 m/min, is reached with a feed force of 5 kN." +
+                 limits);
     QCOMPARE(saidOf(scanWith({{1.5, 0.01}, {1.99, 0.01}, {2, 0.01}, {1.99, 0.01}, {1.7, 0.01}})),
-             "A feed of 5 kN gives the highest rate of the values tried, 7.2 m/min. From 4 kN to 6 kN the "
-             "rate is the same within the "
-             "errors." +
+             "The highest penetration rate of the scan, 7.2 m/min, is reached with a feed force of 5 kN. All "
+             "values from 4 kN to "
+             "6 kN give the same penetration rate within the errors." +
                  limits);
     QCOMPARE(saidOf(scanWith({{2, 0.05}, {1.99, 0.05}, {2.01, 0.05}, {2, 0.05}, {2, 0.05}})),
-             "All values give the same rate within the errors, 7.24 m/min." + limits);
+             "All values of the scan give the same penetration rate within the errors, 7.24 m/min." + limits);
 }
 
 void TestDrillingScan::anUncertainScanIsNotResolved() {
     const QString said = saidOf(scanWith({{2.5, 1.8}, {1.8, 0.01}, {2, 0.01}, {1.9, 0.01}, {1.7, 0.01}}, 0));
-    QVERIFY2(said.startsWith(
-                 "The scan cannot tell the values apart: penetrations are +- 1.8 mm, because no wave loss is "
-                 "defined. Give a wave loss"),
+    QVERIFY2(said.startsWith("The scan cannot decide which value is best: the penetrations have errors of +- "
+                             "1.8 mm, because no wave loss is defined. Give a wave loss"),
              qPrintable(said));
     // One that is uncertain and yet certainly lower keeps nothing from being known.
     QVERIFY(saidOf(scanWith({{0.5, 0.3}, {1.8, 0.01}, {2, 0.01}, {1.9, 0.01}, {1.7, 0.01}}))
-                .startsWith("A feed of 5 kN gives the highest rate"));
+                .startsWith("The highest penetration rate of the scan, "));
 }
 
 void TestDrillingScan::sharesAreOfTheBestWhereBothAreResolved() {

@@ -261,8 +261,9 @@ void TestDesignPage::theCardSaysWhatIsGivenAwayInTheRockOfTheFile() {
     const double robust = findings.designs[*findings.best.robust].nominal[0];
     const double nominal = findings.designs[*findings.best.nominal].nominal[0];
     QVERIFY(robust < nominal);
+    // Plain text has no fixed blanks.
     const QString text =
-        QStringLiteral("the best design for uncertain rock has %1 % less.")  // plain text has no fixed blanks
+        QStringLiteral("the objective of the best design for uncertain rock is %1 % smaller.")
             .arg(QLocale().toString(100 * (1 - robust / nominal), 'g', 2));
     QVERIFY2(m_page->card().toPlainText().contains(text), qPrintable(m_page->card().toPlainText()));
 }
@@ -480,7 +481,7 @@ void TestDesignPage::parametersAreCalledAsInTheForm() {
     const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
     card.present(answer, DesignUnits(answer.report.study, ShownUnits(), unit, QLocale::c()));
     const QString text = card.toPlainText();  // of two values either is an end
-    QVERIFY2(text.contains(QStringLiteral("end of length of hammer 1: widen")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("value of length of hammer 1: extend")), qPrintable(text));
     QVERIFY2(!text.contains(QStringLiteral("hammer.1")), qPrintable(text));
 }
 
@@ -493,14 +494,15 @@ void TestDesignPage::aShareIsNeverMoreThanAll() {
     const DesignUnits units(answer.report.study, ShownUnits(), unit, QLocale::c());
     DesignCard card;
     card.present(answer, units);
-    QVERIFY2(card.toPlainText().contains(QStringLiteral("elasticity γ first: 100 % of its scatter")),
-             qPrintable(card.toPlainText()));
+    QVERIFY2(
+        card.toPlainText().contains(QStringLiteral("elasticity γ first: it causes 100 % of the scatter")),
+        qPrintable(card.toPlainText()));
     for (const DesignPicture::Bars& output : designPicture(answer.report, units).bars)
         for (const SobolBar& bar : output.bars) QVERIFY(bar.total <= 1);
     // of few samples there is neither advice nor a picture of it
     answer.report.study.samples = 16;
     card.present(answer, units);
-    QVERIFY(!card.toPlainText().contains(QStringLiteral("of its scatter")));
+    QVERIFY(!card.toPlainText().contains(QStringLiteral("of the scatter")));
     QVERIFY(designPicture(answer.report, units).bars.isEmpty());
 }
 
@@ -779,7 +781,8 @@ void TestDesignPage::theHeadlineHasTheUnitsAndWordsOfThePage() {
     const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
     const DesignUnits units(answer.report.study, ShownUnits(), unit, QLocale::c());
     const QString headline = DesignCard::headline(answer.report, units);
-    QVERIFY2(headline.startsWith(QStringLiteral("Duration t₀ makes no difference")), qPrintable(headline));
+    QVERIFY2(headline.startsWith(QStringLiteral("The choice of duration t₀ makes no difference")),
+             qPrintable(headline));
 }
 
 // "Best for uncertain rock" of another design stood below "Keep", with a link that loaded it.
