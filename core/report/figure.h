@@ -27,6 +27,7 @@ enum class BlowScale { time, force, impulse, penetration, stiffness, energy, str
 struct SiValues {
     Quantity quantity = Quantity::ratio;
     double size = 1;
+    std::string_view kind = {};  ///< "rate": key of the kind of units, of a quantity with several
 };
 
 /// Quantity of the numbers of a figure. Values of a parameter are in SI.
@@ -37,25 +38,6 @@ struct AxisTarget {
     KeptParameter parameter;
     double factor = 1;
 };
-
-struct FigureAxis {
-    Message title = {};
-    FigureQuantity quantity = PlainNumber::number;
-    bool isLogarithmic = false;
-    std::optional<std::pair<double, double>> range = {};  ///< fixed; else all values are in view
-    std::optional<AxisTarget> target = {};                ///< nothing: a click sets nothing
-    bool isFromZero = false;                              ///< from zero to a little above all values
-};
-
-/// line: y over ascending x, or marked points in any order. path: through points in their order. area: the
-/// same, closed and filled.
-enum class SeriesKind { line, path, area };
-
-/// The pen and colour of a series; `reference` is a strong line in the colour of the words.
-enum class SeriesRole { result, second, third, fourth, reference };
-
-/// Marks at the points of a line: none, with the line through them, without it, or stars without it.
-enum class SeriesPoints { none, joined, apart, stars };
 
 /// A number in a caption.
 struct FigureNumber {
@@ -70,6 +52,26 @@ struct FigureText {
     const char* pattern = "";
     std::vector<FigureNumber> numbers = {};
 };
+
+struct FigureAxis {
+    Message title = {};
+    FigureQuantity quantity = PlainNumber::number;
+    bool isLogarithmic = false;
+    std::optional<std::pair<double, double>> range = {};  ///< fixed; else all values are in view
+    std::optional<AxisTarget> target = {};                ///< nothing: a click sets nothing
+    bool isFromZero = false;                              ///< from zero to a little above all values
+    std::vector<FigureText> names = {};                   ///< instead of the numbers 0, 1, 2, …
+};
+
+/// line: y over ascending x, or marked points in any order. path: through points in their order. area: the
+/// same, closed and filled.
+enum class SeriesKind { line, path, area };
+
+/// The pen and colour of a series; `reference` is a strong line in the colour of the words.
+enum class SeriesRole { result, second, third, fourth, reference };
+
+/// Marks at the points of a line: none, with the line through them, without it, or stars or dots without it.
+enum class SeriesPoints { none, joined, apart, stars, dots };
 
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
@@ -87,6 +89,7 @@ struct FigureSeries {
     bool isTextBelow = false;                ///< texts are left below their points, not right above
     std::vector<std::size_t> rows = {};      ///< row of the study's table of each point
     std::optional<AxisTarget> dragged = {};  ///< changes by as much as the user drags the line up or down
+    bool isOnRight = false;                  ///< its y are those of the right axis
 };
 
 /// Kind of a marked place of a curve.
@@ -112,7 +115,7 @@ struct FigureZone {
     double from = 0;
 };
 
-/// All values of x between two, shaded and named.
+/// All values of x between two, shaded and named at the top; a single one is a line named at the foot.
 struct FigureBand {
     Message name;
     double from = 0;
@@ -157,6 +160,9 @@ struct StudyPanel {
     std::vector<FigureBand> bands = {};
     FigureLayers layers = {};
     std::optional<FigureHandle> handle = {};
+    std::optional<FigureAxis> right = {};  ///< a second y axis
+    bool hasOwnY = false;                  ///< its y axis is not that of its row
+    bool isHidden = false;                 ///< leaves its room to the others
 };
 
 /// Panels in rows, with what stands above them. A figure with another number of panels is another figure:

@@ -17,7 +17,8 @@ struct ShownBand {
     QCPRange range;
 };
 
-/// Shaded from bottom to top, each with its name at the top. The plot owns the items.
+/// Shaded from bottom to top, each with its name at the top; a band of one value is a line with its name at
+/// the foot, where it covers least. The plot owns the items.
 class FigureBands {
   public:
     explicit FigureBands(QCPAxisRect* rect) : m_rect(rect) {}
@@ -31,7 +32,10 @@ class FigureBands {
     struct Item {
         QCPItemRect* area;
         QCPItemText* name;
+        QCPItemStraightLine* line;
     };
+    void placeLineNames();
+
     QCPAxisRect* m_rect;
     std::vector<ShownBand> m_bands;
     std::vector<Item> m_items;

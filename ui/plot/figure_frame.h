@@ -46,11 +46,20 @@ class FigureFrame : public StudyFrame {
     bool isEmpty() const { return m_panels.empty() || m_isCleared; }
     /// A series of a panel that is a line; requires that there is one.
     QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
+    /// Returns the panel with that rect.
+    std::optional<std::size_t> panelIn(const QCPAxisRect* rect) const;
+    /// Shows marks of pinned runs in another panel than the first.
+    void setRunsIn(std::size_t panel, const QVector<RunMark>& marks);
+    const QVector<RunMark>& runMarksIn(std::size_t panel) const { return m_panels.at(panel).runs->marks(); }
     /// The target of clicks in a rect; nullptr where a click sets nothing.
     const AxisTarget* targetIn(const QCPAxisRect* rect) const;
     /// Over the shown values of the first panel.
     const ShownUnit& xUnit() const { return m_xUnit; }
     const ShownUnit& yUnit() const { return m_yUnit; }
+    /// Over the shown values of another panel.
+    ShownUnit yUnitOf(std::size_t panel) const {
+        return m_shown.units.of(panelOf(m_panels[panel].first).y.quantity);
+    }
     /// The line that can be dragged.
     const SeriesDrag& seriesDrag() const { return *m_seriesDrag; }
     /// The value that dragging it sets; nullptr where no line can be dragged.
@@ -78,6 +87,10 @@ class FigureFrame : public StudyFrame {
         QCPCurve* path = nullptr;
         QCPGraph* upper = nullptr;          // of a strip
         std::vector<QCPItemText*> texts{};  // beside the points
+        QCPAbstractPlottable* plottable() const {
+            return line ? static_cast<QCPAbstractPlottable*>(line) : path;
+        }
+        void clear() const;  // of its data
     };
     struct Panel {
         QCPAxisRect* rect = nullptr;
@@ -89,8 +102,9 @@ class FigureFrame : public StudyFrame {
         FigureBands bands{rect};
         LayerItems* layers = nullptr;
         DragLine* handle = nullptr;
-        std::size_t first = 0;  // panel of its row
-        std::size_t last = 0;   // panel of its row
+        RunMarks* runs = nullptr;
+        std::size_t first = 0;  // panel with its y axis
+        std::size_t last = 0;   // panel with its y axis
     };
 
     void clear() override;
@@ -111,8 +125,8 @@ class FigureFrame : public StudyFrame {
     void showDrag();
     void followLines();
     void setKeyRange(std::size_t index);
-    std::optional<QCPRange> valuesOf(std::size_t first) const;
-    void setValueRange(std::size_t first, std::optional<QCPRange> values);
+    std::optional<QCPRange> valuesOf(std::size_t first, bool isRight) const;
+    void setValueRange(std::size_t first, QCPAxis::AxisType side);
     void styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const;
     QString numberOf(const FigureNumber& number) const;
     QString textOf(const FigureText& text) const;
@@ -124,16 +138,19 @@ class FigureFrame : public StudyFrame {
     void setAxesVisible(bool visible);
     bool hasOtherAxes(const ShownFigure& shown) const;
     static bool hasPoints(const StudyPanel& panel);
-    bool isThere(std::size_t index) const { return index < m_shown.figure.panels.size(); }
+    bool isThere(std::size_t index) const {
+        return index < m_shown.figure.panels.size() && !m_shown.figure.panels[index].isHidden;
+    }
     /// An empty one where an earlier figure had more.
     const StudyPanel& panelOf(std::size_t index) const;
-    bool isFirstOfRow(std::size_t index) const { return m_panels[index].first == index; }
+    bool hasFirstY(std::size_t index) const { return m_panels[index].first == index; }
     QCPAxis* axisOf(std::size_t index, QCPAxis::AxisType side) const {
         return m_panels[index].rect->axis(side);
     }
     double xFactorOf(std::size_t index) const { return m_shown.units.of(panelOf(index).x.quantity).factor; }
-    double yFactorOf(std::size_t index) const {
-        return m_shown.units.of(panelOf(m_panels[index].first).y.quantity).factor;
+    double yFactorOf(std::size_t index) const { return yUnitOf(index).factor; }
+    double rightFactorOf(std::size_t index) const {
+        return m_shown.units.of(panelOf(index).right.value_or(FigureAxis()).quantity).factor;
     }
 
     ShownFigure m_shown;

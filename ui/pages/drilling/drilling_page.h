@@ -2,9 +2,9 @@
 // The page Drilling: many blows under a feed, and scans of them (drilling §7).
 #pragma once
 
+#include "core/report/drilling_figure.h"
 #include "ui/job/solved_blow.h"
 #include "ui/job/study_job.h"
-#include "ui/pages/drilling/drilling_picture.h"
 #include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/drilling/run_means.h"
 #include "ui/pages/study/study_page.h"
@@ -16,9 +16,10 @@ class QPushButton;
 namespace drillwave {
 
 class AxisFields;
-class DrillingPlot;
 class DrillingTable;
+class FigureFrame;
 class MissingFields;
+class SectionBox;
 
 class DrillingPage : public StudyPage {
     Q_OBJECT
@@ -36,7 +37,7 @@ class DrillingPage : public StudyPage {
     /// How many marches and scans were started.
     int marches() const { return m_march.started(); }
     int scans() const { return m_scan.started(); }
-    const DrillingPlot& drillingPlot() const { return *m_plot; }
+    FigureFrame& figureFrame() const { return *m_frame; }
     /// The march so far; nullptr at first.
     const DrillingAnswer* answer() const { return m_march.value(); }
     const DrillingScanAnswer* scanAnswer() const { return m_scan.value(); }
@@ -61,14 +62,14 @@ class DrillingPage : public StudyPage {
   private:
     QWidget* makeScanControls();
     DrillingScanQuestion scanQuestion() const;
-    DrillingShown shownUnitsNow() const;
+    std::optional<ShownScan> shownScan() const;
+    std::optional<double> placeAlong(const Scenario& of) const;
     void keepBefore();
     void refuse(const std::vector<Message>& problems);
     void draw(const DrillingAnswer& answer);
     void scanIfQuick(const DrillingAnswer& answer);
     void startScan(const DrillingScanQuestion& question);
     void stopScan();
-    void addScan(DrillingPicture& picture) const;
     /// Returns whether the march, or the scan, is of the present scenario and complete.
     bool isMarchNew() const;
     bool isScanNew() const;
@@ -76,19 +77,19 @@ class DrillingPage : public StudyPage {
     std::string scenarioWith(const DrillingSettings& settings) const;
     QString scanName() const;
     void showScanState();
-    void setDetailed(bool isDetailed);
     QStringList wordsOf(const DrillingAnswer& answer) const;
     void openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void takeScanned(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void openBlow(long number, Qt::KeyboardModifiers modifiers);
-    void showRuns(const DrillingShown& units);
+    void showRuns(double lastBlow);
 
     MissingFields* m_missing;
     AxisFields* m_axis = nullptr;
     QPushButton* m_scanButton = nullptr;
     QCheckBox* m_bracket = nullptr;
     DrillingTable* m_table;
-    DrillingPlot* m_plot = nullptr;
+    SectionBox* m_details = nullptr;
+    FigureFrame* m_frame = nullptr;
     std::shared_ptr<const DrillingAnswer> m_complete;  // the last that came to its end
     std::shared_ptr<const DrillingAnswer> m_before;    // that of an earlier scenario
     bool m_wantsScan = false;                          // it was stopped because it is out of sight

@@ -2,14 +2,13 @@
 // Studies of the page Drilling: a march of many blows, and a scan of such marches over a parameter.
 #pragma once
 
-#include <QPointF>
-#include <QVector>
 #include <list>
 #include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/report/figure.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/study/scan/drilling_scan.h"
 #include "ui/job/study_job.h"
@@ -27,16 +26,12 @@ struct DrillingQuestion {
 /// Returns the question with windowSettingsOf().
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
-/// e of the blow alone over the gap [d0] that it meets the rock after, along one period of it; empty where it
-/// has none.
-QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop);
-
 struct DrillingAnswer {
     DrillingQuestion question;
     std::vector<Message> refusals;      ///< drillingRefusals(): then there is nothing else
     std::vector<DrillingBlow> growing;  ///< the blows so far, until there is a result
     std::shared_ptr<const DrillingResult> result;
-    QVector<QPointF> corOverGap;  ///< corOverPeriod()
+    FigureSeries corOverGap;  ///< corOverPeriod()
 
     const std::vector<DrillingBlow>& blows() const { return result ? result->blows : growing; }
     /// Whether the march has come to its end.

@@ -15,6 +15,8 @@ namespace drillwave {
 class ScrolledLabel;
 class SectionBox;
 class StaleVeil;
+struct FigureUnits;
+struct ShownUnits;
 
 /// A page around one plot of a study of the scenario that is being edited. The answer comes first, in bold,
 /// then further sentences, the controls in a box that folds, the plot and its details. A study that may have
@@ -101,6 +103,8 @@ class StudyPage : public PlotPage {
     /// The one or the other, by Shift.
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
+    /// Units of figures: those of the form for parameters, `units` for all else.
+    FigureUnits figureUnits(const ShownUnits& units) const;
     Document& document() const { return m_document; }
     const Scenario& scenario() const { return m_document.scenario(); }
     const SolvedBlowPtr& blow() const { return m_blow; }
