@@ -30,6 +30,7 @@ enum class BlowScale { time, force, impulse, penetration, stiffness, energy, str
 struct SiValues {
     Quantity quantity = Quantity::ratio;
     double size = 1;
+    std::string_view kind = {};  ///< "rate": key of the kind of units, of a quantity with several
 };
 
 /// Quantity of the numbers of a figure. Values of a parameter (KeptParameter) are in SI units.
@@ -40,31 +41,6 @@ struct AxisTarget {
     KeptParameter parameter;
     double factor = 1;
 };
-
-struct FigureAxis {
-    Message title = {};
-    FigureQuantity quantity = PlainNumber::number;
-    bool isLogarithmic = false;
-    /// Fixed range of the axis; empty if all values shall be visible.
-    std::optional<std::pair<double, double>> range = {};
-    /// Parameter that a click on the axis sets; empty if a click has no effect.
-    std::optional<AxisTarget> target = {};
-    bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
-};
-
-/// Kind of a series. `line` is y over ascending x, or marked points in any order. `path` joins the points in
-/// their order; `area` is a closed, filled path.
-enum class SeriesKind { line, path, area };
-
-/// Colour and dashes of a series. Numbers beyond those named here give further pens.
-enum class SeriesRole { result, second, third, fourth };
-
-/// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes)
-/// and `strong` (a thick line) have the text colour.
-enum class SeriesStroke { usual, wide, dotted, dashed, strong };
-
-/// Marks at the points of a line: none, marks with the line, or marks, stars or small rings without the line.
-enum class SeriesPoints { none, joined, apart, stars, rings };
 
 /// Number in a caption, with its quantity and number of digits.
 struct FigureNumber {
@@ -79,6 +55,34 @@ struct FigureText {
     const char* pattern = "";
     std::vector<FigureNumber> numbers = {};
 };
+
+struct FigureAxis {
+    Message title = {};
+    FigureQuantity quantity = PlainNumber::number;
+    bool isLogarithmic = false;
+    /// Fixed range of the axis; empty if all values shall be visible.
+    std::optional<std::pair<double, double>> range = {};
+    /// Parameter that a click on the axis sets; empty if a click has no effect.
+    std::optional<AxisTarget> target = {};
+    bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
+    std::vector<FigureText> names =
+        {};  ///< names of the values 0, 1, 2, … instead of numbers; empty for numbers
+};
+
+/// Kind of a series. `line` is y over ascending x, or marked points in any order. `path` joins the points in
+/// their order; `area` is a closed, filled path.
+enum class SeriesKind { line, path, area };
+
+/// Colour and dashes of a series. Numbers beyond those named here give further pens.
+enum class SeriesRole { result, second, third, fourth };
+
+/// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes)
+/// and `strong` (a thick line) have the text colour.
+enum class SeriesStroke { usual, wide, dotted, dashed, strong };
+
+/// Marks at the points of a line: none, marks with the line, or marks, stars, dots or small rings without the
+/// line.
+enum class SeriesPoints { none, joined, apart, stars, dots, rings };
 
 /// Effect of a click near a line: `parameter`, if there is one, becomes `value` [SI], besides that of the x
 /// axis.
@@ -112,6 +116,7 @@ struct FigureSeries {
     /// Parameter that changes by the distance by which the user drags the line up or down; empty if it cannot
     /// be dragged.
     std::optional<AxisTarget> dragged = {};
+    bool isOnRight = false;  ///< whether its y values belong to the right axis of the panel
 };
 
 /// Kind of a marked point of a curve.
@@ -139,7 +144,8 @@ struct FigureZone {
 };
 
 /// Band of all values of x from `from` to `to`, shaded and labelled: at the top in the middle, or, with `at`,
-/// at the foot at that x if the labels of other bands leave room.
+/// at the foot at that x if the labels of other bands leave room. A band of one value is a line labelled at
+/// the foot.
 struct FigureBand {
     Message name;
     double from = 0;
@@ -191,6 +197,9 @@ struct StudyPanel {
     std::vector<FigureBand> bands = {};
     FigureLayers layers = {};
     std::optional<FigureHandle> handle = {};
+    std::optional<FigureAxis> right = {};  ///< a second y axis
+    bool hasOwnY = false;                  ///< its y axis is not that of its row
+    bool isHidden = false;                 ///< leaves its room to the others
 };
 
 /// Figure of panels in rows, with a caption above them. From one result to the next, series, marks and levels

@@ -2889,30 +2889,6 @@ Trotzdem löschen?</translation>
         <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
     </message>
     <message>
-        <source>rock</source>
-        <translation>Gestein</translation>
-    </message>
-    <message>
-        <source>damper</source>
-        <translation>Dämpfer</translation>
-    </message>
-    <message>
-        <source>lost waves</source>
-        <translation>Wellen, verloren</translation>
-    </message>
-    <message>
-        <source>new faces</source>
-        <translation>neue Gesteinsflächen</translation>
-    </message>
-    <message>
-        <source>remaining energy</source>
-        <translation>verbliebene Energie</translation>
-    </message>
-    <message>
-        <source>Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.</source>
-        <translation>Spalt und Eindringung von %1 von %2 Schlägen; die ersten %3 schwingen sich ein und zählen nicht.</translation>
-    </message>
-    <message>
         <source>COR e</source>
         <translation>Stoßzahl e</translation>
     </message>
@@ -4446,10 +4422,6 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Bohren braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: es hat weder Schlagfrequenz noch Andruck.</translation>
     </message>
     <message>
-        <source>blow</source>
-        <translation>Schlag</translation>
-    </message>
-    <message>
         <source>Stop %1/%2</source>
         <translation>Anhalten %1/%2</translation>
     </message>
@@ -4496,13 +4468,6 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Scan %1</source>
         <translation>%1 abtasten</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::DrillingPlot</name>
-    <message>
-        <source>Penetration rate, contact share and gaps over %1.</source>
-        <translation>Bohrfortschritt, Kontaktanteil und Spalte über %1.</translation>
     </message>
 </context>
 <context>
@@ -6043,51 +6008,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
         <translation>%1 erreicht %2 für %3 von %4, bei %5, bis %6, bei %7.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::MarchRects</name>
-    <message>
-        <source>blow (shaded: counted)</source>
-        <translation>Schlag (schattiert: in der Statistik)</translation>
-    </message>
-    <message>
-        <source>gap modulo d₀, in d₀</source>
-        <translation>Spalt modulo d₀, in d₀</translation>
-    </message>
-    <message>
-        <source>blows [%]</source>
-        <translation>Schläge [%]</translation>
-    </message>
-    <message>
-        <source>e at this gap</source>
-        <translation>e dieses Spalts</translation>
-    </message>
-    <message>
-        <source>share of the energy [%]</source>
-        <translation>der Energie [%]</translation>
-    </message>
-    <message>
-        <source>gap at the blow</source>
-        <translation>Spalt beim Schlag</translation>
-    </message>
-    <message>
-        <source>penetration</source>
-        <translation>Eindringung</translation>
-    </message>
-    <message>
-        <source>gap</source>
-        <translation>Spalt</translation>
-    </message>
-    <message>
-        <source>
-a projection from more dimensions</source>
-        <translation>
-eine Projektion weiterer Dimensionen</translation>
-    </message>
-    <message>
-        <source>next gap</source>
-        <translation>nächster Spalt</translation>
     </message>
 </context>
 <context>
@@ -12881,6 +12801,86 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
         <translation>Der höchste Bohrfortschritt des Durchlaufs, %1, wird mit %2 erreicht.</translation>
     </message>
+    <message>
+        <source>blow</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>gap modulo d₀, in d₀</source>
+        <translation>Spalt modulo d₀, in d₀</translation>
+    </message>
+    <message>
+        <source>e at this gap</source>
+        <translation>e dieses Spalts</translation>
+    </message>
+    <message>
+        <source>next gap</source>
+        <translation>nächster Spalt</translation>
+    </message>
+    <message>
+        <source>remaining energy %1</source>
+        <translation>verbliebene Energie %1</translation>
+    </message>
+    <message>
+        <source>new faces %1</source>
+        <translation>neue Gesteinsflächen %1</translation>
+    </message>
+    <message>
+        <source>lost waves %1</source>
+        <translation>Wellen, verloren %1</translation>
+    </message>
+    <message>
+        <source>damper %1</source>
+        <translation>Dämpfer %1</translation>
+    </message>
+    <message>
+        <source>rock %1</source>
+        <translation>Gestein %1</translation>
+    </message>
+    <message>
+        <source>share of the energy</source>
+        <translation>Energieanteil</translation>
+    </message>
+    <message>
+        <source>started bouncing</source>
+        <translation>springend begonnen</translation>
+    </message>
+    <message>
+        <source>blows in contact</source>
+        <translation>Schläge im Kontakt</translation>
+    </message>
+    <message>
+        <source>constant force</source>
+        <translation>konstante Kraft</translation>
+    </message>
+    <message>
+        <source>dashpot of half the impedance</source>
+        <translation>Dämpfer der halben Impedanz</translation>
+    </message>
+    <message>
+        <source>strip: 95 % error of the penetration rate</source>
+        <translation>Streifen: 95-%-Fehler des Bohrfortschritts</translation>
+    </message>
+    <message>
+        <source>shaded: counted blows</source>
+        <translation>schattiert: gezählte Schläge</translation>
+    </message>
+    <message>
+        <source>gap and next gap: a projection from more dimensions</source>
+        <translation>Spalt und nächster Spalt: eine Projektion weiterer Dimensionen</translation>
+    </message>
+    <message>
+        <source>Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.</source>
+        <translation>Spalt und Eindringung von %1 von %2 Schlägen; die ersten %3 schwingen sich ein und zählen nicht.</translation>
+    </message>
+    <message>
+        <source>Penetration rate, contact share and gaps over %1.</source>
+        <translation>Bohrfortschritt, Kontaktanteil und Spalte über %1.</translation>
+    </message>
+    <message>
+        <source>scan of an earlier scenario: scan again</source>
+        <translation>Durchlauf eines früheren Szenarios: neu durchlaufen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -14348,41 +14348,6 @@ in %4</translation>
     <message>
         <source>%1 had e = %2 and has %3 now: the table of its hammer blow has been changed, or another version has solved it.</source>
         <translation>%1 hatte e = %2 und hat jetzt %3: die Tabelle seines Hammerschlags ist geändert, oder eine andere Version hat ihn gelöst.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ScanRects</name>
-    <message>
-        <source>blows in contact</source>
-        <translation>Schläge im Kontakt</translation>
-    </message>
-    <message>
-        <source>constant force</source>
-        <translation>konstante Kraft</translation>
-    </message>
-    <message>
-        <source>dashpot of half the impedance</source>
-        <translation>Dämpfer der halben Impedanz</translation>
-    </message>
-    <message>
-        <source>penetration rate</source>
-        <translation>Bohrfortschritt</translation>
-    </message>
-    <message>
-        <source>started bouncing</source>
-        <translation>springend begonnen</translation>
-    </message>
-    <message>
-        <source>%1 (of an earlier scenario: scan again)</source>
-        <translation>%1 (eines früheren Szenarios: neu durchlaufen)</translation>
-    </message>
-    <message>
-        <source>gap at the blow</source>
-        <translation>Spalt beim Schlag</translation>
-    </message>
-    <message>
-        <source>blows in contact [%]</source>
-        <translation>Schläge im Kontakt [%]</translation>
     </message>
 </context>
 <context>

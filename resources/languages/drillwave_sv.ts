@@ -2889,30 +2889,6 @@ Ta bort ändå?</translation>
         <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
     </message>
     <message>
-        <source>rock</source>
-        <translation>berg</translation>
-    </message>
-    <message>
-        <source>damper</source>
-        <translation>dämpare</translation>
-    </message>
-    <message>
-        <source>lost waves</source>
-        <translation>vågor, förlorat</translation>
-    </message>
-    <message>
-        <source>new faces</source>
-        <translation>nya bergytor</translation>
-    </message>
-    <message>
-        <source>remaining energy</source>
-        <translation>kvarvarande energi</translation>
-    </message>
-    <message>
-        <source>Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.</source>
-        <translation>Spalt och inträngning för %1 av %2 slag; de första %3 svänger in och räknas inte.</translation>
-    </message>
-    <message>
         <source>COR e</source>
         <translation>studstal e</translation>
     </message>
@@ -4446,10 +4422,6 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Borrning gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: det har ingen slagfrekvens och ingen matningskraft.</translation>
     </message>
     <message>
-        <source>blow</source>
-        <translation>slag</translation>
-    </message>
-    <message>
         <source>Stop %1/%2</source>
         <translation>Stoppa %1/%2</translation>
     </message>
@@ -4496,13 +4468,6 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Scan %1</source>
         <translation>Svep över %1</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::DrillingPlot</name>
-    <message>
-        <source>Penetration rate, contact share and gaps over %1.</source>
-        <translation>Borrsjunkning, kontaktandel och spalter över %1.</translation>
     </message>
 </context>
 <context>
@@ -6043,51 +6008,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
         <translation>%1 når %2 för %3 från %4, vid %5, till %6, vid %7.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::MarchRects</name>
-    <message>
-        <source>blow (shaded: counted)</source>
-        <translation>slag (skuggat: ingår i statistiken)</translation>
-    </message>
-    <message>
-        <source>gap modulo d₀, in d₀</source>
-        <translation>spalt modulo d₀, i d₀</translation>
-    </message>
-    <message>
-        <source>blows [%]</source>
-        <translation>slag [%]</translation>
-    </message>
-    <message>
-        <source>e at this gap</source>
-        <translation>e för denna spalt</translation>
-    </message>
-    <message>
-        <source>share of the energy [%]</source>
-        <translation>av energin [%]</translation>
-    </message>
-    <message>
-        <source>gap at the blow</source>
-        <translation>spalt vid slaget</translation>
-    </message>
-    <message>
-        <source>penetration</source>
-        <translation>inträngning</translation>
-    </message>
-    <message>
-        <source>gap</source>
-        <translation>spalt</translation>
-    </message>
-    <message>
-        <source>
-a projection from more dimensions</source>
-        <translation>
-en projektion av fler dimensioner</translation>
-    </message>
-    <message>
-        <source>next gap</source>
-        <translation>nästa spalt</translation>
     </message>
 </context>
 <context>
@@ -12881,6 +12801,86 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
         <translation>Den högsta borrsjunkningen i svepet, %1, nås med %2.</translation>
     </message>
+    <message>
+        <source>blow</source>
+        <translation>slag</translation>
+    </message>
+    <message>
+        <source>gap modulo d₀, in d₀</source>
+        <translation>spalt modulo d₀, i d₀</translation>
+    </message>
+    <message>
+        <source>e at this gap</source>
+        <translation>e för denna spalt</translation>
+    </message>
+    <message>
+        <source>next gap</source>
+        <translation>nästa spalt</translation>
+    </message>
+    <message>
+        <source>remaining energy %1</source>
+        <translation>kvarvarande energi %1</translation>
+    </message>
+    <message>
+        <source>new faces %1</source>
+        <translation>nya bergytor %1</translation>
+    </message>
+    <message>
+        <source>lost waves %1</source>
+        <translation>vågor, förlorat %1</translation>
+    </message>
+    <message>
+        <source>damper %1</source>
+        <translation>dämpare %1</translation>
+    </message>
+    <message>
+        <source>rock %1</source>
+        <translation>berg %1</translation>
+    </message>
+    <message>
+        <source>share of the energy</source>
+        <translation>energiandel</translation>
+    </message>
+    <message>
+        <source>started bouncing</source>
+        <translation>startade studsande</translation>
+    </message>
+    <message>
+        <source>blows in contact</source>
+        <translation>slag i kontakt</translation>
+    </message>
+    <message>
+        <source>constant force</source>
+        <translation>konstant kraft</translation>
+    </message>
+    <message>
+        <source>dashpot of half the impedance</source>
+        <translation>dämpare på halva impedansen</translation>
+    </message>
+    <message>
+        <source>strip: 95 % error of the penetration rate</source>
+        <translation>band: 95 %-fel för borrsjunkningen</translation>
+    </message>
+    <message>
+        <source>shaded: counted blows</source>
+        <translation>skuggat: räknade slag</translation>
+    </message>
+    <message>
+        <source>gap and next gap: a projection from more dimensions</source>
+        <translation>spalt och nästa spalt: en projektion av fler dimensioner</translation>
+    </message>
+    <message>
+        <source>Gap and penetration of %1 of %2 blows; the first %3 are transient and excluded.</source>
+        <translation>Spalt och inträngning för %1 av %2 slag; de första %3 svänger in och räknas inte.</translation>
+    </message>
+    <message>
+        <source>Penetration rate, contact share and gaps over %1.</source>
+        <translation>Borrsjunkning, kontaktandel och spalter över %1.</translation>
+    </message>
+    <message>
+        <source>scan of an earlier scenario: scan again</source>
+        <translation>svep för ett tidigare scenario: svep igen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -14348,41 +14348,6 @@ i %4</translation>
     <message>
         <source>%1 had e = %2 and has %3 now: the table of its hammer blow has been changed, or another version has solved it.</source>
         <translation>%1 hade e = %2 och har nu %3: hammarslagets tabell har ändrats, eller en annan version har löst den.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ScanRects</name>
-    <message>
-        <source>blows in contact</source>
-        <translation>slag i kontakt</translation>
-    </message>
-    <message>
-        <source>constant force</source>
-        <translation>konstant kraft</translation>
-    </message>
-    <message>
-        <source>dashpot of half the impedance</source>
-        <translation>dämpare på halva impedansen</translation>
-    </message>
-    <message>
-        <source>penetration rate</source>
-        <translation>borrsjunkning</translation>
-    </message>
-    <message>
-        <source>started bouncing</source>
-        <translation>startade studsande</translation>
-    </message>
-    <message>
-        <source>%1 (of an earlier scenario: scan again)</source>
-        <translation>%1 (för ett tidigare scenario: svep igen)</translation>
-    </message>
-    <message>
-        <source>gap at the blow</source>
-        <translation>spalt vid slaget</translation>
-    </message>
-    <message>
-        <source>blows in contact [%]</source>
-        <translation>slag i kontakt [%]</translation>
     </message>
 </context>
 <context>

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
+#include "core/model/assignments.h"
+#include "core/report/drilling_figure.h"
 #include "core/report/sequence_words.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/blow/measured_force.h"
 #include "ui/pages/design/design_plot.h"
-#include "ui/pages/drilling/drilling_plot.h"
-#include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/string/string_sketch.h"
@@ -22,6 +22,14 @@
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
+
+namespace {
+
+FigureFrame& frameOf(const PaperPlot& paper) {
+    return *paper.plot->findChild<FigureFrame*>();
+}
+
+}  // namespace
 
 PaperReader PaperReader::of(const UnitChoice& units) {
     const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale(), !isEnglish(spokenLanguage())};
@@ -114,27 +122,21 @@ PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, c
 
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
                             const PaperReader& reader) {
-    DrillingPicture picture;
-    picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
-                                  reader.unitsFor(result.scenario));
-    if (result.blows.empty())
-        picture.message = QString::fromStdString(sequenceText(result));
-    else
-        picture.march = marchPicture(result.blows, result.settings, result.units, &result,
-                                     corOverPeriod(result.scenario, stop), picture.units);
-    return paperPlot<DrillingPlot>(picture, {180, 130}, reader.locale);
+    const ShownSequence sequence{result.scenario, result.settings, result.blows, &result,
+                                 corOverPeriod(result.scenario, stop)};
+    PaperPlot paper = figurePaperPlot(drillingFigure(&sequence, nullptr), result.scenario, reader);
+    if (result.blows.empty()) frameOf(paper).showNothing(QString::fromStdString(sequenceText(result)));
+    return paper;
 }
 
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader) {
-    DrillingPicture picture;
-    picture.units =
-        drillingShown(scan.base, reader.unitFor(*scan.axis.parameter), reader.unitsFor(scan.base));
-    picture.scan = scanPicture(scan, nullptr, nullptr, picture.units);
-    if (scan.axis.parameter->applies(scan.base))
-        if (const std::optional<double> value = scan.axis.parameter->value(scan.base))
-            picture.installed = *value * picture.units.along.factor;
-    if (picture.scan->scan.rate.isEmpty()) picture.message = tr("No value has statistics.");
-    return paperPlot<DrillingPlot>(picture, {180, 80}, reader.locale);
+    const ShownScan shown{scan};
+    PaperPlot paper = figurePaperPlot(drillingFigure(nullptr, &shown), scan.base, reader);
+    FigureFrame& frame = frameOf(paper);
+    if (const std::optional<double> value = valueIn(scan.base, *scan.axis.parameter))
+        frame.setHere(*value * frame.xUnit().factor, {});
+    if (frame.graph()->data()->isEmpty()) frame.showNothing(tr("No value has statistics."));
+    return paper;
 }
 
 PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader) {

@@ -55,7 +55,7 @@ void addStudies(std::vector<ReportPlot>& plots, const ReportStudies& studies, co
         plots.push_back(placed("scan",
                                tr("Penetration rate, contact and gaps of continuous drilling over "
                                   "one parameter."),
-                               scanPaperPlot(*studies.scan, reader), {180, 66}));
+                               scanPaperPlot(*studies.scan, reader), {180, 100}));
     if (studies.design)
         plots.push_back(
             placed("design",

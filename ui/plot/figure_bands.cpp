@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/plot/axis_rect.h"
+#include "ui/plot/label_places.h"
 
 namespace drillwave {
 namespace {
@@ -17,7 +18,9 @@ constexpr std::size_t nameRows = 2;  // of names at the foot
 void FigureBands::present(std::vector<ShownBand> bands) {
     m_bands = std::move(bands);
     while (m_items.size() < m_bands.size()) {
-        Item item{addItem<QCPItemRect>(m_rect, QStringLiteral("background")), addItem<QCPItemText>(m_rect)};
+        Item item{addItem<QCPItemRect>(m_rect, QStringLiteral("background")), addItem<QCPItemText>(m_rect),
+                  addItem<QCPItemStraightLine>(m_rect, QStringLiteral("grid"))};
+        for (QCPItemPosition* end : item.line->positions()) end->setTypeY(QCPItemPosition::ptAxisRectRatio);
         for (QCPItemPosition* corner : item.area->positions())
             corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
         item.name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
@@ -43,15 +46,22 @@ void FigureBands::place() {
     std::array<double, nameRows> taken;
     taken.fill(-HUGE_VAL);
     for (std::size_t i = 0; i < m_items.size(); ++i) {
-        auto [area, name] = m_items[i];
+        auto [area, name, line] = m_items[i];
         const QCPRange range = rangeOf(i);
         const bool isThere = range.lower < range.upper;
+        const bool isLine =
+            i < m_bands.size() && m_bands[i].range.size() == 0 && view.contains(m_bands[i].range.lower);
         area->setVisible(isThere);
-        name->setVisible(isThere);
+        name->setVisible(isThere || isLine);
+        line->setVisible(isLine);
+        if (isThere || isLine) name->setText(m_bands[i].name);
+        if (isLine) {
+            line->point1->setCoords(m_bands[i].range.lower, 0);
+            line->point2->setCoords(m_bands[i].range.lower, 1);
+        }
         if (!isThere) continue;
         area->topLeft->setCoords(range.lower, 0);
         area->bottomRight->setCoords(range.upper, 1);
-        name->setText(m_bands[i].name);
         if (!m_bands[i].at) {
             name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
             name->position->setCoords(range.center(), 0);
@@ -61,6 +71,30 @@ void FigureBands::place() {
             name->setVisible(false);
         }
     }
+    placeLineNames();
+}
+
+// In the lower half, as low as it covers no other name, curve or line; lines weigh less than curves.
+void FigureBands::placeLineNames() {
+    QVector<QPointF> curves;
+    for (const QCPGraph* graph : m_rect->graphs())
+        if (graph->lineStyle() != QCPGraph::lsNone) curves += pointsAlong(*graph);
+    QVector<PlacedLabel> labels;
+    for (const Item& item : m_items) {
+        if (!item.line->visible()) continue;
+        PlacedLabel label{item.name, {}};
+        const double x = item.line->point1->pixelPosition().x();
+        const int height = QFontMetrics(item.name->font()).height();
+        for (int y = m_rect->bottom(); y > m_rect->top(); y -= 9) curves.append({x, double(y)});
+        for (int y = m_rect->bottom() - 2; y > m_rect->center().y(); y -= height)
+            for (const Qt::Alignment side : {Qt::AlignLeft, Qt::AlignRight})
+                label.places.append([name = item.name, at = QPointF(x, y), side] {
+                    name->setPositionAlignment(side | Qt::AlignBottom);
+                    name->position->setPixelPosition(at);
+                });
+        labels.append(label);
+    }
+    placeLabels(labels, m_rect->rect(), {}, curves);
 }
 
 // Places the name in the lowest free row; `taken` is the end of the names in each row.
@@ -86,13 +120,15 @@ void FigureBands::setStyle(const PlotStyle& style) {
     m_style = style;
     for (std::size_t i = 0; i < m_items.size(); ++i) {
         const bool isAtFoot = i < m_bands.size() && m_bands[i].at;
+        const bool isLine = i < m_bands.size() && m_bands[i].range.size() == 0;
         m_items[i].area->setPen(Qt::NoPen);
         QColor colour = style.lines[isAtFoot ? 2 : i % PlotStyle::lineKinds];
         colour.setAlpha(28);
         m_items[i].area->setBrush(colour);
-        m_items[i].name->setBrush(isAtFoot ? style.behindWords() : QBrush());
         m_items[i].name->setFont(style.font);
         m_items[i].name->setColor(style.text);
+        m_items[i].line->setPen(QPen(style.frame, 1, Qt::DashLine));
+        m_items[i].name->setBrush(isAtFoot || isLine ? style.behindWords() : QBrush());
     }
 }
 

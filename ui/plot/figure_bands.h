@@ -22,7 +22,8 @@ struct ShownBand {
 
 /// Shaded bands over the whole height of an axis rect. Names at the top are in the middle of their bands;
 /// names at the foot are in two rows, clear of each other, and a name that fits in neither row is left out.
-/// The plot owns the items.
+/// A band of one value is a line, with its name in the lower half where it covers least. The plot owns the
+/// items.
 class FigureBands {
   public:
     explicit FigureBands(QCPAxisRect* rect) : m_rect(rect) {}
@@ -37,8 +38,10 @@ class FigureBands {
     struct Item {
         QCPItemRect* area;
         QCPItemText* name;
+        QCPItemStraightLine* line;
     };
     void placeAtFoot(const ShownBand& band, QCPItemText& name, std::span<double> taken) const;
+    void placeLineNames();
     QCPRange rangeOf(std::size_t index) const;
 
     QCPAxisRect* m_rect;

@@ -68,6 +68,7 @@ QCPScatterStyle scatterOf(SeriesPoints points, std::size_t index, const QColor& 
     if (points == SeriesPoints::none) return {};
     if (points == SeriesPoints::stars)
         return QCPScatterStyle(QCPScatterStyle::ssStar, QPen(colour, 2), Qt::NoBrush, 15);
+    if (points == SeriesPoints::dots) return QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, 3);
     const double size = points == SeriesPoints::joined ? 6 : 5;
     if (points == SeriesPoints::rings)
         return QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 1), style.background, size);
@@ -109,7 +110,9 @@ ShownUnit FigureUnits::of(const FigureQuantity& quantity) const {
                 },
                 [&](BlowScale scale) { return unitOf(scale, units); },
                 [&](const SiValues& si) {
-                    const auto row = std::ranges::find(unitKinds(), si.quantity, &UnitKindRow::quantity);
+                    const auto row = std::ranges::find_if(unitKinds(), [&](const UnitKindRow& each) {
+                        return each.quantity == si.quantity && (si.kind.empty() || each.name == si.kind);
+                    });
                     return row == unitKinds().end() ? ShownUnit{} : units.of(row->kind, si.size);
                 },
                 [&](const KeptParameter& parameter) { return shownUnit(unitFor(*parameter)); }},
@@ -151,16 +154,17 @@ void FigureFrame::build() {
 // Adds the panels that no figure before had.
 void FigureFrame::addPanels() {
     const std::size_t begin = m_panels.size();
-    m_panels.resize(m_shown.figure.panels.size());
+    const std::vector<StudyPanel>& panels = m_shown.figure.panels;
+    m_panels.resize(panels.size());
     QCPLayoutGrid* row = nullptr;
     QCPMarginGroup* margins = nullptr;
     QCPMarginGroup* sides = nullptr;
     for (std::size_t i = begin; i < m_panels.size(); ++i) {
-        const bool begins = i == 0 || panelOf(i).row != panelOf(i - 1).row;
-        m_panels[i].first = begins ? i : m_panels[i - 1].first;
+        const bool begins = i == 0 || panels[i].row != panels[i - 1].row;
+        m_panels[i].first = begins || panels[i].hasOwnY ? i : m_panels[i - 1].first;
         if (begins) {
             row = new QCPLayoutGrid;
-            const int place = 1 + static_cast<int>(panelOf(i).row);
+            const int place = 1 + static_cast<int>(panels[i].row);
             m_plot->plotLayout()->addElement(place, 0, row);
             row->setColumnSpacing(0);
             margins = new QCPMarginGroup(m_plot);
@@ -186,12 +190,15 @@ const StudyPanel& FigureFrame::panelOf(std::size_t index) const {
 void FigureFrame::showPanel(std::size_t index) {
     QCPAxisRect& rect = *m_panels[index].rect;
     const bool isShown = isThere(index);
+    bool isRowShown = false;
+    for (std::size_t i = 0; i < m_panels.size(); ++i)
+        isRowShown |= isThere(i) && m_panels[i].rect->layout() == rect.layout();
     const int least = isShown ? leastPanel : 0;
     rect.setVisible(isShown);
     rect.setMinimumSize(least, least);
-    rect.setMaximumSize(QWIDGETSIZE_MAX, isShown ? QWIDGETSIZE_MAX : 0);
+    rect.setMaximumSize(isShown || !isRowShown ? QWIDGETSIZE_MAX : 0, isRowShown ? QWIDGETSIZE_MAX : 0);
     rect.setMinimumMargins(isShown ? panelMargins : QMargins());
-    if (isShown && index > 0 && isFirstOfRow(index))
+    if (isShown && index > 0 && hasFirstY(index))
         m_plot->plotLayout()->setRowStretchFactor(1 + static_cast<int>(panelOf(index).row),
                                                   panelOf(index).height);
 }
@@ -199,18 +206,18 @@ void FigureFrame::showPanel(std::size_t index) {
 void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
     Panel& panel = m_panels[index];
     QCPAxisRect* rect = panel.rect = newAxisRect(*m_plot, Sides::free);
-    const auto column = int(index - panel.first);
+    const StudyPanel& shown = m_shown.figure.panels[index];
+    const int column = row.columnCount();
     row.addElement(0, column, rect);
-    row.setColumnStretchFactor(column, panelOf(index).width);
-    rect->axis(QCPAxis::atRight)->setTicks(false);
-    rect->axis(QCPAxis::atTop)->setTickLabels(panelOf(index).top.has_value());
-    rect->axis(QCPAxis::atTop)->setTicks(panelOf(index).top.has_value());
+    row.setColumnStretchFactor(column, shown.width);
+    rect->axis(QCPAxis::atTop)->setTickLabels(shown.top.has_value());
+    rect->axis(QCPAxis::atTop)->setTicks(shown.top.has_value());
     if (index == 0) view(rect);
-    if (!isFirstOfRow(index)) rect->axis(QCPAxis::atLeft)->setTickLabels(false);
+    if (!hasFirstY(index)) rect->axis(QCPAxis::atLeft)->setTickLabels(false);
     addZone(panel);
     panel.bands = FigureBands(rect);
     panel.layers = new LayerItems(rect);
-    if (panelOf(index).handle) addHandle(index);
+    if (shown.handle) addHandle(index);
 }
 
 void FigureFrame::addHandle(std::size_t index) {
@@ -230,13 +237,13 @@ void FigureFrame::linkAxes(std::size_t begin) {
         connect(other, changed, one, [one](const QCPRange& range) { one->setRange(range); });
     };
     for (std::size_t i = std::max<std::size_t>(begin, 1); i < m_panels.size(); ++i) {
-        if (!isFirstOfRow(i))
+        if (!hasFirstY(i))
             link(axisOf(m_panels[i].first, QCPAxis::atLeft), axisOf(i, QCPAxis::atLeft));
         else
             m_view->watch(axisOf(i, QCPAxis::atLeft));
         if (panelOf(i).sharesX)
             link(x(), axisOf(i, QCPAxis::atBottom));
-        else if (isFirstOfRow(i))
+        else if (hasFirstY(i))
             m_view->watch(axisOf(i, QCPAxis::atBottom));
     }
 }
@@ -288,8 +295,8 @@ void FigureFrame::present(const ShownFigure& shown) {
 }
 
 bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
-    const auto same = [&](const FigureAxis& a, const FigureAxis& b) {
-        return a.title == b.title && a.isLogarithmic == b.isLogarithmic && a.range == b.range &&
+    const auto same = [&](const FigureAxis& a, const FigureAxis& b, std::size_t row) {
+        return a.title == b.title && a.isLogarithmic == b.isLogarithmic && (row > 0 || a.range == b.range) &&
                m_shown.units.of(a.quantity).unit == shown.units.of(b.quantity).unit;
     };
     const auto ends = [](const StudyPanel& panel) {
@@ -299,9 +306,11 @@ bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
         return x.empty() ? std::pair(0.0, 0.0) : std::pair(x.front(), x.back());
     };
     if (shown.figure.panels.size() != m_shown.figure.panels.size()) return true;
-    const StudyPanel& before = panelOf(0);
-    const StudyPanel& now = shown.figure.panels.front();
-    return !same(before.x, now.x) || !same(before.y, now.y) || ends(before) != ends(now);
+    for (std::size_t i = 0; i < shown.figure.panels.size(); ++i) {
+        const StudyPanel &before = m_shown.figure.panels[i], &now = shown.figure.panels[i];
+        if (!same(before.x, now.x, now.row) || !same(before.y, now.y, now.row)) return true;
+    }
+    return ends(m_shown.figure.panels.front()) != ends(shown.figure.panels.front());
 }
 
 void FigureFrame::showSeries(std::size_t index) {
@@ -312,9 +321,16 @@ void FigureFrame::showSeries(std::size_t index) {
         panel.marks->clear();
         delete std::exchange(panel.marks, nullptr);
     }
+    if (!isThere(index)) {
+        for (const Drawn& drawn : panel.series) {
+            drawn.clear();
+            drawn.plottable()->removeFromLegend(m_legend);
+        }
+        return;
+    }
     while (panel.series.size() > series.size()) {
         const Drawn& last = panel.series.back();
-        QCPAbstractPlottable* gone = last.line ? static_cast<QCPAbstractPlottable*>(last.line) : last.path;
+        QCPAbstractPlottable* gone = last.plottable();
         gone->removeFromLegend(m_legend);
         m_plot->removePlottable(gone);
         if (last.upper) m_plot->removePlottable(last.upper);
@@ -324,31 +340,33 @@ void FigureFrame::showSeries(std::size_t index) {
     for (std::size_t i = 0; i < series.size(); ++i) {
         const FigureSeries& each = series[i];
         QCPAxis* keys = panel.rect->axis(each.isOnTop ? QCPAxis::atTop : QCPAxis::atBottom);
+        QCPAxis* values = panel.rect->axis(each.isOnRight ? QCPAxis::atRight : QCPAxis::atLeft);
         if (i == panel.series.size()) {
             Drawn drawn;
             if (each.kind == SeriesKind::line) {
-                drawn.line = addCurve(keys, panel.rect->axis(QCPAxis::atLeft));
+                drawn.line = addCurve(keys, values);
                 drawn.line->setAdaptiveSampling(false);
             } else {
-                drawn.path = new QCPCurve(keys, panel.rect->axis(QCPAxis::atLeft));
+                drawn.path = new QCPCurve(keys, values);
             }
             panel.series.push_back(drawn);
         }
         const Drawn& drawn = panel.series[i];
-        QCPAbstractPlottable* plottable =
-            drawn.line ? static_cast<QCPAbstractPlottable*>(drawn.line) : drawn.path;
+        QCPAbstractPlottable* plottable = drawn.plottable();
+        plottable->setValueAxis(values);
         // A hidden line stays hidden as long as it is the same.
         if (const QString name = translated(each.legend); plottable->name() != name) {
             plottable->setName(name);
             plottable->setVisible(true);
         }
+        plottable->setLayer(each.isFaint ? ghostLayer(*m_plot) : m_plot->layer(QStringLiteral("main")));
         if (each.legend.isEmpty())
             plottable->removeFromLegend(m_legend);
         else
             plottable->addToLegend(m_legend);
         const StudyPanel& of = panelOf(index);
         const double xFactor = m_shown.units.of(each.isOnTop ? of.top->quantity : of.x.quantity).factor;
-        const double yFactor = yFactorOf(index);
+        const double yFactor = each.isOnRight ? rightFactorOf(index) : yFactorOf(index);
         if (drawn.line) {
             QVector<QCPGraphData> points;
             for (std::size_t point = 0; point < each.x.size(); ++point)
@@ -416,10 +434,12 @@ const AxisTarget* FigureFrame::dragged() const {
 void FigureFrame::showAxes(std::size_t index) {
     const StudyPanel& panel = panelOf(index);
     QCPAxisRect& rect = *m_panels[index].rect;
+    const bool isCrowded = std::ranges::count(m_shown.figure.panels, panel.row, &StudyPanel::row) > 2;
     const auto show = [&](const FigureAxis& axis, QCPAxis& drawn) {
         const ShownUnit unit = m_shown.units.of(axis.quantity);
         drawn.setScaleType(axis.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-        drawn.setTicker(ticker(axis.isLogarithmic, panel.width < narrow ? 2 : 5));
+        const bool hasFew = panel.width < narrow || (isCrowded && drawn.orientation() == Qt::Horizontal);
+        drawn.setTicker(ticker(axis.isLogarithmic, hasFew ? 2 : 5));
         if (isPlain(axis.quantity, PlainNumber::magnitude)) {
             drawn.setNumberFormat(QStringLiteral("eb"));
             drawn.setNumberPrecision(0);
@@ -429,7 +449,11 @@ void FigureFrame::showAxes(std::size_t index) {
         drawn.setLabel(unit.axisLabel(isUntitled ? parameterTitle(**parameter) : translated(axis.title)));
     };
     show(panel.x, *rect.axis(QCPAxis::atBottom));
-    if (isFirstOfRow(index)) show(panel.y, *rect.axis(QCPAxis::atLeft));
+    if (hasFirstY(index)) show(panel.y, *rect.axis(QCPAxis::atLeft));
+    QCPAxis& right = *rect.axis(QCPAxis::atRight);
+    right.setTicks(panel.right.has_value());
+    right.setTickLabels(panel.right.has_value());
+    show(panel.right.value_or(FigureAxis()), right);
     const auto isBelow = [&](const StudyPanel& other) { return other.sharesX && other.row > panel.row; };
     if ((index == 0 || panel.sharesX) && std::ranges::any_of(m_shown.figure.panels, isBelow)) {
         rect.axis(QCPAxis::atBottom)->setTickLabels(false);
@@ -519,8 +543,13 @@ void FigureFrame::showTexts() {
     m_caption->setText(m_captionText);
     const Message& summary = m_shown.figure.summary;
     m_summary = summary.isEmpty() ? m_captionText : translated(summary);
-    for (std::size_t i = 0; i < m_panels.size(); ++i)
-        for (std::size_t each = 0; each < m_panels[i].series.size(); ++each) {
+    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
+        for (const FigureText& name : panelOf(i).y.names)
+            names->addTick(double(names->ticks().size()), textOf(name));
+        axisOf(i, QCPAxis::atLeft)->grid()->setVisible(names->ticks().isEmpty());
+        if (!names->ticks().isEmpty()) axisOf(i, QCPAxis::atLeft)->setTicker(names);
+        for (std::size_t each = 0; each < panelOf(i).series.size(); ++each) {
             const FigureSeries& series = panelOf(i).series[each];
             const std::vector<QCPItemText*>& texts = m_panels[i].series[each].texts;
             for (std::size_t point = 0; point < texts.size(); ++point) {
@@ -531,6 +560,7 @@ void FigureFrame::showTexts() {
                                                       series.y[point] * yFactorOf(i));
             }
         }
+    }
 }
 
 // On the other side of its point where a text would end beyond the axes.
@@ -549,12 +579,21 @@ void FigureFrame::placeTexts() {
             }
 }
 
-// One part below the other where they are too long for one line.
+// One part below the other where they are too long for one line, and in as many lines as a part needs.
 void FigureFrame::breakCaption() {
-    const double width = QFontMetricsF(m_caption->font()).horizontalAdvance(m_captionText);
-    QString text = m_captionText;
-    if (width > m_plot->viewport().width() - 20) text.replace(betweenParts, QStringLiteral("\n"));
-    m_caption->setText(text);
+    const double room = m_plot->viewport().width() - 20;
+    const auto fits = [&, metrics = QFontMetricsF(m_caption->font())](const QString& text) {
+        return metrics.horizontalAdvance(text) <= room;
+    };
+    QStringList lines = fits(m_captionText) ? QStringList(m_captionText) : m_captionText.split(betweenParts);
+    for (int i = 0; i < lines.size(); ++i)
+        for (qsizetype end = lines[i].size(); !fits(lines[i]) && end > 0;) {
+            end = lines[i].lastIndexOf(QLatin1Char(' '), end - 1);
+            if (end <= 0 || !fits(lines[i].left(end))) continue;
+            lines.insert(i + 1, lines[i].mid(end + 1));
+            lines[i].truncate(end);
+        }
+    m_caption->setText(lines.join(QLatin1Char('\n')));
 }
 
 // As far as they are in view: files do not clip.
@@ -574,18 +613,21 @@ void FigureFrame::placeZones() {
     }
 }
 
+void FigureFrame::Drawn::clear() const {
+    if (line) line->data()->clear();
+    if (path) path->data()->clear();
+    if (upper) upper->data()->clear();
+}
+
 void FigureFrame::clear() {
     m_isCleared = true;
     for (Panel& panel : m_panels) {
-        for (const Drawn& drawn : panel.series) {
-            if (drawn.line) drawn.line->data()->clear();
-            if (drawn.path) drawn.path->data()->clear();
-            if (drawn.upper) drawn.upper->data()->clear();
-        }
+        for (const Drawn& drawn : panel.series) drawn.clear();
         if (panel.marks) panel.marks->clear();
         panel.bands.present({});
         panel.layers->present({}, 1, 1);
         if (panel.handle) panel.handle->hide();
+        if (panel.runs) panel.runs->present({});
     }
     m_seriesDrag->setCurve(nullptr);
     showLevels();
@@ -596,15 +638,15 @@ void FigureFrame::clear() {
 void FigureFrame::setAxesVisible(bool visible) {
     for (const QCPAxisRect* rect : m_plot->axisRects())
         for (QCPAxis* axis : rect->axes()) axis->setVisible(visible);
-    for (std::size_t i = m_shown.figure.panels.size(); i < m_panels.size(); ++i)
-        for (QCPAxis* axis : m_panels[i].rect->axes()) axis->setVisible(false);
+    for (std::size_t i = 0; i < m_panels.size(); ++i)
+        for (QCPAxis* axis : m_panels[i].rect->axes()) axis->setVisible(visible && isThere(i));
     if (m_legend) m_legend->setVisible(visible);
 }
 
 void FigureFrame::restyle() {
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
         const Panel& panel = m_panels[i];
-        for (std::size_t each = 0; each < panel.series.size(); ++each) {
+        for (std::size_t each = 0; each < panelOf(i).series.size(); ++each) {
             const auto role = static_cast<int>(panelOf(i).series[each].role);
             const Drawn& drawn = panel.series[each];
             const QPen pen = panelOf(i).series[each].isFaint ? m_style.ghostPen(role) : m_style.linePen(role);
@@ -612,7 +654,8 @@ void FigureFrame::restyle() {
             if (drawn.line) styleLine(panel, each, panelOf(i).series[each]);
             if (!drawn.path) continue;
             const bool isArea = panelOf(i).series[each].kind == SeriesKind::area;
-            drawn.path->setPen(isArea ? QPen(m_style.lines[role], 1) : pen);
+            const bool isFaint = panelOf(i).series[each].isFaint;
+            drawn.path->setPen(isArea && isFaint ? Qt::NoPen : isArea ? QPen(m_style.lines[role], 1) : pen);
             drawn.path->setBrush(isArea ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
         }
         for (std::size_t level = 0; level < m_shown.figure.levels.size(); ++level)
@@ -626,6 +669,7 @@ void FigureFrame::restyle() {
         m_panels[i].bands.setStyle(m_style);
         panel.layers->setStyle(m_style);
         if (panel.handle) panel.handle->setStyle(m_style);
+        if (panel.runs) panel.runs->setStyle(m_style);
         if (!panel.marks || m_isCleared) continue;
         panel.marks->setStyle(m_style);
         QVector<CurveMark> marks;
@@ -664,10 +708,25 @@ QCPGraph* FigureFrame::graph(std::size_t panel, std::size_t series) const {
     return m_panels.at(panel).series.at(series).line;
 }
 
+std::optional<std::size_t> FigureFrame::panelIn(const QCPAxisRect* rect) const {
+    const auto found = std::ranges::find(m_panels, rect, &Panel::rect);
+    return found == m_panels.end() ? std::nullopt : std::optional<std::size_t>(found - m_panels.begin());
+}
+
+void FigureFrame::setRunsIn(std::size_t panel, const QVector<RunMark>& marks) {
+    RunMarks*& runs = m_panels.at(panel).runs;
+    if (!runs) {
+        runs = new RunMarks(m_plot, axisOf(panel, QCPAxis::atBottom), axisOf(panel, QCPAxis::atLeft));
+        runs->setStyle(m_style);
+    }
+    if (!runs->present(marks)) return;
+    fitUnlessZoomed();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
 const AxisTarget* FigureFrame::targetIn(const QCPAxisRect* rect) const {
-    for (std::size_t i = 0; i < m_panels.size(); ++i)
-        if (m_panels[i].rect == rect) return panelOf(i).x.target ? &*panelOf(i).x.target : nullptr;
-    return nullptr;
+    const std::optional<std::size_t> panel = panelIn(rect);
+    return panel && panelOf(*panel).x.target ? &*panelOf(*panel).x.target : nullptr;
 }
 
 void FigureFrame::giveMeanings(PlotWidget& plot) const {
@@ -683,8 +742,9 @@ void FigureFrame::giveMeanings(PlotWidget& plot) const {
         for (const Drawn& drawn : m_panels[i].series)
             if (drawn.line) plot.setMeaning(drawn.line, other);
     }
-    for (std::size_t i = 0; i < m_panels.front().series.size(); ++i) {
+    for (std::size_t i = 0; i < panelOf(0).series.size(); ++i) {
         CurveMeaning exact = meaning;
+        if (panelOf(0).series[i].isOnRight) exact.yUnit = m_shown.units.of(panelOf(0).right->quantity).unit;
         if (const auto& value = panelOf(0).series[i].value)
             exact.value = [value, x = m_xUnit.factor, y = m_yUnit.factor](double shown) {
                 return value(shown / x) * y;
@@ -745,7 +805,10 @@ KeyPlaces FigureFrame::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
     if (hasPoints(panelOf(0))) places.on = KeyPlaces::On::points;
-    places.start = [this] { return here().place(); };
+    places.start = [this] {
+        return here().x() ? std::optional(QPointF(*here().x(), here().y().value_or(y()->range().center())))
+                          : std::nullopt;
+    };
     places.marks = [this] {
         QVector<QPointF> marks;
         if (!isEmpty() && !panelOf(0).series.empty() && graph(0, panelOf(0).marked)->visible())

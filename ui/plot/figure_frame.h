@@ -50,6 +50,11 @@ class FigureFrame : public StudyFrame {
     /// Returns the graph of a series with the given indices (from 0). The panel and series must exist;
     /// nullptr if the series is not drawn as a line.
     QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
+    /// Returns the panel whose axes are `rect`; empty if there is none.
+    std::optional<std::size_t> panelIn(const QCPAxisRect* rect) const;
+    /// Shows marks of pinned runs in another panel than the first.
+    void setRunsIn(std::size_t panel, const QVector<RunMark>& marks);
+    const QVector<RunMark>& runMarksIn(std::size_t panel) const { return m_panels.at(panel).runs->marks(); }
     /// Returns what a click in `rect` sets: a parameter to a factor times the value at the click. nullptr if
     /// a click sets nothing.
     const AxisTarget* targetIn(const QCPAxisRect* rect) const;
@@ -64,6 +69,10 @@ class FigureFrame : public StudyFrame {
     const ShownUnit& xUnit() const { return m_xUnit; }
     /// Unit of y in the first panel: shown value = value of the figure · factor.
     const ShownUnit& yUnit() const { return m_yUnit; }
+    /// Returns the unit of y in a panel: shown value = value of the figure · factor.
+    ShownUnit yUnitOf(std::size_t panel) const {
+        return m_shown.units.of(panelOf(m_panels[panel].first).y.quantity);
+    }
     /// Curve of the first panel that the user can drag up and down.
     const SeriesDrag& seriesDrag() const { return *m_seriesDrag; }
     /// Returns the parameter that dragging a curve sets, with its factor; nullptr if no curve can be dragged.
@@ -97,6 +106,10 @@ class FigureFrame : public StudyFrame {
         QCPCurve* path = nullptr;
         QCPGraph* upper = nullptr;          // second edge of a shaded strip
         std::vector<QCPItemText*> texts{};  // beside the points
+        QCPAbstractPlottable* plottable() const {
+            return line ? static_cast<QCPAbstractPlottable*>(line) : path;
+        }
+        void clear() const;  // of its data
     };
     struct Panel {
         QCPAxisRect* rect = nullptr;
@@ -108,8 +121,9 @@ class FigureFrame : public StudyFrame {
         FigureBands bands{rect};
         LayerItems* layers = nullptr;
         DragLine* handle = nullptr;
-        std::size_t first = 0;  // index of the first panel in the same row
-        std::size_t last = 0;   // index of the last panel in the same row
+        RunMarks* runs = nullptr;
+        std::size_t first = 0;  // index of the panel with the y axis of this panel
+        std::size_t last = 0;   // index of the last panel with that y axis
     };
 
     void clear() override;
@@ -130,8 +144,8 @@ class FigureFrame : public StudyFrame {
     void showDrag();
     void followLines();
     void setKeyRange(std::size_t index);
-    std::optional<QCPRange> valuesOf(std::size_t first) const;
-    void setValueRange(std::size_t first, std::optional<QCPRange> values);
+    std::optional<QCPRange> valuesOf(std::size_t first, bool isRight) const;
+    void setValueRange(std::size_t first, QCPAxis::AxisType side);
     void styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const;
     QString numberOf(const FigureNumber& number) const;
     QString textOf(const FigureText& text) const;
@@ -143,16 +157,19 @@ class FigureFrame : public StudyFrame {
     void setAxesVisible(bool visible);
     bool hasOtherAxes(const ShownFigure& shown) const;
     static bool hasPoints(const StudyPanel& panel);
-    bool isThere(std::size_t index) const { return index < m_shown.figure.panels.size(); }
+    bool isThere(std::size_t index) const {
+        return index < m_shown.figure.panels.size() && !m_shown.figure.panels[index].isHidden;
+    }
     /// Returns panel `index` of the present figure, or an empty panel if only an earlier figure had it.
     const StudyPanel& panelOf(std::size_t index) const;
-    bool isFirstOfRow(std::size_t index) const { return m_panels[index].first == index; }
+    bool hasFirstY(std::size_t index) const { return m_panels[index].first == index; }
     QCPAxis* axisOf(std::size_t index, QCPAxis::AxisType side) const {
         return m_panels[index].rect->axis(side);
     }
     double xFactorOf(std::size_t index) const { return m_shown.units.of(panelOf(index).x.quantity).factor; }
-    double yFactorOf(std::size_t index) const {
-        return m_shown.units.of(panelOf(m_panels[index].first).y.quantity).factor;
+    double yFactorOf(std::size_t index) const { return yUnitOf(index).factor; }
+    double rightFactorOf(std::size_t index) const {
+        return m_shown.units.of(panelOf(index).right.value_or(FigureAxis()).quantity).factor;
     }
 
     ShownFigure m_shown;

@@ -44,7 +44,8 @@ void FigureFrame::setRanges() {
     if (isEmpty()) return;
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
         if (i == 0 || !panelOf(i).sharesX) setKeyRange(i);
-        if (isFirstOfRow(i)) setValueRange(i, valuesOf(i));
+        if (hasFirstY(i)) setValueRange(i, QCPAxis::atLeft);
+        if (panelOf(i).right) setValueRange(i, QCPAxis::atRight);
     }
 }
 
@@ -52,7 +53,7 @@ void FigureFrame::setKeyRange(std::size_t index) {
     const StudyPanel& panel = panelOf(index);
     std::optional<QCPRange> keys;
     bool isFromZero = false;
-    for (std::size_t each = 0; each < m_panels[index].series.size(); ++each) {
+    for (std::size_t each = 0; each < panel.series.size(); ++each) {
         const Drawn& drawn = m_panels[index].series[each];
         bool isThere = false;
         const QCPRange along =
@@ -74,11 +75,13 @@ void FigureFrame::setKeyRange(std::size_t index) {
 }
 
 // All values of a row and its levels; of the first one those of pinned runs too.
-std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
+std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first, bool isRight) const {
     std::optional<QCPRange> values;
     bool isThere = false;
     for (std::size_t i = first; i <= m_panels[first].last; ++i)
-        for (const Drawn& drawn : m_panels[i].series) {
+        for (std::size_t each = 0; each < panelOf(i).series.size(); ++each) {
+            if (panelOf(i).series[each].isOnRight != isRight) continue;
+            const Drawn& drawn = m_panels[i].series[each];
             const QCPRange range =
                 drawn.line ? drawn.line->getValueRange(isThere) : drawn.path->getValueRange(isThere);
             expand(values, range, isThere);
@@ -86,6 +89,10 @@ std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
             const QCPRange upper = drawn.upper->getValueRange(isThere);
             expand(values, upper, isThere);
         }
+    if (isRight) return values;
+    if (m_panels[first].runs)
+        for (const RunMark& run : m_panels[first].runs->marks())
+            expand(values, QCPRange(run.at.y(), run.at.y()), true);
     for (const FigureLevel& level : m_shown.figure.levels)
         if (level.row == panelOf(first).row && level.isInView)
             expand(values, QCPRange(level.y * yFactorOf(first), level.y * yFactorOf(first)), true);
@@ -101,16 +108,23 @@ std::optional<QCPRange> FigureFrame::valuesOf(std::size_t first) const {
     return values;
 }
 
-void FigureFrame::setValueRange(std::size_t first, std::optional<QCPRange> values) {
-    QCPRange shown = values.value_or(QCPRange(0, 1));
-    QCPAxis* left = axisOf(first, QCPAxis::atLeft);
-    const FigureAxis& axis = panelOf(first).y;
-    const double factor = yFactorOf(first);
-    if (axis.range) return left->setRange(axis.range->first * factor, axis.range->second * factor);
-    if (axis.isFromZero) return left->setRange(0, shown.upper > 0 ? 1.06 * shown.upper : 1);
+void FigureFrame::setValueRange(std::size_t first, QCPAxis::AxisType side) {
+    const bool isRight = side == QCPAxis::atRight;
+    QCPRange shown = valuesOf(first, isRight).value_or(QCPRange(0, 1));
+    QCPAxis* drawn = axisOf(first, side);
+    const FigureAxis& axis = isRight ? *panelOf(first).right : panelOf(first).y;
+    const double factor = isRight ? rightFactorOf(first) : yFactorOf(first);
+    if (axis.range) return drawn->setRange(axis.range->first * factor, axis.range->second * factor);
+    if (axis.isFromZero) {
+        const double top = shown.upper > 0 ? shown.upper : 1;
+        const auto isDot = [](const FigureSeries& each) { return each.points == SeriesPoints::dots; };
+        // A dot at zero is drawn on the axis, where it must be visible.
+        const bool hasDots = std::ranges::any_of(panelOf(first).series, isDot);
+        return drawn->setRange(hasDots ? -0.06 * top : 0, 1.06 * top);
+    }
     if (axis.isLogarithmic)
-        return left->setRange(hasPoints(panelOf(first)) ? aroundPoints(shown, panelOf(first), 4)
-                                                        : withMargin(shown, 0.1, true));
+        return drawn->setRange(hasPoints(panelOf(first)) ? aroundPoints(shown, panelOf(first), 4)
+                                                         : withMargin(shown, 0.1, true));
     const double size = std::max(shown.size(), 0.02 * std::abs(shown.upper));
     // Where a zone begins, if that leaves the curves most of the height.
     constexpr double share = 0.25;
@@ -120,7 +134,7 @@ void FigureFrame::setValueRange(std::size_t first, std::optional<QCPRange> value
     }
     const bool hasNamesBelow =
         std::ranges::any_of(panelOf(first).bands, [](const FigureBand& band) { return band.at.has_value(); });
-    left->setRange(shown.lower - (hasNamesBelow ? 0.18 : 0.1) * size, shown.upper + 0.1 * size);
+    drawn->setRange(shown.lower - (hasNamesBelow ? 0.18 : 0.1) * size, shown.upper + 0.1 * size);
 }
 
 }  // namespace drillwave

@@ -79,6 +79,7 @@ void StudyFrame::useLegend(const QMargins& margins) {
 
 QCPLayoutGrid* StudyFrame::addHeader(int spaceBelow) {
     auto* header = new QCPLayoutGrid;
+    header->setMaximumSize(QWIDGETSIZE_MAX - 1, QWIDGETSIZE_MAX);  // a legend without entries has no width
     header->setRowSpacing(0);
     insertAbove(header);
     useLegend(QMargins(7, 6, 0, 0));

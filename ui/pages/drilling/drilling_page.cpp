@@ -8,21 +8,21 @@
 
 #include "core/archive/result_scenario.h"
 #include "core/contact/contact_law.h"
+#include "core/model/assignments.h"
 #include "core/report/alert_words.h"
+#include "core/report/drilling_figure.h"
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
 #include "core/report/report_studies.h"
 #include "core/report/sequence_words.h"
 #include "ui/form/rig_dialog.h"
 #include "ui/form/section_box.h"
-#include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_table.h"
-#include "ui/pages/drilling/march_rects.h"
-#include "ui/pages/drilling/scan_rects.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/missing_fields.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
@@ -35,6 +35,11 @@ constexpr int plotLinesOfRow = 16;      // one row of axes
 constexpr int plotLinesOfDetails = 30;  // two more
 constexpr double mostSecondsUnasked = 2;
 constexpr int clickedDigits = 3;  // a value that the hand has chosen to a pixel
+
+ShownSequence shownSequence(const DrillingAnswer& answer) {
+    return {answer.question.scenario, answer.question.settings, answer.blows(), answer.result.get(),
+            answer.corOverGap};
+}
 
 }  // namespace
 
@@ -54,14 +59,16 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
     settingsBox().rememberAs(QStringLiteral("drilling/settings"), SectionBox::Begin::folded);
     addAbove(m_missing, PartOf::question);
     addAbove(scanControls, PartOf::question);
-    auto* details = new SectionBox(tr("Details"), this);
-    details->setObjectName(QStringLiteral("details"));
-    (new QVBoxLayout(details->content()))->addWidget(m_table);
-    addBelow(details);
-    m_plot = new DrillingPlot(widget);
-    connect(details, &SectionBox::toggled, this, &DrillingPage::setDetailed);
-    details->rememberAs(QStringLiteral("drilling/details"), SectionBox::Begin::folded);
-    useFrame(*m_plot, tr("Many blows under a feed"));
+    m_details = new SectionBox(tr("Details"), this);
+    m_details->setObjectName(QStringLiteral("details"));
+    (new QVBoxLayout(m_details->content()))->addWidget(m_table);
+    addBelow(m_details);
+    m_frame = new FigureFrame(widget);
+    m_details->rememberAs(QStringLiteral("drilling/details"), SectionBox::Begin::folded);
+    connect(m_details, &SectionBox::toggled, this, [this] {
+        if (isVisible()) present();
+    });
+    useFrame(*m_frame, tr("Many blows under a feed"));
     watch(m_march.job());
     watchBeside(m_scan.job());
     watchBeside(m_runMeans.activity());
@@ -137,14 +144,6 @@ void DrillingPage::stopScan() {
     present();
 }
 
-DrillingShown DrillingPage::shownUnitsNow() const {
-    const UnitChoice& choice = document().units();
-    const KeptParameter along =
-        m_scan.question() ? m_scan.question()->range.parameter : m_axis->range().parameter;
-    return drillingShown(scenario(), choice.fieldUnit(*along),
-                         shownUnits(choice.physicalSystem(), scalesOf(scenario()), choice.chosen()));
-}
-
 void DrillingPage::present() {
     showScanState();
     // One that went out of sight goes on; one that the user has stopped does not.
@@ -187,30 +186,25 @@ void DrillingPage::refuse(const std::vector<Message>& problems) {
 }
 
 void DrillingPage::draw(const DrillingAnswer& answer) {
-    DrillingPicture picture;
-    picture.units = shownUnitsNow();
-    const DrillingUnits units = drillingUnitsOf(answer.question.scenario);
-    picture.march = marchPicture(answer.blows(), answer.question.settings, units, answer.result.get(),
-                                 answer.corOverGap, picture.units);
-    const bool isGrowing = !answer.isComplete();
-    if (isGrowing && m_before && m_before->question != answer.question)
-        picture.before =
-            blowPoints(m_before->blows(), drillingUnitsOf(m_before->question.scenario), picture.units);
-    addScan(picture);
-    setDetailed(m_plot->isDetailed());
-    m_plot->present(picture);
-    showRuns(picture.units);
-    const QString blow = tr("blow");
-    plot()->setMeaning(m_plot->march().gapPoints(),
-                       {.xName = blow, .yUnit = picture.units.length.unit, .integralFactor = 0});
-    plot()->setMeaning(m_plot->march().penetrationPoints(),
-                       {.xName = blow, .yUnit = picture.units.length.unit, .integralFactor = 0});
-    for (const QCPGraph* graph :
-         {m_plot->scan().rate(), m_plot->scan().constantForce(), m_plot->scan().strongDamper()})
-        plot()->setMeaning(graph,
-                           CurveMeaning::overParameter(picture.units.along.unit, picture.units.rate.unit));
-    plot()->setMeaning(m_plot->scan().contactShare(),
-                       CurveMeaning::overParameter(picture.units.along.unit, QStringLiteral("%")));
+    ShownSequence sequence = shownSequence(answer);
+    std::optional<ShownSequence> before;
+    if (!answer.isComplete() && m_before && m_before->question != answer.question)
+        sequence.before = &before.emplace(shownSequence(*m_before));
+    const std::optional<ShownScan> scan = shownScan();
+    const bool isFirst = m_frame->isEmpty();
+    setLeastLines(plotLinesOfRow + (m_details->isOpen() ? plotLinesOfDetails : 0));
+    const UnitChoice& choice = document().units();
+    m_frame->present(
+        {drillingFigure(&sequence, scan ? &*scan : nullptr, m_details->isOpen()),
+         figureUnits(shownUnits(choice.physicalSystem(), scalesOf(scenario()), choice.chosen()))});
+    if (isFirst) {
+        KeyPlaces places = m_frame->keyPlaces();
+        places.on = KeyPlaces::On::points;  // from value to value of the scan
+        plot()->keyPoint().offer(std::move(places));
+    }
+    m_frame->giveMeanings(*plot());
+    m_frame->setHere(placeAlong(scenario()), {});
+    showRuns(double(sequence.settings.blows));
     if (answer.result && answer.result->statistics)
         m_table->present(*answer.result, document().units());
     else
@@ -219,23 +213,19 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
     redraw();
 }
 
-void DrillingPage::setDetailed(bool isDetailed) {
-    m_plot->setDetailed(isDetailed);
-    setLeastLines(plotLinesOfRow + (isDetailed ? plotLinesOfDetails : 0));
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+std::optional<ShownScan> DrillingPage::shownScan() const {
+    const DrillingScanAnswer* scan = m_scan.value();
+    if (!scan || !scan->scan || scan->scan->points.empty() || !m_scan.job().isCurrent()) return std::nullopt;
+    const DrillingScanQuestion& asked = *m_scan.question();
+    return ShownScan{*scan->scan, scan->constantForce.get(), scan->strongDamper.get(),
+                     drillingScanQuestion(scenario(), asked.range, asked.hasBracket) != asked};
 }
 
-void DrillingPage::addScan(DrillingPicture& picture) const {
-    const DrillingScanAnswer* scan = m_scan.value();
-    if (!scan || !scan->scan || scan->scan->points.empty() || !m_scan.job().isCurrent()) return;
-    picture.scan =
-        scanPicture(*scan->scan, scan->constantForce.get(), scan->strongDamper.get(), picture.units);
-    const DrillingScanQuestion& asked = *m_scan.question();
-    picture.isScanOld = drillingScanQuestion(scenario(), asked.range, asked.hasBracket) != asked;
-    const Parameter& along = *asked.range.parameter;
-    if (along.applies(scenario()))
-        if (const std::optional<double> value = along.value(scenario()))
-            picture.installed = *value * picture.units.along.factor;
+// Returns the place of a scenario along the scan, in units of the axis.
+std::optional<double> DrillingPage::placeAlong(const Scenario& of) const {
+    const std::optional<double> value =
+        shownScan() ? valueIn(of, *m_scan.question()->range.parameter) : std::nullopt;
+    return value ? std::optional(*value * m_frame->xUnit().factor) : std::nullopt;
 }
 
 QString DrillingPage::scanName() const {
@@ -289,29 +279,26 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
 }
 
 // At their mean penetrations, and along the scan at their mean rates.
-void DrillingPage::showRuns(const DrillingShown& units) {
+void DrillingPage::showRuns(double lastBlow) {
+    constexpr auto penetration = static_cast<std::size_t>(DrillingPanel::penetration);
     std::vector<DrillingQuestion> questions;
     for (const Run& run : runs())
         if (run.isShown && hasUnits(run.contents.scenario))
             questions.push_back(runQuestion(run.contents.scenario));
     m_runMeans.ask(questions);
-    const double last = double(m_plot->picture().march->blows);
-    const bool hasScan = m_plot->picture().scan.has_value();
     QVector<RunMark> means, along;
     for (const Run& run : runs()) {
         const Scenario& own = run.contents.scenario;
         if (!run.isShown || !hasUnits(own)) continue;
         const RunMeans* found = m_runMeans.find(runQuestion(own));
         if (!found) continue;
-        means.append({run.number, run.title(), {last, found->penetration * units.length.factor}});
-        if (!hasScan) continue;
-        const Parameter& scanned = *m_scan.question()->range.parameter;
-        const std::optional<double> value = scanned.applies(own) ? scanned.value(own) : std::nullopt;
-        if (value)
-            along.append(
-                {run.number, run.title(), {*value * units.along.factor, found->rate * units.rate.factor}});
+        means.append(
+            {run.number, run.title(), {lastBlow, found->penetration * m_frame->yUnitOf(penetration).factor}});
+        if (const std::optional<double> place = placeAlong(own))
+            along.append({run.number, run.title(), {*place, found->rate * m_frame->yUnit().factor}});
     }
-    m_plot->showRuns(means, along);
+    m_frame->setRunsIn(penetration, means);
+    m_frame->setRuns(along);
 }
 
 // With Shift a single blow at its gap is pinned, which begins at rest.
@@ -336,14 +323,18 @@ void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
 
 // The scenario stays as it is.
 void DrillingPage::openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
-    if (modifiers & ~Qt::ShiftModifier) return;
-    if (const std::optional<long> blow = m_plot->march().blowAt(rect, at.x())) openBlow(*blow, modifiers);
+    const auto panel = static_cast<DrillingPanel>(m_frame->panelIn(rect).value_or(0));
+    const bool isOfBlows = panel == DrillingPanel::gap || panel == DrillingPanel::penetration;
+    const long blow = std::lround(at.x());
+    if ((modifiers & ~Qt::ShiftModifier) || !isOfBlows || !m_march.value() || blow < 1) return;
+    if (static_cast<std::size_t>(blow) <= m_march.value()->blows().size()) openBlow(blow, modifiers);
 }
 
 void DrillingPage::takeScanned(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
-    if ((modifiers & ~Qt::ShiftModifier) || !m_plot->isScan(rect)) return;
+    const AxisTarget* target = m_frame->targetIn(rect);
+    if ((modifiers & ~Qt::ShiftModifier) || !target) return;
     const double shown = QString::number(at.x(), 'g', clickedDigits).toDouble();
-    take({{m_scan.question()->range.parameter, shown / m_plot->picture().units.along.factor}}, modifiers);
+    take({{target->parameter, shown / m_frame->xUnit().factor}}, modifiers);
 }
 
 QString DrillingPage::obstacle() const {
@@ -391,11 +382,8 @@ bool DrillingPage::isMarchNew() const {
 }
 
 bool DrillingPage::isScanNew() const {
-    const DrillingScanAnswer* answer = m_scan.value();
-    const bool isFinished = m_scan.job().state() == StudyState::finished && m_scan.job().isCurrent();
-    if (!answer || !isFinished || !answer->scan || answer->scan->points.empty()) return false;
-    const DrillingScanQuestion& asked = *m_scan.question();
-    return drillingScanQuestion(scenario(), asked.range, asked.hasBracket) == asked;
+    const std::optional<ShownScan> shown = shownScan();
+    return shown && !shown->isOld && m_scan.job().state() == StudyState::finished;
 }
 
 void DrillingPage::addTo(ReportStudies& studies) const {

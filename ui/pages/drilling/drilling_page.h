@@ -3,9 +3,9 @@
 // (drilling §7).
 #pragma once
 
+#include "core/report/drilling_figure.h"
 #include "ui/job/solved_blow.h"
 #include "ui/job/study_job.h"
-#include "ui/pages/drilling/drilling_picture.h"
 #include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/drilling/run_means.h"
 #include "ui/pages/study/study_page.h"
@@ -17,9 +17,10 @@ class QPushButton;
 namespace drillwave {
 
 class AxisFields;
-class DrillingPlot;
 class DrillingTable;
+class FigureFrame;
 class MissingFields;
+class SectionBox;
 
 /// Page that computes a sequence of many blows, and scans of such sequences over a parameter.
 class DrillingPage : public StudyPage {
@@ -39,7 +40,7 @@ class DrillingPage : public StudyPage {
     int marches() const { return m_march.started(); }
     /// Returns the number of scans that were started.
     int scans() const { return m_scan.started(); }
-    const DrillingPlot& drillingPlot() const { return *m_plot; }
+    FigureFrame& figureFrame() const { return *m_frame; }
     /// Returns the blow sequence as far as it is computed; nullptr before the first one.
     const DrillingAnswer* answer() const { return m_march.value(); }
     const DrillingScanAnswer* scanAnswer() const { return m_scan.value(); }
@@ -64,15 +65,15 @@ class DrillingPage : public StudyPage {
   private:
     QWidget* makeScanControls();
     DrillingScanQuestion scanQuestion() const;
-    DrillingShown shownUnitsNow() const;
+    std::optional<ShownScan> shownScan() const;
+    std::optional<double> placeAlong(const Scenario& of) const;
     void keepBefore();
     void refuse(const std::vector<Message>& problems);
     void draw(const DrillingAnswer& answer);
     void scanIfQuick(const DrillingAnswer& answer);
     void startScan(const DrillingScanQuestion& question);
     void stopScan();
-    void addScan(DrillingPicture& picture) const;
-    /// Returns whether the blow sequence belongs to the present scenario and is complete.
+    /// Returns whether the blow sequence, or the scan, belongs to the present scenario and is complete.
     bool isMarchNew() const;
     /// Returns whether the scan belongs to the present scenario and is complete.
     bool isScanNew() const;
@@ -80,19 +81,19 @@ class DrillingPage : public StudyPage {
     std::string scenarioWith(const DrillingSettings& settings) const;
     QString scanName() const;
     void showScanState();
-    void setDetailed(bool isDetailed);
     QStringList wordsOf(const DrillingAnswer& answer) const;
     void openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void takeScanned(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void openBlow(long number, Qt::KeyboardModifiers modifiers);
-    void showRuns(const DrillingShown& units);
+    void showRuns(double lastBlow);
 
     MissingFields* m_missing;
     AxisFields* m_axis = nullptr;
     QPushButton* m_scanButton = nullptr;
     QCheckBox* m_bracket = nullptr;
     DrillingTable* m_table;
-    DrillingPlot* m_plot = nullptr;
+    SectionBox* m_details = nullptr;
+    FigureFrame* m_frame = nullptr;
     std::shared_ptr<const DrillingAnswer> m_complete;  // last sequence that was computed to its end
     std::shared_ptr<const DrillingAnswer> m_before;    // sequence of an earlier scenario
     // Whether a scan was stopped because the page was hidden.

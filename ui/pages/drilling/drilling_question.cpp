@@ -5,13 +5,11 @@
 
 #include "core/blow/blow.h"
 #include "core/numeric/available_threads.h"
+#include "core/report/drilling_figure.h"
 #include "core/study/drilling/quick_march.h"
 
 namespace drillwave {
 namespace {
-
-/// e over one period of the gap takes so many blows.
-constexpr int gapsOfPeriod = 40;
 
 /// The window looks at so many blows more each time, or at a share of those that there are: each look is a
 /// copy.
@@ -95,19 +93,6 @@ DrillingAnswer DrillingCache::answer(const DrillingQuestion& question,
     m_known.push_front(found);
     if (m_known.size() > keptAnswers) m_known.pop_back();
     return found;
-}
-
-QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop) {
-    QVector<QPointF> curve;
-    const std::optional<double> period = gapPeriod(scenario);
-    Scenario at = scenario;
-    for (int i = 0; period && i <= gapsOfPeriod && !stop.stop_requested(); ++i) {
-        const double share = double(i) / gapsOfPeriod;
-        at.bitRock.gap = share * *period;
-        const Blow blow = solveBlow(at, {}, Detail::cor, stop);
-        if (blow.isSolved()) curve.append({share, blow.summary.cor});
-    }
-    return curve;
 }
 
 std::string scanAxisText(const StudyRange& range) {

@@ -2,14 +2,13 @@
 // Questions of the page Drilling: a sequence of many blows, and a scan of such sequences over a parameter.
 #pragma once
 
-#include <QPointF>
-#include <QVector>
 #include <list>
 #include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/report/figure.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/study/scan/drilling_scan.h"
 #include "ui/job/study_job.h"
@@ -28,17 +27,13 @@ struct DrillingQuestion {
 /// Returns the question for a scenario, with the number of blows of windowSettingsOf().
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
-/// Returns the coefficient of restitution e of a single blow as points over the gap divided by its period,
-/// from 0 to 1. Empty for a drill string, which has no such period; a stop ends the computation early.
-QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop);
-
 /// Answer for one blow sequence, possibly incomplete.
 struct DrillingAnswer {
     DrillingQuestion question;
     std::vector<Message> refusals;      ///< errors of drillingRefusals(); if not empty, there is no result
     std::vector<DrillingBlow> growing;  ///< blows computed so far; empty once there is a result
     std::shared_ptr<const DrillingResult> result;
-    QVector<QPointF> corOverGap;  ///< points of corOverPeriod(); empty until the sequence is complete
+    FigureSeries corOverGap;  ///< series of corOverPeriod(); empty until the sequence is complete
 
     const std::vector<DrillingBlow>& blows() const { return result ? result->blows : growing; }
     /// Returns whether the sequence was computed to its end.

@@ -151,12 +151,6 @@ FigurePage::Shown FigurePage::wanted() const {
     return wanted;
 }
 
-FigureUnits FigurePage::figureUnits(const ShownUnits& units) const {
-    return {units, [&choice = document().units()](const Parameter& parameter) -> const Unit& {
-                return choice.fieldUnit(parameter);
-            }};
-}
-
 void FigurePage::present() {
     if (m_asked.job().state() == StudyState::failed) return refuse(m_asked.job().problem());
     Shown shown = wanted();

@@ -53,7 +53,6 @@ class FigurePage : public StudyPage {
     using RunAnswers = RunStudies<StudyQuestion, StudyAnswerPtr>;
 
     Shown wanted() const;
-    FigureUnits figureUnits(const ShownUnits& units) const;
     void draw();
     void placeHere();
     void askRuns();

@@ -13,6 +13,7 @@
 #include "ui/form/section_box.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/flow_layout.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/study_frame.h"
 #include "ui/result/stale_veil.h"
@@ -293,6 +294,12 @@ void StudyPage::take(const std::vector<ParameterValue>& values, Qt::KeyboardModi
         pin(values);
     else
         load(values);
+}
+
+FigureUnits StudyPage::figureUnits(const ShownUnits& units) const {
+    return {units, [&choice = document().units()](const Parameter& parameter) -> const Unit& {
+                return choice.fieldUnit(parameter);
+            }};
 }
 
 QList<PageExport> StudyPage::exports() const {

@@ -15,6 +15,8 @@ namespace drillwave {
 class ScrolledLabel;
 class SectionBox;
 class StaleVeil;
+struct FigureUnits;
+struct ShownUnits;
 
 /// Page around the plot of a study of the present scenario.
 ///
@@ -110,6 +112,8 @@ class StudyPage : public PlotPage {
     /// Calls pin() if `modifiers` contains Shift, else load().
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
+    /// Units of figures: those of the form for parameters, `units` for all else.
+    FigureUnits figureUnits(const ShownUnits& units) const;
     Document& document() const { return m_document; }
     const Scenario& scenario() const { return m_document.scenario(); }
     const SolvedBlowPtr& blow() const { return m_blow; }

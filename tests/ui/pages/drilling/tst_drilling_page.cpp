@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Drilling: the blows and numbers of the command, scans, and what it says where something lacks.
 #include <QLabel>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
+#include <numeric>
 
+#include "core/report/drilling_figure.h"
 #include "core/report/drilling_report.h"
 #include "core/report/report_text.h"
 #include "core/report/sequence_words.h"
@@ -16,12 +19,11 @@
 #include "ui/form/quantity_field.h"
 #include "ui/form/section_box.h"
 #include "ui/pages/drilling/drilling_page.h"
-#include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_table.h"
-#include "ui/pages/drilling/march_rects.h"
-#include "ui/pages/drilling/scan_rects.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/plot/curve_reading.h"
+#include "ui/plot/figure_frame.h"
+#include "ui/plot/label_places.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/language.h"
 
@@ -29,6 +31,10 @@ using namespace drillwave;
 using namespace drillwave::test;
 
 namespace {
+
+/// Series of the panel of the rate, and of those of blows.
+enum class RateSeries { rate, bouncing, contact };
+enum class BlowSeries { before, now };
 
 // For hundreds of blows on a machine that is busy with other tests.
 constexpr int patience = 120'000;
@@ -58,6 +64,14 @@ class TestDrillingPage : public QObject {
     bool isAnswered() const;
     void set(const char* key, double si) const;
     QString words() const { return pageWords(*m_page); }
+    template <class Series>
+    QCPGraph* graph(DrillingPanel panel, Series series) const {
+        return m_page->figureFrame().graph(std::size_t(panel), std::size_t(series));
+    }
+    QCPGraph* rate() const { return graph(DrillingPanel::rate, RateSeries::rate); }
+    QCPAxisRect* rates() const { return rate()->keyAxis()->axisRect(); }
+    QVector<QCPItemText*> textsOfRates() const;
+    bool isScanOld() const { return rate()->layer()->name() == QLatin1String("ghost"); }
 
     QTemporaryDir m_folder;
     std::unique_ptr<Document> m_document;
@@ -108,27 +122,46 @@ void TestDrillingPage::aPageThatCannotBeSeenComputesNothing() {
     QCOMPARE(m_page->scans(), scans);
 }
 
+// The names of the required feeds, in their order.
+QVector<QCPItemText*> TestDrillingPage::textsOfRates() const {
+    QVector<QCPItemText*> found;
+    for (int i = 0; i < m_page->plot()->itemCount(); ++i)
+        if (auto* text = qobject_cast<QCPItemText*>(m_page->plot()->item(i)))
+            if (text->clipAxisRect() == rates() && text->text().startsWith("f I₀")) found.append(text);
+    return found;
+}
+
 void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
+    m_page->findChild<SectionBox*>(QStringLiteral("details"))->setOpen(true);
     showPage();
     const DrillingSettings settings{.blows = 60, .settle = 20};
     const DrillingResult expected = studyDrilling(m_document->scenario(), settings);
     const DrillingResult& found = *m_page->answer()->result;
     QCOMPARE(found.blows.size(), expected.blows.size());
-    const MarchRects& march = m_page->drillingPlot().march();
-    QCOMPARE(march.gapPoints()->dataCount(), 60);
+    const QCPGraph* gaps = graph(DrillingPanel::gap, BlowSeries::now);
+    const QCPGraph* penetrations = graph(DrillingPanel::penetration, BlowSeries::now);
+    QCOMPARE(gaps->dataCount(), 60);
     const double millimetres = 1e3 * expected.units.length();
     for (int i = 0; i < 60; ++i) {
         const DrillingBlow& blow = expected.blows[std::size_t(i)];
-        QCOMPARE(march.gapPoints()->data()->at(i)->key, i + 1.0);
-        QCOMPARE(march.gapPoints()->data()->at(i)->value, blow.gap * millimetres);
-        QCOMPARE(march.penetrationPoints()->data()->at(i)->value, blow.penetration * millimetres);
+        QCOMPARE(gaps->data()->at(i)->key, i + 1.0);
+        QCOMPARE(gaps->data()->at(i)->value, blow.gap * millimetres);
+        QCOMPARE(penetrations->data()->at(i)->value, blow.penetration * millimetres);
     }
-    QCOMPARE(march.parts()->dataCount(), 20);
-    QVERIFY(march.cor()->dataCount() > 20);
+    const DrillingAnswer& answer = *m_page->answer();
+    const ShownSequence sequence{answer.question.scenario, settings, found.blows, &found, answer.corOverGap};
+    const StudyFigure figure = drillingFigure(&sequence, nullptr);
+    // A bar has four corners, two of them at its end.
+    const auto sumOf = [](const std::vector<double>& ends) {
+        return std::accumulate(ends.begin(), ends.end(), 0.0) / 2;
+    };
+    const FigureSeries& phases = figure.panels[std::size_t(DrillingPanel::phase)].series.front();
+    QCOMPARE(phases.x.size(), std::size_t(4 * 20));
+    QVERIFY(std::abs(sumOf(phases.y) - 100) < 1e-9);
+    QVERIFY(graph(DrillingPanel::phase, 1)->dataCount() > 20);
+    QCOMPARE(graph(DrillingPanel::phase, 1)->valueAxis()->axisType(), QCPAxis::atRight);
     // Energy balance is all of what was given, but for the residual of the cells.
-    double share = 0;
-    for (const QCPBarsData& part : *march.energy()->data()) share += part.value;
-    QVERIFY(std::abs(share - 100) < 1);
+    QVERIFY(std::abs(sumOf(figure.panels[std::size_t(DrillingPanel::energy)].series.front().x) - 100) < 1);
     const LocalStyle style = LocalStyle::of(m_document->units());
     QVERIFY(words().startsWith(QString::fromStdString(sequenceText(expected, style))));
     const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("statistics"));
@@ -180,45 +213,49 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     m_page->findChild<AxisFields*>()->setRange({findParameter("drill.thrust"), 4000, 8000, false});
     m_page->scan();
     QTRY_VERIFY_WITH_TIMEOUT(m_page->scanActivity().state() == StudyState::finished, patience);
-    const ScanRects& scan = m_page->drillingPlot().scan();
-    QVERIFY(scan.rate()->dataCount() > 20);
-    QVERIFY(scan.gapDots()->dataCount() >= scan.rate()->dataCount() * 40);
-    QCOMPARE(scan.marks().size(), 3);
+    QVERIFY(rate()->dataCount() > 20);
+    QVERIFY(graph(DrillingPanel::scannedGap, 0)->dataCount() >= rate()->dataCount() * 40);
+    QCOMPARE(textsOfRates().size(), 3);
     // It takes room of its own, but not of other pages.
     const int tall = m_page->plot()->minimumHeight();
     m_page->hide();
     QVERIFY(m_page->plot()->minimumHeight() < tall);
     m_page->show();
     QTRY_COMPARE(m_page->plot()->minimumHeight(), tall);
-    // lines that are near to each other have their words above each other, at the foot
+    // Names are at the foot where they cover nothing, else above each other.
     m_page->plot()->resize(900, 500);
-    scan.rates()->axis(QCPAxis::atBottom)->setRange(0, 2000);
-    m_page->plot()->replot();
-    const double first = scan.markTop(0);
-    QVERIFY(scan.markTop(1) < first && scan.markTop(2) < scan.markTop(1));
-    QVERIFY(first > scan.rates()->height() / 2.0);
-    scan.rates()->axis(QCPAxis::atBottom)->setRange(2, 6);
-    m_page->plot()->replot();
-    for (int mark = 0; mark < 3; ++mark) QCOMPARE(scan.markTop(mark), first);
+    for (const QCPRange view : {QCPRange(0, 2000), QCPRange(2, 6)}) {
+        rates()->axis(QCPAxis::atBottom)->setRange(view);
+        m_page->plot()->replot();
+        const QVector<QCPItemText*> names = textsOfRates();
+        for (int i = 0; i < 3; ++i) {
+            const QRectF place = rectOf(*names[i]);
+            QVERIFY(rates()->rect().contains(place.center().toPoint()));
+            for (int other = 0; other < i; ++other) QVERIFY(!place.intersects(rectOf(*names[other])));
+            if (view.upper > 1000) continue;
+            for (const auto which : {RateSeries::rate, RateSeries::contact})
+                for (const QPointF& point : pointsAlong(*graph(DrillingPanel::rate, which)))
+                    QVERIFY(!place.contains(point));
+        }
+    }
     m_page->plot()->resize(900, 800);
-    scan.rates()->axis(QCPAxis::atBottom)->setRange(4, 8);
-    QVERIFY(!m_page->drillingPlot().picture().isScanOld);
+    rates()->axis(QCPAxis::atBottom)->setRange(4, 8);
+    QVERIFY(!isScanOld());
     m_page->plot()->replot();
     const int steps = m_document->undoStack().count();
-    const QPointF pixel(scan.rates()->axis(QCPAxis::atBottom)->coordToPixel(6),
-                        scan.rates()->axis(QCPAxis::atLeft)->coordToPixel(0.1));
+    const QPointF pixel(rates()->axis(QCPAxis::atBottom)->coordToPixel(6),
+                        rates()->axis(QCPAxis::atLeft)->coordToPixel(0.1));
     // Far from the curve, nothing is taken.
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, pixel.toPoint());
     QCOMPARE(m_document->undoStack().count(), steps);
-    const QCPGraph* rate = scan.rates()->graphs().constFirst();
-    const double value = chordValue(*rate->data(), 6);
+    const double value = chordValue(*rate()->data(), 6);
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {},
-                      QPointF(pixel.x(), scan.rates()->axis(QCPAxis::atLeft)->coordToPixel(value)).toPoint());
+                      QPointF(pixel.x(), rates()->axis(QCPAxis::atLeft)->coordToPixel(value)).toPoint());
     QTRY_VERIFY(std::abs(*m_document->scenario().drill.thrust - 6000) < 50);
     QCOMPARE(m_document->undoStack().count(), steps + 1);
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     // Another place along it is the same scan; another wave loss is not.
-    QVERIFY(!m_page->drillingPlot().picture().isScanOld);
+    QVERIFY(!isScanOld());
     // its sentence, and its command below that of the march
     QVERIFY(words().contains("Friction, rotation and buckling are not modelled."));
     QVERIFY(shell(m_page->command()).out.contains("drill.thrust [kN],start,"));
@@ -244,23 +281,23 @@ void TestDrillingPage::aClickOnABlowOpensItAndShiftPinsItsGap() {
     set("drill.thrust", 3500);
     m_page->findChild<SectionBox*>(QStringLiteral("details"))->setOpen(true);
     showPage();
-    const MarchRects& march = m_page->drillingPlot().march();
     const DrillingResult result = *m_page->answer()->result;
     const QSignalSpy opened(m_page.get(), &DrillingPage::blowOpened);
     const QSignalSpy pinned(m_page.get(), &Page::pinRequested);
-    const auto click = [&](const QCPAxisRect* rect, Qt::KeyboardModifiers modifiers) {
+    const auto click = [&](DrillingPanel panel, Qt::KeyboardModifiers modifiers) {
+        const QCPAxisRect* rect = graph(panel, BlowSeries::now)->keyAxis()->axisRect();
         const QPointF pixel(rect->axis(QCPAxis::atBottom)->coordToPixel(40.3), rect->center().y());
         QTest::mouseClick(m_page->plot(), Qt::LeftButton, modifiers, pixel.toPoint());
     };
     const double gap = result.blows[39].gap * result.units.length();
     QVERIFY(gap > 0);
-    click(march.gaps(), Qt::ShiftModifier);
+    click(DrillingPanel::gap, Qt::ShiftModifier);
     QTRY_COMPARE(pinned.count(), 1);
     QCOMPARE(pinned.first().first().value<ScenarioDocument>().scenario.bitRock.gap, gap);
     QCOMPARE(m_document->scenario().bitRock.gap, 0.0);
     QCOMPARE(opened.count(), 0);
     const int steps = m_document->undoStack().count();
-    click(march.penetrations(), {});
+    click(DrillingPanel::penetration, {});
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(opened.first().first().value<MarchedQuestion>(), (MarchedQuestion{result.settings, 40}));
     QVERIFY(opened.first().last().toString().contains(QStringLiteral("Blow 40 of 60")));
@@ -283,32 +320,31 @@ void TestDrillingPage::pinnedRunsStandAtTheirMeans() {
     lost.contents.scenario.drill.thrust = 1000;
     m_page->setRuns(std::make_shared<const RunList>(RunList{run, lost}));
     showPage();
-    const MarchRects& march = m_page->drillingPlot().march();
-    QTRY_COMPARE_WITH_TIMEOUT(march.runMarks().size(), 1, patience);
-    QCOMPARE(march.runMarks().first().number, 2);
-    QCOMPARE(march.runMarks().first().at, QPointF(60, 1e3 * expected.penetration));
-    QVERIFY(m_page->drillingPlot().runMarks().isEmpty());
+    const FigureFrame& frame = m_page->figureFrame();
+    const auto means = [&] { return frame.runMarksIn(std::size_t(DrillingPanel::penetration)); };
+    QTRY_COMPARE_WITH_TIMEOUT(means().size(), 1, patience);
+    QCOMPARE(means().first().number, 2);
+    QCOMPARE(means().first().at, QPointF(60, 1e3 * expected.penetration));
+    QVERIFY(frame.runMarks().isEmpty());
     m_page->scan();
-    QTRY_COMPARE_WITH_TIMEOUT(m_page->drillingPlot().runMarks().size(), 1, patience);
-    QCOMPARE(m_page->drillingPlot().runMarks().first().at.x(), 5.0);
+    QTRY_COMPARE_WITH_TIMEOUT(frame.runMarks().size(), 1, patience);
+    QCOMPARE(frame.runMarks().first().at.x(), 5.0);
     QTRY_VERIFY_WITH_TIMEOUT(m_page->scanActivity().state() == StudyState::finished, patience);
 }
 
 // A motion that repeats with every blow has one point, around which digits would not end.
 void TestDrillingPage::axesOfTheSamePlotHaveRoomForTheirNumbers() {
+    m_page->findChild<SectionBox*>(QStringLiteral("details"))->setOpen(true);
     showPage();
-    const MarchRects& march = m_page->drillingPlot().march();
-    const QCPRange range = march.returns()->keyAxis()->range();
+    const QCPRange range = graph(DrillingPanel::returns, 0)->keyAxis()->range();
     QVERIFY(range.size() >= 0.09 * range.upper);
-    const QVector<QCPItemText*> texts = [&] {
-        QVector<QCPItemText*> found;
-        for (int i = 0; i < m_page->plot()->itemCount(); ++i)
-            if (auto* text = qobject_cast<QCPItemText*>(m_page->plot()->item(i)))
-                if (text->clipAxisRect() == march.energy()->keyAxis()->axisRect()) found.append(text);
-        return found;
-    }();
-    QCOMPARE(texts.size(), 5);
-    for (const QCPItemText* text : texts) QVERIFY2(text->text().size() <= 5, qPrintable(text->text()));
+    QStringList names;
+    for (const QCPAxisRect* rect : m_page->plot()->axisRects())
+        if (m_page->figureFrame().panelIn(rect) == std::size_t(DrillingPanel::energy))
+            names = rect->axis(QCPAxis::atLeft)->tickVectorLabels();
+    QCOMPARE(names.size(), 5);
+    for (const QString& name : names)
+        QVERIFY2(name.contains(QRegularExpression(" [0-9.]{1,4}\u00a0%$")), qPrintable(name));
 }
 
 void TestDrillingPage::whatLacksIsSaidAndCanBeEntered() {
