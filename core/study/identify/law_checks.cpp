@@ -285,8 +285,10 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
             trials.answer = indexOf("crater");
         if (jump < trials.candidates.size()) {
             const LawCandidate& jumped = trials.candidates[jump];
+            const UsedUp zero = usedUp(*jumped.model, jumped.fit);
+            // A jump that needs zero lines beyond their tolerance beside it is none.
             if (jumped.misfit() <= jumpShare * trials.candidates[0].misfit() &&
-                jumped.misfit() <= trials.chosen().misfit())
+                jumped.misfit() <= trials.chosen().misfit() && std::max(zero.zeroLines, zero.droop) <= 1)
                 trials.answer = jump;
         }
     }

@@ -18,7 +18,9 @@ constexpr double enoughChange = 1e-9;  ///< of Σr² in a round: the minimum
 constexpr int dampingTries = 24;
 constexpr double quietGaussian = 20e-6;  ///< −3 dB at 6.6 kHz [s]
 constexpr double lastStretch = 120e-6;
-constexpr double largeShare = 0.3;  ///< of the tolerance of a zero line: others are tried
+constexpr double asGood = 1.05;      ///< of Σr² of the returning wave
+constexpr double clearlyLess = 0.7;  ///< of what is unexplained
+constexpr double largeShare = 0.3;   ///< of the tolerance of a zero line: others are tried
 
 /// Slope shapes and sizes act almost linearly: while searching they get one-sided differences.
 bool isNearlyLinear(const Unknown& unknown) {
@@ -253,6 +255,20 @@ LawFit finished(RecordModel& model, Eigen::VectorXd values) {
     return fit;
 }
 
+/// Returns the largest part of the record [peak] that a fit leaves between blow and reflection, or takes by
+/// zero lines beyond their tolerance.
+double unexplainedShare(const RecordModel& model, const Eigen::VectorXd& values) {
+    double share = std::sqrt(2.0) * quietErrors(model, values).last / model.record().peak;
+    for (std::size_t u = 0; u < model.unknowns().size(); ++u) {
+        const Unknown& unknown = model.unknowns()[u];
+        if (unknown.kind != Unknown::Kind::shape || unknown.deviation <= 0) continue;
+        const double tolerance = half95 * unknown.deviation;
+        const double beyond = std::abs(values[static_cast<Index>(u)] - unknown.mean) - tolerance;
+        if (model.shapes()[unknown.index].key.starts_with("offset")) share = std::max(share, 2 * beyond);
+    }
+    return share;
+}
+
 /// Searches again with zero lines, droop and gain of the return at their expected values, and frees them at
 /// the end, if one of them is large: together they can lead a search into a minimum of their own.
 void searchWithoutZeroLines(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
@@ -274,12 +290,14 @@ void searchWithoutZeroLines(RecordModel& model, LawFit& fit, const std::stop_tok
     model.setQuietErrors(floor, floor);
     minimise(model, values, 40, stop);
     free();
-    const double cost = minimise(model, values, 60, stop);
-    Eigen::VectorXd residuals;
-    model.residuals(fit.values, residuals);
-    if (cost < residuals.squaredNorm()) {
-        followQuiet(model, values, stop);
-        fit = finished(model, values);
+    minimise(model, values, 60, stop);
+    followQuiet(model, values, stop);
+    LawFit found = finished(model, values);
+    const auto returned = static_cast<Index>(model.returningCount());
+    const double before = fit.residuals.head(returned).squaredNorm();
+    if (found.residuals.head(returned).squaredNorm() < asGood * before &&
+        unexplainedShare(model, values) < clearlyLess * unexplainedShare(model, fit.values)) {
+        fit = std::move(found);
         return;
     }
     const QuietErrors errors = quietErrors(model, fit.values);
