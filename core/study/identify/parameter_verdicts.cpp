@@ -10,14 +10,16 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double identifiedShare = 0.2;   ///< half-width at most
-constexpr double identifiedGap = 0.1e-3;  ///< [m]
-constexpr double unloadedShare = 0.05;    ///< of the largest force
-constexpr double contactDeviations = 3;   ///< of the misfit's noise
-constexpr double leastContact = 0.015;    ///< of the peak: a smaller force says nothing of the rock
-constexpr double widestKnown = 2.3;       ///< half-width of a logarithm: a factor 10 says nothing
-constexpr double cornerReached = 0.98;    ///< of the largest force: a corner there has no effect
-constexpr double widestLog = 12;          ///< of an interval in logarithms, beyond it nothing is known
+constexpr double identifiedShare = 0.2;     ///< half-width at most
+constexpr double identifiedGap = 0.1e-3;    ///< [m]
+constexpr double unloadedShare = 0.05;      ///< of the largest force
+constexpr double contactDeviations = 3;     ///< of the misfit's noise
+constexpr double leastContact = 0.015;      ///< of the peak: a smaller force says nothing of the rock
+constexpr double widestKnown = 2.3;         ///< half-width of a logarithm: a factor 10 says nothing
+constexpr double cornerReached = 0.98;      ///< of the largest force: a corner there has no effect
+constexpr double hardeningRatio = 1.1;      ///< of residuals to noise
+constexpr double hardeningMisfit = 0.0005;  ///< of the peak
+constexpr double widestLog = 12;            ///< of an interval in logarithms, beyond it nothing is known
 
 /// Force of the model within the window.
 struct ForceSeen {
@@ -115,6 +117,14 @@ void judgeGap(IdentifiedParameter& gap) {
     }
 }
 
+/// Widens an interval of logarithms to a half-width of at least `atLeast`.
+void widen(IdentifiedParameter& parameter, double atLeast) {
+    if (parameter.halfWidth >= atLeast) return;
+    parameter.halfWidth = atLeast;
+    parameter.low = parameter.value * std::exp(-atLeast);
+    parameter.high = parameter.value * std::exp(atLeast);
+}
+
 /// A first line as steep as the way back may be the crater of a blow before, or a bit pressed into it: then
 /// the second line is that of first loading.
 void openCrater(RecordAnswer& answer) {
@@ -122,15 +132,17 @@ void openCrater(RecordAnswer& answer) {
     const double slope = answer.parameters[4].value;
     if (slope >= 1 || std::log(gamma.value) + std::max(gamma.halfWidth, std::log(1.4)) < 0) return;
     const double way = -std::log(slope);
-    const auto widen = [&](IdentifiedParameter& parameter, double atLeast) {
-        if (parameter.halfWidth >= atLeast) return;
-        parameter.halfWidth = atLeast;
-        parameter.low = parameter.value * std::exp(-atLeast);
-        parameter.high = parameter.value * std::exp(atLeast);
-    };
     widen(stiffness, way + answer.parameters[4].halfWidth + stiffness.halfWidth);
     widen(gamma, way + answer.parameters[4].halfWidth + gamma.halfWidth);
     answer.remarks.emplace_back("crater");
+}
+
+/// A rock that hardens at a corner and is not fully explained by it may harden at others too: below the first
+/// of them it is softer by as much again.
+void openHardening(const MisfitFound& misfit, RecordAnswer& answer) {
+    const double slope = answer.parameters[4].value;
+    if (slope <= 1 || misfit.ratio < hardeningRatio || misfit.misfit < hardeningMisfit) return;
+    for (std::size_t i : {0, 1}) widen(answer.parameters[i], std::log(slope));
 }
 
 void fillCovariance(const LawTrials& trials, const std::vector<UnknownKind>& kinds, RecordAnswer& answer) {
@@ -190,6 +202,7 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
     const bool hasCorner =
         chosen.name == "corner" && answer.parameters[3].value <= cornerReached * force.largest;
     if (hasCorner) openCrater(answer);
+    if (hasCorner) openHardening(chosen.errors.misfit, answer);
     fillCovariance(trials, kinds, answer);
     IdentifiedParameter& stiffness = answer.parameters[0];
     IdentifiedParameter& gamma = answer.parameters[1];

@@ -95,19 +95,24 @@ struct CoverageTally {
     }
 };
 
-/// All rocks and noise levels in one colour of noise.
+/// All rocks and noise levels in one colour of noise; each record has noise of its own, so that errors are
+/// independent.
 inline CoverageTally coverageOf(const std::string& colour, int seeds, std::uint64_t first = 1) {
     CoverageTally tally;
+    constexpr std::uint64_t cells = std::size(coverageRocks) * std::size(coverageNoises);
+    std::uint64_t number = 0;  // of the cell
     for (const CoverageRock& rock : coverageRocks)
-        for (const double noise : coverageNoises)
+        for (const double noise : coverageNoises) {
             for (int i = 0; i < seeds; ++i) {
-                const GaugeScene scene =
-                    coverageScene(colour, rock, noise, first + static_cast<std::uint64_t>(i));
+                const GaugeScene scene = coverageScene(
+                    colour, rock, noise, (first + static_cast<std::uint64_t>(i)) * cells + number);
                 char cell[80];
                 std::snprintf(cell, sizeof cell, "k %.0f MN/m gamma %.2f gap %.2f mm noise %.1f %%",
                               1e-6 * rock.stiffness, rock.gamma, 1e3 * rock.gap, 100 * noise);
                 tally.add(scene, runIdentify(scene.question).records.front(), cell);
             }
+            ++number;
+        }
     return tally;
 }
 
