@@ -129,7 +129,8 @@ const Command& accuracyCommand() {
             "with a plain lattice.",
         .options = scenarioOptions(
             {{"segments", "A,B,C",
-              "numbers of segments of the lattice method to compare (default: from 100 to 20000)"},
+              "segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to "
+              "20000)"},
              {"work-limit", "N",
               "limit the work of the lattice method, counted in moves of a wave by one segment (default: "
               "1000000000, half a minute)"},

@@ -183,7 +183,7 @@ std::vector<OptionSpec> curveOptions() {
           "START:STOP:COUNT:log (equal ratios) or A,B,C"},
          {"outputs", "A,B|all",
           "outputs to follow, listed below (default: cor, the coefficient of restitution)"},
-         {"level", "X", "also print where the outputs cross this value, in the unit of their columns",
+         {"level", "X", "also print where an output crosses this value, in the unit of its column",
           OptionSpec::Times::repeated},
          {"goal", "X",
           "print every value of the parameter at which the output is X, in the unit of its column; exit code "

@@ -147,8 +147,7 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"dispersion", "KIND",
          "dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) "
          "or none (default: fit)"},
-        {"end", "TIME",
-         "ignore the record later than this time after the reflected wave arrives at the gauge"},
+        {"end", "TIME", "use the record only up to this time after the reflected wave reaches the gauge"},
         {"blows", "WHICH", "blows of a record to evaluate: first, or all (default: first)"},
         {"seed", "S", "seed of the random numbers for noise and samples (default: 1)"},
         {"j", "N", "number of threads (default: all)"},

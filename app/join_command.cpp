@@ -209,7 +209,7 @@ const Command& joinCommand() {
             "varied\n"
             "parameters, table of cases, build and number of parts. If a part is missing, given twice, from\n"
             "another run or changed since it was written, the message names it, with exit code 5.",
-        .options = {{"o", "FILE", "file to write, with its record FILE.yaml beside it; -o - prints the file"},
+        .options = {{"o", "FILE", "write FILE and its description FILE.yaml; -o - prints the file instead"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,

@@ -35,7 +35,8 @@ std::vector<KeptParameter> numbersInScales(const Scenario& scenario);
 /// loading curve are in the table of parameters.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
-/// Returns the number of the corner that a parameter belongs to, from 1; 0 if it belongs to none.
+/// Returns the number, from 1, of the corner of the loading curve that a parameter belongs to; 0 if it
+/// belongs to none.
 std::size_t cornerOf(const Parameter& parameter);
 
 /// Returns the key of a number of a corner, such as "bit_rock.corner.2.force". `place` counts from 1.

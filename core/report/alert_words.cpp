@@ -116,8 +116,9 @@ Message residualWaves(const Alert& alert, const ReadingStyle& style) {
                              "frequency and string length; to compute it, use %2."),
                 {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
     return {translatable("The waves of a blow make only %1 round trips in the string before the next blow "
-                         "and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration "
-                         "may change by up to 10 %; to compute it, use %3."),
+                         "and still act on it (%4). Because %1 is close to the whole number %2, they arrive "
+                         "together with the next blow. Penetration may change by up to 10 %; to compute it, "
+                         "use %3."),
             {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
 }
 
@@ -137,8 +138,8 @@ Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
                       {bound(alert, "efficiency_error", style)});
     return {translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
             {cell, inUnit(alert, "time", style), off,
-             isShared ? translatable("Choose lengths that are multiples of a longer common length, such as "
-                                     "50 mm: longer time steps are then exact.")
+             isShared ? translatable("Round the lengths to multiples of a common length, such as 50 mm: "
+                                     "longer time steps are then exact.")
                       : translatable("Enter all lengths in whole millimetres, with the same steel in all "
                                      "sections: the time step is then exact.")}};
 }

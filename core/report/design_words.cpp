@@ -50,7 +50,7 @@ void addUncertain(const DesignReport& report, const ReadingStyle& style, std::ve
              "points_uncertain",
              {translatable("In up to %1 % of the samples of a design, the bit chatters on the rock; the "
                            "numerical error of these blows is larger than the error of the statistics."),
-              {style.number(share * 100, 2)}}});
+              {style.number(share * 100, 3)}}});
 }
 
 /// "100 us or 200 us or 3 others"

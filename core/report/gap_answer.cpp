@@ -196,7 +196,7 @@ const Study& gapStudy() {
                      .group = &scatter},
                     {.key = "gap-deviation",
                      .value = "GAP",
-                     .help = "standard deviation of a normally distributed gap, for which results are added",
+                     .help = "also print results for a normally distributed gap with this standard deviation",
                      .control = deviation,
                      .label = "±",
                      .name = translatable("standard deviation of the gap"),

@@ -79,7 +79,7 @@ Message identifySentence(const RecordAnswer& answer) {
     const bool hasGap = isKnownOnBothSides(answer.find("bit_rock.gap"));
     const char* known =
         hasStiffness && hasGamma && hasGap
-            ? translatable("Stiffness, elasticity and gap of the rock are known.")
+            ? translatable("The record determines stiffness, elasticity and gap of the rock.")
         : hasStiffness && hasGamma
             ? translatable(
                   "Stiffness and elasticity of the rock are known, the gap between bit and rock is not.")

@@ -156,7 +156,7 @@ constexpr SignalOption readingOptions[] = {
     {"time-unit", "UNIT", "unit of the times, if the table does not state it: s, ms, us", setTimeUnit},
     {"unit", "UNIT", "unit of the signal, if the table does not state it: kN, microstrain, V, MPa, m/s",
      setUnit},
-    {"rate", "RATE", "sampling rate, such as 5MHz, used instead of a column of times", setRate},
+    {"rate", "RATE", "sampling rate, such as 5MHz, used instead of a time column", setRate},
     {"scale", "S", "multiply the signal by this factor, or by a force per unit: 50kN/V, 18kN s/m", setScale},
     {"gain", "G", "gain of the amplifier, for a signal in volts (default: 1)",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.gain, text); }},
@@ -176,9 +176,9 @@ constexpr SignalOption readingOptions[] = {
          return setPositive(options.modulus, text, Quantity::stress, "GPa");
      }},
     {"zero", "A:B", "time range in which the signal is zero on average, such as -50us:-10us", setZero},
-    {"from", "T", "ignore samples before this time of the table, such as 0us",
+    {"from", "T", "ignore samples earlier than this time in the table, such as 0us",
      [](SignalOptions& options, std::string_view text) { return setTime(options.from, text); }},
-    {"to", "T", "ignore samples after this time of the table, such as 400us",
+    {"to", "T", "ignore samples later than this time in the table, such as 400us",
      [](SignalOptions& options, std::string_view text) { return setTime(options.to, text); }},
     {"invert", "", "reverse the sign of the signal: its largest value is tension (default: compression)",
      [](SignalOptions& options, std::string_view) {

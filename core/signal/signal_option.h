@@ -17,7 +17,7 @@ struct SignalOption {
     std::string_view name;   ///< name without dashes, "time-unit"
     std::string_view value;  ///< name of the value in the help, "UNIT"; empty for a switch
     std::string_view help;   ///< description in one line for the help
-    /// Sets the option from text. Returns an empty message when done, else why the text is wrong.
+    /// Sets the option from text. Returns an empty message on success, otherwise what is wrong with the text.
     Message (*set)(SignalOptions& options, std::string_view text);
 };
 

@@ -1843,7 +1843,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
-        <translation>Ein Strang zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel des Schlags bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den Andruck, den die Schläge brauchen. Die Steifigkeit oder den Spalt ziehen, um zu sehen, wie sich beide ändern.</translation>
+        <translation>Eine Stange zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel des Schlags bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den Andruck, den die Schläge brauchen. Die Steifigkeit oder den Spalt ziehen, um zu sehen, wie sich beide ändern.</translation>
     </message>
     <message>
         <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
@@ -3430,8 +3430,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Einige tausend steife und extreme Fälle lösen und prüfen</translation>
     </message>
     <message>
-        <source>Run compares all methods on this scenario: error against time.</source>
-        <translation>Rechnen vergleicht alle Verfahren an diesem Szenario: Fehler gegen Zeit.</translation>
+        <source>Press the button above to compare all methods on this scenario: error against time.</source>
+        <translation>Mit der Schaltfläche darüber alle Verfahren an diesem Szenario vergleichen: Fehler gegen Zeit.</translation>
     </message>
     <message>
         <source>Run solves and checks some thousand stiff and extreme cases.</source>
@@ -6226,8 +6226,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%3). Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; zum Berechnen %2 verwenden.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; to compute it, use %3.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4), fast im Takt mit ihm: %1 ist nahe bei %2. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; zum Berechnen %3 verwenden.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4). Because %1 is close to the whole number %2, they arrive together with the next blow. Penetration may change by up to 10 %; to compute it, use %3.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4). Weil %1 nahe bei der ganzen Zahl %2 liegt, treffen sie zugleich mit ihm ein. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; zum Berechnen %3 verwenden.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6250,8 +6250,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are then exact.</source>
-        <translation>Längen wählen, die Vielfache einer größeren gemeinsamen Länge sind, zum Beispiel 50 mm: dann sind längere Zeitschritte genau.</translation>
+        <source>Round the lengths to multiples of a common length, such as 50 mm: longer time steps are then exact.</source>
+        <translation>Die Längen auf Vielfache einer gemeinsamen Länge runden, zum Beispiel 50 mm: dann sind längere Zeitschritte genau.</translation>
     </message>
     <message>
         <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
@@ -11475,7 +11475,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
-        <translation>Zuerst bricht der Abschnitt %1: ein Zug von %2 ist %3 seiner Dauerfestigkeit von %4.</translation>
+        <translation>Am ehesten bricht: %1. Ein Zug von %2 ist %3 der Dauerfestigkeit von %4.</translation>
     </message>
     <message>
         <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
@@ -11974,8 +11974,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung stimmt mit einem Gestein überein, dessen Kraft beim Eindringen längs einer einzigen Geraden steigt.</translation>
     </message>
     <message>
-        <source>Stiffness, elasticity and gap of the rock are known.</source>
-        <translation>Steifigkeit, Elastizität und Spalt des Gesteins sind bekannt.</translation>
+        <source>The record determines stiffness, elasticity and gap of the rock.</source>
+        <translation>Die Aufzeichnung bestimmt Steifigkeit, Elastizität und Spalt des Gesteins.</translation>
     </message>
     <message>
         <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
@@ -13882,8 +13882,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Wellenverlust 10 % setzen</translation>
     </message>
     <message>
-        <source>Estimate from single blows; solving consecutive blows …</source>
-        <translation>Schätzung aus einzelnen Schlägen; aufeinanderfolgende Schläge werden verfolgt …</translation>
+        <source>Estimate from single blows. Consecutive blows are being solved …</source>
+        <translation>Schätzung aus einzelnen Schlägen. Aufeinanderfolgende Schläge werden berechnet …</translation>
     </message>
     <message>
         <source>Estimate from single blows.</source>
@@ -15834,7 +15834,7 @@ und Szenario fest.</translation>
         <translation>diesen Parameter verändern, mit einer Kurve für jeden Wert; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
     </message>
     <message>
-        <source>also print where the outputs cross this value, in the unit of their columns</source>
+        <source>also print where an output crosses this value, in the unit of its column</source>
         <translation>auch ausgeben, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
     </message>
     <message>
@@ -15891,8 +15891,8 @@ springt.</translation>
         <translation>die Teile von sweep, table oder map zusammenfügen, in die --shard sie geteilt hat</translation>
     </message>
     <message>
-        <source>file to write, with its record FILE.yaml beside it; -o - prints the file</source>
-        <translation>Datei, die geschrieben wird, mit ihrem Protokoll FILE.yaml daneben; -o - gibt die Datei aus</translation>
+        <source>write FILE and its description FILE.yaml; -o - prints the file instead</source>
+        <translation>DATEI und ihre Beschreibung DATEI.yaml schreiben; -o - gibt die Datei stattdessen aus</translation>
     </message>
     <message>
         <source>restitution, forces and efficiency for all gaps between bit and rock</source>
@@ -15913,8 +15913,8 @@ solchen Periode als gleich wahrscheinlich. Ausgegeben werden Extreme mit ihren S
 ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abgeschnitten.</translation>
     </message>
     <message>
-        <source>standard deviation of a normally distributed gap, for which results are added</source>
-        <translation>Standardabweichung eines normalverteilten Spalts, für den Ergebnisse ergänzt werden</translation>
+        <source>also print results for a normally distributed gap with this standard deviation</source>
+        <translation>auch Ergebnisse für einen normalverteilten Spalt mit dieser Standardabweichung ausgeben</translation>
     </message>
     <message>
         <source>also write the results at each gap to FILE.csv; -o - prints them instead of the table</source>
@@ -16277,7 +16277,7 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
         <translation>Einheit des Signals, wenn die Tabelle sie nicht nennt: kN, microstrain, V, MPa, m/s</translation>
     </message>
     <message>
-        <source>sampling rate, such as 5MHz, used instead of a column of times</source>
+        <source>sampling rate, such as 5MHz, used instead of a time column</source>
         <translation>Abtastrate, zum Beispiel 5MHz, statt einer Spalte von Zeiten</translation>
     </message>
     <message>
@@ -16313,11 +16313,11 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
         <translation>Zeitbereich, in dem das Signal im Mittel null ist, zum Beispiel -50us:-10us</translation>
     </message>
     <message>
-        <source>ignore samples before this time of the table, such as 0us</source>
+        <source>ignore samples earlier than this time in the table, such as 0us</source>
         <translation>Abtastwerte vor dieser Zeit der Tabelle weglassen, zum Beispiel 0us</translation>
     </message>
     <message>
-        <source>ignore samples after this time of the table, such as 400us</source>
+        <source>ignore samples later than this time in the table, such as 400us</source>
         <translation>Abtastwerte nach dieser Zeit der Tabelle weglassen, zum Beispiel 400us</translation>
     </message>
     <message>
@@ -16472,8 +16472,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Formate der Abbildungen (Vorgabe: png,svg)</translation>
     </message>
     <message>
-        <source>numbers of segments of the lattice method to compare (default: from 100 to 20000)</source>
-        <translation>Zahlen der Segmente des Gitterverfahrens, die verglichen werden (Vorgabe: von 100 bis 20000)</translation>
+        <source>segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to 20000)</source>
+        <translation>Segmentzahlen des Gitterverfahrens, die verglichen werden, etwa 100,1000 (Vorgabe: von 100 bis 20000)</translation>
     </message>
     <message>
         <source>limit the work of the lattice method, counted in moves of a wave by one segment (default: 1000000000, half a minute)</source>
@@ -16520,8 +16520,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Dispersion der Wellen zwischen Messstelle und Krone: fit (an die Aufzeichnung angepasst), bar (die eines runden Stabs) oder none (keine) (Vorgabe: fit)</translation>
     </message>
     <message>
-        <source>ignore the record later than this time after the reflected wave arrives at the gauge</source>
-        <translation>die Aufzeichnung ab dieser Zeit nach Ankunft der reflektierten Welle an der Messstelle nicht verwenden</translation>
+        <source>use the record only up to this time after the reflected wave reaches the gauge</source>
+        <translation>die Aufzeichnung nur bis zu dieser Zeit nach Ankunft der reflektierten Welle an der Messstelle verwenden</translation>
     </message>
     <message>
         <source>blows of a record to evaluate: first, or all (default: first)</source>

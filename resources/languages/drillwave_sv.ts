@@ -1843,7 +1843,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
-        <translation>En sträng för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slaget stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i styvheten eller spalten för att se båda ändras.</translation>
+        <translation>En stång för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slaget stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i styvheten eller spalten för att se båda ändras.</translation>
     </message>
     <message>
         <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
@@ -3430,8 +3430,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Lös och kontrollera några tusen styva och extrema fall</translation>
     </message>
     <message>
-        <source>Run compares all methods on this scenario: error against time.</source>
-        <translation>Beräkna jämför alla metoder på detta scenario: fel mot tid.</translation>
+        <source>Press the button above to compare all methods on this scenario: error against time.</source>
+        <translation>Tryck på knappen ovanför för att jämföra alla metoder på detta scenario: fel mot tid.</translation>
     </message>
     <message>
         <source>Run solves and checks some thousand stiff and extreme cases.</source>
@@ -6226,8 +6226,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%3). Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; använd %2 för att beräkna det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4), nearly in step with it: %1 is close to %2. Penetration may change by up to 10 %; to compute it, use %3.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4), nästan i takt med det: %1 är nära %2. Inträngningen kan ändras med upp till 10&#xa0;%; använd %3 för att beräkna det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4). Because %1 is close to the whole number %2, they arrive together with the next blow. Penetration may change by up to 10 %; to compute it, use %3.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4). Eftersom %1 ligger nära heltalet %2 kommer de samtidigt med det. Inträngningen kan ändras med upp till 10&#xa0;%; använd %3 för att beräkna det.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6250,8 +6250,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are then exact.</source>
-        <translation>Välj längder som är multiplar av en större gemensam längd, t.ex. 50 mm: då är längre tidssteg exakta.</translation>
+        <source>Round the lengths to multiples of a common length, such as 50 mm: longer time steps are then exact.</source>
+        <translation>Avrunda längderna till multiplar av en gemensam längd, t.ex. 50 mm: då är längre tidssteg exakta.</translation>
     </message>
     <message>
         <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
@@ -11974,8 +11974,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen stämmer med ett berg vars kraft stiger längs en enda rät linje när kronan tränger in.</translation>
     </message>
     <message>
-        <source>Stiffness, elasticity and gap of the rock are known.</source>
-        <translation>Bergets styvhet, elasticitet och spalt är kända.</translation>
+        <source>The record determines stiffness, elasticity and gap of the rock.</source>
+        <translation>Mätningen bestämmer bergets styvhet, elasticitet och spel.</translation>
     </message>
     <message>
         <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
@@ -13882,8 +13882,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Sätt vågförlust 10 %</translation>
     </message>
     <message>
-        <source>Estimate from single blows; solving consecutive blows …</source>
-        <translation>Uppskattning från enstaka slag; på varandra följande slag följs …</translation>
+        <source>Estimate from single blows. Consecutive blows are being solved …</source>
+        <translation>Uppskattning från enskilda slag. På varandra följande slag beräknas …</translation>
     </message>
     <message>
         <source>Estimate from single blows.</source>
@@ -15832,7 +15832,7 @@ ett rör (pipe). FILE.csv.yaml bredvid FILE.csv innehåller version, kommando oc
         <translation>variera denna parameter, med en kurva för varje värde; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
     </message>
     <message>
-        <source>also print where the outputs cross this value, in the unit of their columns</source>
+        <source>also print where an output crosses this value, in the unit of its column</source>
         <translation>skriv även ut var resultaten korsar detta värde, i kolumnernas enhet</translation>
     </message>
     <message>
@@ -15888,8 +15888,8 @@ punkter, hur nära X var och en ligger, och var resultatet hoppar över X.</tran
         <translation>sätt ihop de delar av sweep, table eller map som --shard har delat upp</translation>
     </message>
     <message>
-        <source>file to write, with its record FILE.yaml beside it; -o - prints the file</source>
-        <translation>fil att skriva, med protokollet FILE.yaml bredvid; -o - skriver ut filen</translation>
+        <source>write FILE and its description FILE.yaml; -o - prints the file instead</source>
+        <translation>skriv FIL och beskrivningen FIL.yaml; -o - skriver ut filen i stället</translation>
     </message>
     <message>
         <source>restitution, forces and efficiency for all gaps between bit and rock</source>
@@ -15910,8 +15910,8 @@ studstal e över 1. --gap-deviation lägger till detsamma för en normalfördela
 noll är avskurna.</translation>
     </message>
     <message>
-        <source>standard deviation of a normally distributed gap, for which results are added</source>
-        <translation>standardavvikelse för en normalfördelad spalt, för vilken resultat läggs till</translation>
+        <source>also print results for a normally distributed gap with this standard deviation</source>
+        <translation>skriv även ut resultat för ett normalfördelat spel med denna standardavvikelse</translation>
     </message>
     <message>
         <source>also write the results at each gap to FILE.csv; -o - prints them instead of the table</source>
@@ -16272,7 +16272,7 @@ med slutkod 5.</translation>
         <translation>signalens enhet, om tabellen inte anger den: kN, microstrain, V, MPa, m/s</translation>
     </message>
     <message>
-        <source>sampling rate, such as 5MHz, used instead of a column of times</source>
+        <source>sampling rate, such as 5MHz, used instead of a time column</source>
         <translation>samplingsfrekvens, t.ex. 5MHz, i stället för en kolumn med tider</translation>
     </message>
     <message>
@@ -16308,11 +16308,11 @@ med slutkod 5.</translation>
         <translation>tidsområde där signalen i medeltal är noll, t.ex. -50us:-10us</translation>
     </message>
     <message>
-        <source>ignore samples before this time of the table, such as 0us</source>
+        <source>ignore samples earlier than this time in the table, such as 0us</source>
         <translation>utelämna mätvärden före denna tid i tabellen, t.ex. 0us</translation>
     </message>
     <message>
-        <source>ignore samples after this time of the table, such as 400us</source>
+        <source>ignore samples later than this time in the table, such as 400us</source>
         <translation>utelämna mätvärden efter denna tid i tabellen, t.ex. 400us</translation>
     </message>
     <message>
@@ -16466,8 +16466,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>figurernas format (standard: png,svg)</translation>
     </message>
     <message>
-        <source>numbers of segments of the lattice method to compare (default: from 100 to 20000)</source>
-        <translation>antal segment för gittermetoden att jämföra (standard: från 100 till 20000)</translation>
+        <source>segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to 20000)</source>
+        <translation>segmentantal för gittermetoden att jämföra, till exempel 100,1000 (förval: från 100 till 20000)</translation>
     </message>
     <message>
         <source>limit the work of the lattice method, counted in moves of a wave by one segment (default: 1000000000, half a minute)</source>
@@ -16514,8 +16514,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>vågornas dispersion mellan givare och krona: fit (anpassad till mätningen), bar (den i en rund stång) eller none (ingen) (standard: fit)</translation>
     </message>
     <message>
-        <source>ignore the record later than this time after the reflected wave arrives at the gauge</source>
-        <translation>bortse från mätningen senare än denna tid efter att den reflekterade vågen nått givaren</translation>
+        <source>use the record only up to this time after the reflected wave reaches the gauge</source>
+        <translation>använd mätningen bara till denna tid efter att den reflekterade vågen nått givaren</translation>
     </message>
     <message>
         <source>blows of a record to evaluate: first, or all (default: first)</source>

@@ -263,7 +263,7 @@ QString ResultPanel::followedText(const DrillingResult* result) const {
         if (lacksWaveLoss(*result)) words << link(lossLink, tr("Set wave loss 10 %"));
         return (words << page).join(QLatin1Char(' '));
     }
-    if (m_sequence.isAwaited()) return tr("Estimate from single blows; solving consecutive blows …");
+    if (m_sequence.isAwaited()) return tr("Estimate from single blows. Consecutive blows are being solved …");
     if (const std::optional<double> seconds = m_sequence.secondsOnRequest())
         return tr("Estimate from single blows.") + QLatin1Char(' ') +
                link(sequenceLink, tr("Solve consecutive blows (about %1 s)")

@@ -33,7 +33,7 @@ class PinnedRuns : public QObject {
     QAction* keepAction() const { return m_keepAction; }
     /// Makes the result panel compare its numbers with the reference run.
     void follow(ResultPanel& result);
-    /// Adds the page Compare, and passes the runs to all pages. Call it once.
+    /// Adds the Compare page, and passes the runs to all pages. Must be called once.
     void addTo(PageTabs& pages);
 
     /// Sets the result that is displayed, which may belong to an earlier scenario. Runs without a result that

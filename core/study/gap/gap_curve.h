@@ -43,8 +43,8 @@ inline constexpr const char* tooManyPieces = translatable(
 /// 1e-13 of the impulse is neglected.
 double gapPeriodStart(const Problem& problem);
 
-/// Stretch of gap over which the results are smooth functions, in the order of GapOutput. Its `label` is the
-/// number of contacts between bit and rock.
+/// Interval of gaps over which all results are smooth functions of the gap. The functions are ordered as in
+/// GapOutput; `label` is the number of contacts between bit and rock.
 using GapPiece = FitPiece;
 
 /// Results over dimensionless gaps δ = d/d0 in [start, end). The last period [periodStart, end) repeats for

@@ -46,8 +46,8 @@ struct FrontFound {
 /// standard deviations and 5 % of the peak. `step` is the time between samples [s].
 FrontFound findFront(const std::vector<double>& force, std::size_t from, std::size_t to, double step);
 
-/// Returns the sample ranges [begin, end) of the blows of a record, at least one. A new blow begins at a
-/// front above 30 % of the peak that follows a quiet millisecond.
+/// Returns the sample ranges [begin, end) of the blows of a record, at least one. A blow begins where the
+/// force rises above 30 % of the peak after at least 1 ms of quiet.
 std::vector<std::pair<std::size_t, std::size_t>> blowRanges(const std::vector<double>& force, double step);
 
 /// Returns the value at a fractional sample index `place`, by a cubic through four samples; 0 outside the

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Number of points of a curve that is solved at points only.
+/// Number of points of a curve that is sampled, not followed continuously.
 inline constexpr std::uint64_t sampledPoints = 101;
 
 /// Default sizes of the studies of a scenario. The values here are for blows that are solved by events.

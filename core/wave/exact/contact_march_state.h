@@ -217,8 +217,8 @@ class ContactMarch {
     void note(ContactEvent kind) {
         if (m_detail >= Detail::events) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
-    /// Returns whether the solution must end now, because of work, error or a stop request; cheap enough for
-    /// every piece.
+    /// Returns whether the solution must end now: at the work limit, after an error, or on a stop request.
+    /// Cheap enough to be called for every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
         if (m_error > m_limits.error) return fail(translatable("its error would be larger than permitted"));

@@ -66,7 +66,7 @@ class ExponentialBasis {
     SearchCount searchCount() const { return m_count; }
     /// Reports that events repeat without progress in time; then this representation fails.
     void stall() { m_failed = true; }
-    /// Continues the contact along a line of the slope `rate`; fails if that line is not included.
+    /// Switches to the loading line of slope `rate`; sets m_failed if the basis has no such line.
     void turnTo(double rate) { m_failed |= lineOf(rate) == lines; }
     /// Returns the force that is small enough to be ignored, in units of F0.
     double negligibleForce() const { return m_negligible; }

@@ -93,8 +93,8 @@ enum class WaveQuantity {
     velocity,
 };
 
-/// Grid of cells of equal size over a rectangle in the plane of section ξ = x/L and time t/t0 since the start
-/// of the blow.
+/// Grid of cells of equal size over a rectangle in the plane of position ξ = x/L and time t/t0 since the
+/// start of the blow.
 struct RasterGrid {
     /// Range of sections ξ that the columns cover.
     double xiBegin = 0, xiEnd = 1;

@@ -32,7 +32,8 @@ struct FaceRecord {
 struct FaceNodeState {
     /// Whether hammer and string are apart.
     bool apart = false;
-    /// Whether hammer and string have separated for ever, because they may not meet again.
+    /// Whether hammer and string have separated for good: true once they have parted and further strikes are
+    /// disabled.
     bool released = false;
     /// Gap between hammer and string, in units of I0/Zr; ≥ 0.
     double gap = 0;

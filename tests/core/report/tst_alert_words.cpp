@@ -139,8 +139,8 @@ const std::vector<Example>& examples() {
          "and string length; to compute it, use `drill`."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
          "The waves of a blow make only 4.06 round trips in the string before the next blow and still act on "
-         "it (undamped), nearly in step with it: 4.06 is close to 4. Penetration may change by up to 10 %; "
-         "to compute it, use `drill`."},
+         "it (undamped). Because 4.06 is close to the whole number 4, they arrive together with the next blow. "
+         "Penetration may change by up to 10 %; to compute it, use `drill`."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",
@@ -174,8 +174,8 @@ const std::vector<Example>& examples() {
            {"shared_cell", 4e-7, Quantity::time}}},
          "The transit times of the sections only share a time step of 0.4 us, which takes more work than is "
          "permitted: they were rounded by up to 0.2 us, and the efficiency may have an error of 0.0011. "
-         "Choose lengths that are multiples of a longer common length, such as 50 mm: longer time steps are "
-         "then exact."},
+         "Round the lengths to multiples of a common length, such as 50 mm: longer time steps are then "
+         "exact."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
          "This blow is not over after 16.7 ms, when the next blow starts: the bit may hit the rock again. "
          "The values are those at that time, not the final ones."},

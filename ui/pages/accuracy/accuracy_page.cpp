@@ -172,8 +172,9 @@ void AccuracyPage::present() {
 void AccuracyPage::showNothing() {
     m_frame->showNothing(
         proof() == Proof::stability ? tr("Run solves and checks some thousand stiff and extreme cases.")
-        : isRunning()               ? tr("Solving with the most exact method …")
-                                    : tr("Run compares all methods on this scenario: error against time."));
+        : isRunning()
+            ? tr("Solving with the most exact method …")
+            : tr("Press the button above to compare all methods on this scenario: error against time."));
     static_cast<ProofTable*>(table().model())->clear();
     redraw();
 }

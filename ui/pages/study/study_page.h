@@ -82,8 +82,8 @@ class StudyPage : public PlotPage {
     SectionBox& settingsBox() const { return *m_settings; }
     /// Sets the study that gives the page's answer. Call it once.
     void watch(StudyActivity& activity);
-    /// Adds a further study of the page. Its news cause present(), and hiding the page stops it until
-    /// present() asks for it again.
+    /// Adds a further study of the page. Each update of the study calls present(). Hiding the page stops the
+    /// study until present() starts it again.
     void watchBeside(StudyActivity& activity);
     /// Requests a new question: calls ask() now, or as soon as the page is visible.
     void requestUpdate();
