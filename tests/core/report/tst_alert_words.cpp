@@ -139,7 +139,8 @@ const std::vector<Example>& examples() {
          "and string length; to compute it, use `drill`."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
          "The waves of a blow make only 4.06 round trips in the string before the next blow and still act on "
-         "it (undamped). Because 4.06 is close to the whole number 4, they arrive together with the next blow. "
+         "it (undamped). Because 4.06 is close to the whole number 4, they arrive together with the next "
+         "blow. "
          "Penetration may change by up to 10 %; to compute it, use `drill`."},
         {{warning,
           AlertCode::stressAboveYield,
