@@ -290,8 +290,8 @@ const Study& thrustStudy() {
         .whyNot =
             [](const Scenario& scenario) { return hasUnits(scenario) ? Message() : thrustProblem(scenario); },
         .elsewhere = translatable(
-            "Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: "
-            "without a blow frequency and forces no feed can be judged."),
+            "The required feed force needs a scenario in physical units. This scenario is given by its "
+            "dimensionless groups, without blow frequency and forces."),
         .reduce = [](Scenario&) {},
         .problem = [](const StudyQuestion& question) -> std::optional<StudyProblem> {
             const AskedAxis asked = askedAxis(question);

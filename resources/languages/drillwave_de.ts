@@ -6114,8 +6114,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>über</translation>
     </message>
     <message>
-        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
-        <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen.</translation>
+        <source>The required feed force needs a scenario in physical units. This scenario is given by its dimensionless groups, without blow frequency and forces.</source>
+        <translation>Der erforderliche Andruck braucht ein Szenario in physikalischen Einheiten. Dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben, ohne Schlagfrequenz und Kräfte.</translation>
     </message>
     <message>
         <source>Feed</source>

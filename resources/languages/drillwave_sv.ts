@@ -6114,8 +6114,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>över</translation>
     </message>
     <message>
-        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
-        <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas.</translation>
+        <source>The required feed force needs a scenario in physical units. This scenario is given by its dimensionless groups, without blow frequency and forces.</source>
+        <translation>Den nödvändiga matningskraften kräver ett scenario i fysikaliska enheter. Detta scenario är givet av sina dimensionslösa tal, utan slagfrekvens och krafter.</translation>
     </message>
     <message>
         <source>Feed</source>
