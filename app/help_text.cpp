@@ -16,20 +16,23 @@ namespace drillwave {
 namespace {
 
 constexpr const char* usageHeader =
-    "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
+    "Usage: drillwave [FILE]             open the window (scenario, result, example)\n"
     "       drillwave COMMAND ARGUMENTS  work without a window\n"
     "\nCommands:\n";
 constexpr const char* usageFooter =
     "\n"
-    "  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do. TOPIC can also be\n"
-    "  a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of\n"
-    "  the manual or a section of it (help theory 10). For any other word (help feed) it prints the\n"
-    "  places of the manual that contain the word. drillwave version prints the version.\n"
-    "  Chapters: %1.\n"
-    "  Without a display, the window needs `-platform offscreen`.\n"
-    "  drillwave --reset-ui  opens the window with its default layout, page, units and choices.\n"
-    "  drillwave --language de  opens it in German, only this time (sv: Swedish, en: English).\n"
-    "  Commands also have --language; DRILLWAVE_LANGUAGE=de in the environment sets it for all of them.\n\n"
+    "drillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be\n"
+    "a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of\n"
+    "the manual or a section of it (help theory 10). For any other word (help feed) it prints the\n"
+    "places of the manual that contain the word. drillwave version prints the version.\n"
+    "\n"
+    "Chapters: %1.\n"
+    "\n"
+    "Without a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the window\n"
+    "with its default layout, page, units and choices. drillwave --language de opens it in German, only\n"
+    "this time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in the\n"
+    "environment sets it for all of them.\n"
+    "\n"
     "Exit codes: %2.\n";
 constexpr std::string_view optionsTitle = "Options:";
 constexpr std::string_view thisText = "print this help";
@@ -97,10 +100,6 @@ std::string wrappedDetails(std::string_view details) {
     return text;
 }
 
-std::string line(const std::string& left, std::string_view right, std::size_t width) {
-    return "  " + left + std::string(width - left.size() + 2, ' ') + std::string(right) + "\n";
-}
-
 std::string chapterList() {
     std::string list;
     for (const std::string& name : chapterNames()) list += (list.empty() ? "" : ", ") + name;
@@ -126,9 +125,10 @@ std::string detailsOf(const Command& command, const ReadingStyle& style) {
 
 std::string programHelp(const ReadingStyle& style) {
     std::string help = style.said(usageHeader);
+    constexpr std::size_t nameWidth = 9;
     for (const Command* command : commands())
-        help += line(std::string(command->name), style.patternFor(std::string(command->summary)), 9);
-    return help + style.said({usageFooter, {chapterList(), Message::ofTable(exitCodesHelp)}});
+        help += entry(std::string(command->name), style.patternFor(std::string(command->summary)), nameWidth);
+    return help + wrappedDetails(style.said({usageFooter, {chapterList(), Message::ofTable(exitCodesHelp)}}));
 }
 
 std::string commandHelp(const Command& command, const ReadingStyle& style) {

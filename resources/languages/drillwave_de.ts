@@ -15700,12 +15700,12 @@ Festigkeit</translation>
 <context>
     <name>help</name>
     <message>
-        <source>Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)
+        <source>Usage: drillwave [FILE]             open the window (scenario, result, example)
        drillwave COMMAND ARGUMENTS  work without a window
 
 Commands:
 </source>
-        <translation>Aufruf: drillwave [FILE]             das Fenster öffnen (mit Szenario, Ergebnis oder Beispiel)
+        <translation>Aufruf: drillwave [FILE]             das Fenster öffnen (Szenario, Ergebnis, Beispiel)
         drillwave COMMAND ARGUMENTS  ohne Fenster arbeiten
 
 Befehle:
@@ -16162,29 +16162,33 @@ Kolbenschlägen.</translation>
     </message>
     <message>
         <source>
-  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
-  a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
-  the manual or a section of it (help theory 10). For any other word (help feed) it prints the
-  places of the manual that contain the word. drillwave version prints the version.
-  Chapters: %1.
-  Without a display, the window needs `-platform offscreen`.
-  drillwave --reset-ui  opens the window with its default layout, page, units and choices.
-  drillwave --language de  opens it in German, only this time (sv: Swedish, en: English).
-  Commands also have --language; DRILLWAVE_LANGUAGE=de in the environment sets it for all of them.
+drillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
+a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
+the manual or a section of it (help theory 10). For any other word (help feed) it prints the
+places of the manual that contain the word. drillwave version prints the version.
+
+Chapters: %1.
+
+Without a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the window
+with its default layout, page, units and choices. drillwave --language de opens it in German, only
+this time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in the
+environment sets it for all of them.
 
 Exit codes: %2.
 </source>
         <translation>
-  drillwave help TOPIC  gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h. TOPIC
-  kann auch ein Parameter sein (help bit_rock.gamma), ein Ergebnis (help cor), eine Option (help
-  --shard), ein Kapitel des Handbuchs oder ein Abschnitt daraus (help theory 10). Zu jedem anderen
-  Wort (help Vorschub) gibt es die Stellen des Handbuchs aus, an denen das Wort vorkommt.
-  drillwave version gibt die Version aus.
-  Kapitel: %1.
-  Ohne Bildschirm braucht das Fenster `-platform offscreen`.
-  drillwave --reset-ui  öffnet das Fenster mit Anordnung, Seite, Einheiten und Auswahl der Vorgabe.
-  drillwave --language de  öffnet es dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
-  Auch Befehle kennen --language; DRILLWAVE_LANGUAGE=de in der Umgebung stellt es für alle ein.
+drillwave help TOPIC gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h. TOPIC
+kann auch ein Parameter sein (help bit_rock.gamma), ein Ergebnis (help cor), eine Option (help
+--shard), ein Kapitel des Handbuchs oder ein Abschnitt daraus (help theory 10). Zu jedem anderen
+Wort (help Vorschub) gibt es die Stellen des Handbuchs aus, an denen das Wort vorkommt.
+drillwave version gibt die Version aus.
+
+Kapitel: %1.
+
+Ohne Bildschirm braucht das Fenster `-platform offscreen`.
+drillwave --reset-ui öffnet das Fenster mit Anordnung, Seite, Einheiten und Auswahl der Vorgabe.
+drillwave --language de öffnet es dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
+Auch Befehle kennen --language; DRILLWAVE_LANGUAGE=de in der Umgebung stellt es für alle ein.
 
 Exit-Codes: %2.
 </translation>

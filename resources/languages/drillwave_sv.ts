@@ -15700,12 +15700,12 @@ fastheten</translation>
 <context>
     <name>help</name>
     <message>
-        <source>Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)
+        <source>Usage: drillwave [FILE]             open the window (scenario, result, example)
        drillwave COMMAND ARGUMENTS  work without a window
 
 Commands:
 </source>
-        <translation>Användning: drillwave [FILE]             öppna fönstret (med scenario, resultat eller exempel)
+        <translation>Användning: drillwave [FILE]             öppna fönstret (scenario, resultat, exempel)
             drillwave COMMAND ARGUMENTS  arbeta utan fönster
 
 Kommandon:
@@ -16157,29 +16157,32 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
     </message>
     <message>
         <source>
-  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
-  a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
-  the manual or a section of it (help theory 10). For any other word (help feed) it prints the
-  places of the manual that contain the word. drillwave version prints the version.
-  Chapters: %1.
-  Without a display, the window needs `-platform offscreen`.
-  drillwave --reset-ui  opens the window with its default layout, page, units and choices.
-  drillwave --language de  opens it in German, only this time (sv: Swedish, en: English).
-  Commands also have --language; DRILLWAVE_LANGUAGE=de in the environment sets it for all of them.
+drillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
+a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
+the manual or a section of it (help theory 10). For any other word (help feed) it prints the
+places of the manual that contain the word. drillwave version prints the version.
+
+Chapters: %1.
+
+Without a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the window
+with its default layout, page, units and choices. drillwave --language de opens it in German, only
+this time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in the
+environment sets it for all of them.
 
 Exit codes: %2.
 </source>
         <translation>
-  drillwave help TOPIC  skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h. TOPIC kan
-  också vara en parameter (help bit_rock.gamma), ett resultat (help cor), en flagga (help --shard),
-  ett kapitel i handboken eller ett avsnitt ur det (help theory 10). För varje annat ord (help
-  matning) skrivs de ställen i handboken där ordet förekommer. drillwave version skriver versionen.
-  Kapitel i handboken:
-  %1.
-  Utan bildskärm behöver fönstret `-platform offscreen`.
-  drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val.
-  drillwave --language de  öppnar det på tyska, bara denna gång (sv: svenska, en: engelska).
-  Även kommandon har --language; DRILLWAVE_LANGUAGE=de i miljön ställer in det för alla.
+drillwave help TOPIC skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h. TOPIC kan
+också vara en parameter (help bit_rock.gamma), ett resultat (help cor), en flagga (help --shard),
+ett kapitel i handboken eller ett avsnitt ur det (help theory 10). För varje annat ord (help
+matning) skrivs de ställen i handboken där ordet förekommer. drillwave version skriver versionen.
+
+Kapitel i handboken: %1.
+
+Utan bildskärm behöver fönstret `-platform offscreen`.
+drillwave --reset-ui öppnar fönstret med ursprunglig layout, sida, enheter och val.
+drillwave --language de öppnar det på tyska, bara denna gång (sv: svenska, en: engelska).
+Även kommandon har --language; DRILLWAVE_LANGUAGE=de i miljön ställer in det för alla.
 
 Slutkoder: %2.
 </translation>

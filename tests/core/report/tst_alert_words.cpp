@@ -275,7 +275,7 @@ class TestAlertWords : public QObject {
         QCOMPARE(some[0].level, AlertLevel::information);
         const std::vector<Alert> inStep = remarks(70, 36.6);
         QCOMPARE(inStep[0].level, AlertLevel::warning);
-        QVERIFY(textOf(inStep[0]).contains("is close to 1."));
+        QVERIFY(textOf(inStep[0]).contains("is close to the whole number 1,"));
         QVERIFY(textOf(some[0]).contains("undamped"));
         Scenario damped;
         damped.drill.blowFrequency = 60;
