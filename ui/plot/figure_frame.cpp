@@ -18,7 +18,7 @@ namespace drillwave {
 namespace {
 
 const QString betweenParts = QStringLiteral(" · ");  // parts of a caption
-constexpr int mostLegendColumns = 5;
+constexpr int mostLegendColumns = 3;
 constexpr double narrow = 0.5;  // a panel of that width has room for few numbers
 constexpr int leastPanel = 50;  // width and height [px]
 const QMargins panelMargins(4, 4, 14, 4);

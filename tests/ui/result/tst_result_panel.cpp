@@ -282,7 +282,7 @@ class TestResultPanel : public QObject {
         ResultPanel panel;
         panel.present(solved(scenario, UnitSystem::si));
         const auto* line = panel.findChild<QLabel*>("sequence");
-        QVERIFY(line->text().contains("solving consecutive blows …"));
+        QVERIFY(line->text().contains("Consecutive blows are being solved …"));
         const DrillingResult march = studyDrilling(scenario, windowSettingsOf(scenario), quickWants());
         const QString expected = QString::fromStdString(sequenceText(march, PrintedStyle(plainStyle())));
         QTRY_VERIFY2_WITH_TIMEOUT(line->text().startsWith(expected.section(": ", 0, 0)),
