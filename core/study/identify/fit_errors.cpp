@@ -20,7 +20,6 @@ constexpr double highestUnexplained = 16e3;
 constexpr double lowestUnexplained = 300;
 constexpr int unexplainedFrequencies = 18;
 constexpr double shareOnIncident = 0.7;  ///< of an unexplained wave
-constexpr double floorOfQuiet = 0.003;   ///< of the peak
 constexpr double defaultGain = 0.02;
 constexpr double speedOfSteel = 0.035;  ///< furthest from that of the file
 constexpr double resolvedRise = 10e-6;  ///< a rise Z/k as short as that is lost in noise of 0.5 % [s]
@@ -261,7 +260,7 @@ double aboutOwnLine(const RecordModel& model, const LawFit& fit) {
 void addQuiet(const RecordModel& model, const LawFit& fit, FitErrors& errors) {
     const PreparedRecord& record = model.record();
     const QuietErrors found = quietErrors(model, fit.values);
-    const double floor = floorOfQuiet * record.peak;
+    const double floor = quietFloor * record.peak;
     // the tail, 100 µs by 100 µs
     const auto span = static_cast<std::size_t>(100e-6 / record.step);
     BudgetEffect row{"tail", "", 0, "1", false, Eigen::VectorXd::Zero(fit.values.size())};

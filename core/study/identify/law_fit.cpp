@@ -153,7 +153,7 @@ void followDispersion(RecordModel& model, Eigen::VectorXd& values, const std::st
 /// Fits again until the weights of the quiet stretch move by less than 15 %.
 void followQuiet(RecordModel& model, Eigen::VectorXd& values, const std::stop_token& stop) {
     if (model.quietCount() == 0) return;
-    const double floor = 0.003 * model.record().peak;
+    const double floor = quietFloor * model.record().peak;
     double before = floor, last = floor;
     for (int round = 0; round < 5 && !stop.stop_requested(); ++round) {
         const QuietErrors errors = quietErrors(model, values);
@@ -286,7 +286,7 @@ void searchWithoutZeroLines(RecordModel& model, LawFit& fit, const std::stop_tok
     };
     if (!isFar) return free();
     // Weights that have followed the zero lines would let them go again.
-    const double floor = 0.003 * model.record().peak;
+    const double floor = quietFloor * model.record().peak;
     model.setQuietErrors(floor, floor);
     minimise(model, values, 40, stop);
     free();
@@ -474,7 +474,7 @@ double largestForce(RecordModel& model, const LawFit& fit) {
 
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
     model.holdSizes(true);
-    const double floor = 0.003 * model.record().peak;
+    const double floor = quietFloor * model.record().peak;
     model.setQuietErrors(floor, floor);
     model.setDispersion(0.5, true);
     const bool disperses = model.hasDispersion();
@@ -614,7 +614,7 @@ LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, 
 LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop) {
     // The weights of a law that does not fit would let the zero lines go.
-    const double floor = 0.003 * model.record().peak;
+    const double floor = quietFloor * model.record().peak;
     model.setQuietErrors(floor, floor);
     model.holdSizes(true);
     // A law that does not fit may have bent the dispersion, too.

@@ -17,7 +17,6 @@ constexpr double coarsestGrid = 0.6e-6;    ///< [s]
 constexpr double returnMargin = 8e-6;      ///< b is compared from before D0 on [s]
 constexpr double smoothingSteps = 1.5;     ///< Gaussian of model and b against the grid
 constexpr double tailCoherence = 100e-6;   ///< a tail hangs together over that [s]
-constexpr double quietFloor = 0.003;       ///< of the peak: nothing is quieter
 constexpr double leastWeightShare = 2e-4;  ///< of the peak: noise below that is of cells and interpolation
 constexpr double zeroTolerance = 0.02;     ///< of the peak, and in a millisecond
 constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant

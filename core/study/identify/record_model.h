@@ -48,6 +48,9 @@ using UnknownKind = Unknown::Kind;
 /// Ratio of a 95 % tolerance to the standard deviation of a normal distribution.
 inline constexpr double half95 = 1.96;
 
+/// Smallest rms of waves between blow and reflection that is assumed, relative to the peak force.
+inline constexpr double quietFloor = 0.003;
+
 /// Disturbance of known shape and unknown amount in the record. Examples are zero lines ("offset.1",
 /// "slope.1"), droop, curvature of the gain and a different gain of the returning wave. Others are bending
 /// left in a pair ("bending.1"), a jump of the zero level, and dispersion.
