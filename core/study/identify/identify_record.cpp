@@ -47,31 +47,42 @@ PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record,
     return isNear || keptRms < 0.8 * movedRms ? other.record : seen;
 }
 
-/// The record with the transit time between its gauges that fits best, up to twice its tolerance away;
-/// nothing where there is little to explain, or where that explains little.
-std::optional<PreparedRecord> transitChosen(const PreparedRecord& record, const IdentifyQuestion& question,
-                                            const SizeTolerances& sizes, const std::stop_token& stop) {
+/// A record of two gauges with the transit time between them that fits best.
+struct TransitTrial {
+    /// With the transit time moved; nothing where there is little to explain, or where that explains little.
+    std::optional<PreparedRecord> moved;
+    ModelFit unmoved;  ///< of the record as it is
+};
+
+/// Moves the transit time between the gauges of a record by up to twice its tolerance.
+TransitTrial tryTransits(const PreparedRecord& record, const IdentifyQuestion& question,
+                         const SizeTolerances& sizes, const std::stop_token& stop) {
     constexpr double explained = 0.5;  // share of Σr² that a better distance removes at least
     constexpr int steps = 4;           // to either side, half a tolerance each
     constexpr double enough = 0.004;   // rms left over, share of the peak
     const GaugePlace& place = record.places.front();
     const double tolerance = std::hypot(placeTolerance(question) / place.waveSpeed,
                                         materialTolerance(question, place).tolerance * record.transit);
-    RecordModel model(record, question, sizes, TrialLaw::bilinear);
-    const LawFit fit = fitFromStarts(model, stop);
-    if (misfitOf(model, fit, 1, 0).rms < enough) return std::nullopt;
-    const double unmoved = fit.cost;
+    TransitTrial trial;
+    trial.unmoved.model = std::make_shared<RecordModel>(record, question, sizes, TrialLaw::bilinear);
+    RecordModel& model = *trial.unmoved.model;
+    trial.unmoved.fit = fitFromStarts(model, stop);
+    const LawFit& unmoved = trial.unmoved.fit;
+    if (misfitOf(model, unmoved, 1, 0).rms < enough) return trial;
     PreparedRecord best = record;
-    double least = unmoved;
-    // Whether the fit with another transit time is better than all before it.
+    Eigen::VectorXd bestValues = unmoved.values;
+    double least = unmoved.cost;
+    // Whether the fit with another transit time, from the best before it, is better.
     const auto isBetter = [&](double transit) {
         PreparedRecord moved = record;
         moved.transit = transit;
         RecordModel other(moved, question, sizes, TrialLaw::bilinear);
-        const double cost = fitFromStarts(other, stop).cost;
+        Eigen::VectorXd values = bestValues;
+        const double cost = fitAgain(other, model, values, stop);
         if (cost >= least) return false;
         least = cost;
         best = std::move(moved);
+        bestValues = std::move(values);
         return true;
     };
     double size = tolerance / 2;
@@ -83,8 +94,8 @@ std::optional<PreparedRecord> transitChosen(const PreparedRecord& record, const 
         const double middle = best.transit;
         if (!isBetter(middle - size)) isBetter(middle + size);
     }
-    if (least > (1 - explained) * unmoved) return std::nullopt;
-    return best;
+    if (least <= (1 - explained) * unmoved.cost) trial.moved = std::move(best);
+    return trial;
 }
 
 double autocorrelationOf(const RecordModel& model, const LawFit& fit) {
@@ -331,17 +342,19 @@ RecordAnswer answerOf(RecordAnswer answer, const LawTrials& trials, const Identi
     return answer;
 }
 
-/// Adds the answer by the law that fits to what is known of the record before.
+/// Adds the answer by the law that fits to what is known of the record before. `known` is the fit of the
+/// bilinear law, if there is one already.
 RecordAnswer fittedAnswer(const RecordAnswer& before, const IdentifyQuestion& question,
                           const GaugeRecord& given, const PreparedRecord& record,
-                          const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                          const std::vector<KnownSize>& sizes, ModelFit known, const std::stop_token& stop,
                           const ShowAnswer& showFirst) {
-    const LawTrials trials = tryLaws(record, question, sizes, stop, [&](const LawTrials& first) {
-        if (!showFirst) return;
-        RecordAnswer shown = answerOf(before, first, question, given, record, sizes, stop);
-        shown.isFirst = true;
-        if (shown.model != ModelVerdict::rejected) showFirst(std::move(shown));
-    });
+    const LawTrials trials =
+        tryLaws(record, question, sizes, std::move(known), stop, [&](const LawTrials& first) {
+            if (!showFirst) return;
+            RecordAnswer shown = answerOf(before, first, question, given, record, sizes, stop);
+            shown.isFirst = true;
+            if (shown.model != ModelVerdict::rejected) showFirst(std::move(shown));
+        });
     if (stop.stop_requested()) return before;
     RecordAnswer answer = answerOf(before, trials, question, given, record, sizes, stop);
     const IdentifiedParameter* gap = answer.find("bit_rock.gap");
@@ -377,12 +390,17 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
         checkFileLaw(question, given, record, stop, answer);
         return answer;
     }
-    if (record.isPair())
-        if (const auto moved = transitChosen(record, question, tolerances, stop)) {
-            RecordAnswer fitted = fittedAnswer(answer, question, given, *moved, sizes, stop, showFirst);
+    ModelFit known;
+    if (record.isPair()) {
+        TransitTrial trial = tryTransits(record, question, tolerances, stop);
+        if (trial.moved) {
+            RecordAnswer fitted =
+                fittedAnswer(answer, question, given, *trial.moved, sizes, {}, stop, showFirst);
             if (fitted.model != ModelVerdict::rejected || stop.stop_requested()) return fitted;
         }
-    return fittedAnswer(answer, question, given, record, sizes, stop, showFirst);
+        known = std::move(trial.unmoved);
+    }
+    return fittedAnswer(answer, question, given, record, sizes, std::move(known), stop, showFirst);
 }
 
 }  // namespace drillwave

@@ -211,15 +211,18 @@ bool isAccepted(const MisfitFound& misfit) {
 }
 
 LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
-                  const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                  const std::vector<KnownSize>& sizes, ModelFit known, const std::stop_token& stop,
                   const std::function<void(const LawTrials&)>& showFirst) {
     LawTrials trials;
     const SizeTolerances tolerances = sizeTolerances(sizes, record.places.front());
     const auto modelOf = [&](TrialLaw law) {
         return std::make_shared<RecordModel>(record, question, tolerances, law);
     };
-    auto model = modelOf(TrialLaw::bilinear);
-    LawFit fit = fitFromStarts(*model, stop);
+    if (!known.model) {
+        known.model = modelOf(TrialLaw::bilinear);
+        known.fit = fitFromStarts(*known.model, stop);
+    }
+    auto& [model, fit] = known;
     searchMinima(*model, fit, stop);
     trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
     addNearbySolutions(trials.candidates[0]);

@@ -41,9 +41,10 @@ struct LawTrials {
 bool isAccepted(const MisfitFound& misfit);
 
 /// Returns the fits of all laws that the question's choice of law requires (theory of identification C6).
-/// Calls `showFirst` as soon as the bilinear law is fitted.
+/// Calls `showFirst` as soon as the bilinear law is fitted. `known` is the result of fitFromStarts() for the
+/// bilinear law and this record, or empty.
 LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
-                  const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                  const std::vector<KnownSize>& sizes, ModelFit known, const std::stop_token& stop,
                   const std::function<void(const LawTrials&)>& showFirst);
 
 /// Returns whether a power law without a gap fits as well as the result. The gap may then be a curved start

@@ -530,6 +530,22 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
     return fit;
 }
 
+double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& values,
+                const std::stop_token& stop) {
+    const double floor = quietFloor * model.record().peak;
+    model.setQuietErrors(floor, floor);
+    const std::size_t dispersion = from.shapeUnknown("dispersion");
+    if (dispersion < from.unknowns().size())
+        model.setDispersion(values[static_cast<Index>(dispersion)], true);
+    else
+        model.setDispersion(from.dispersionChoice() == DispersionChoice::bar ? 1 : 0, false);
+    minimise(model, values, 60, stop);
+    followDispersion(model, values, stop);
+    Eigen::VectorXd residuals;
+    model.residuals(values, residuals);
+    return residuals.squaredNorm();
+}
+
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
     constexpr double mostRise = 15, mostRiseOfMinimum = 8;  // of Σr²; 95 % of three unknowns are below 8
     const double sameGap = 5e-6 * model.record().gapScale;  // [m]

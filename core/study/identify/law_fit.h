@@ -3,7 +3,7 @@
 // record.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <stop_token>
 #include <vector>
 
@@ -61,6 +61,12 @@ class LawFit {
     Eigen::MatrixXd m_inverse, m_inverseWithoutGap;
 };
 
+/// A model and its fit. Both are empty where there is none.
+struct ModelFit {
+    std::shared_ptr<RecordModel> model;
+    LawFit fit;
+};
+
 /// Returns the start values of the unknowns for a search.
 Eigen::VectorXd startValues(const RecordModel& model);
 
@@ -75,6 +81,11 @@ double largestForce(RecordModel& model, const LawFit& fit);
 /// law. Section sizes and dispersion become free once the best start is known. The weights of the samples
 /// between blow and reflection are adapted to the waves found there.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
+
+/// Fits the bilinear law to a record, starting from `values`: those of the unknowns of `from`, a model of the
+/// same record with another transit time. Updates `values` and returns Σr².
+double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& values,
+                const std::stop_token& stop);
 
 /// Replaces the solution by the lowest minimum of Σr² near it. Stores other minima and the best solutions for
 /// other gaps in LawFit::nearby. These are needed because gap, zero lines and stiffness together can explain
