@@ -7710,8 +7710,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
     </message>
     <message>
-        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
-        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke (Wellenstücke), als eine schnelle Studie erlaubt</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
+        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke, als eine schnelle Studie erlaubt</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7746,20 +7746,20 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>die Reihenfolge zweier Ereignisse hängt an der Rundung</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
-        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>seine Wellen haben mehr Polynomstücke (Wellenstücke), als erlaubt sind, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Wellen haben mehr Polynomstücke, als die Aufwandsgrenze erlaubt, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
         <translation>die Zahlen liegen jenseits der doppelten Genauigkeit</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes braucht weniger</translation>
+        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes Gestein braucht weniger</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -7782,8 +7782,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Bohrkrone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Masse der Bohrkrone schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Masse der Bohrkrone oder eine frühere end_time braucht weniger</translation>
     </message>
     <message>
-        <source>it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a shorter end_time</source>
-        <translation>der Schlag braucht mehr Wellenzellen als erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
+        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
+        <translation>der Schlag braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
     </message>
     <message>
         <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
@@ -9534,8 +9534,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--histories %1 muss A:B sein, Schläge von 1 bis %2</translation>
     </message>
     <message>
-        <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>es kostet %1 Zellen mal Knoten, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
+        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>es kostet %1 Rechenschritte, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
     </message>
     <message>
         <source>end_time applies only to single blows, not here</source>
@@ -10032,8 +10032,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>am nächsten kommt %2 mit %1</translation>
     </message>
     <message>
-        <source>its sequence of blows needs more wave cells than permitted</source>
-        <translation>seine Schläge unter einem Vorschub brauchen mehr Wellenzellen als erlaubt</translation>
+        <source>its sequence of blows takes more computing steps than the work limit permits</source>
+        <translation>seine Schlagfolge braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt</translation>
     </message>
     <message>
         <source>%1; did you mean the example %2?</source>
@@ -10376,8 +10376,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 muss zwischen %2 und %3 liegen, nicht bei %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 wave cells, more than the %2 permitted, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
-        <translation>die Schläge brauchten %1 Wellenzellen, erlaubt sind %2: Bohrkrone und Gestein treffen und trennen sich sehr oft; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
+        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>seine Schläge brauchten %1 Rechenschritte, mehr als die Aufwandsgrenze von %2, weil der Kontakt sehr oft wechselt; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
     </message>
     <message>
         <source>there is no blow %1 of %2</source>
@@ -10448,8 +10448,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Diagramme fehlen, weil dieser Bericht mit --no-plots geschrieben wurde. Ohne diese Option noch einmal geschrieben, enthält er sie.</translation>
     </message>
     <message>
-        <source>the waves on the way through it take %1 wave cells at once, more than the %2 permitted; a longer blow, a shorter string or fewer --cells take less</source>
-        <translation>die Wellen unterwegs brauchen %1 Wellenzellen zugleich, erlaubt sind %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
+        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
+        <translation>seine Wellen liegen in %1 Zellen, mehr als die erlaubten %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
     </message>
     <message>
         <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
@@ -10784,10 +10784,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
         <translation>Der Kraftstoß eines Schlags ist der an der Stirnfläche des Hammers. Die Spalte eines Strangs haben keine Periode, daher sind weder ein Anteil von ihnen noch der schlechteste bekannt.</translation>
-    </message>
-    <message>
-        <source>its blows need more wave cells than permitted</source>
-        <translation>seine Schläge brauchen mehr Wellenzellen als erlaubt</translation>
     </message>
     <message>
         <source>sequences of blows</source>

@@ -7710,8 +7710,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
     </message>
     <message>
-        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
-        <translation>vågorna i dess slag vid alla spalter har fler polynombitar (vågbitar) än en snabb studie tillåter</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
+        <translation>vågorna i dess slag vid alla spalter har fler polynombitar än en snabb studie tillåter</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7746,20 +7746,20 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>ordningen mellan två händelser hänger på avrundningen</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>dess förlopp behöver mer än 4 miljoner vågbitar: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
+        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess förlopp har mer än 4 miljoner polynombitar, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
     </message>
     <message>
-        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>dess vågor har fler polynombitar (vågbitar) än tillåtet, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
+        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess vågor har fler polynombitar än arbetsgränsen tillåter, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
         <translation>dess tal ligger utanför talområdet för dubbel precision</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>dess förlopp behöver mer än 4 miljoner vågbitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg behöver färre</translation>
+        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>dess förlopp har mer än 4 miljoner polynombitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg kräver färre</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -7782,8 +7782,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>krona och berg, eller hammare och sträng, möts och skiljs för ofta, eller en kronmassa svänger för fort, för att följas: ett mjukare berg, ett större gamma, ingen kronmassa eller ett tidigare end_time behöver mindre</translation>
     </message>
     <message>
-        <source>it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a shorter end_time</source>
-        <translation>det tar fler vågceller än tillåtet: färre sektioner, längder med en gemensam delare eller ett tidigare end_time behöver färre</translation>
+        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
+        <translation>det tar fler beräkningssteg än arbetsgränsen tillåter: färre sektioner, längder med en gemensam delare eller ett tidigare end_time kräver färre</translation>
     </message>
     <message>
         <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
@@ -9534,8 +9534,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--histories %1 måste vara A:B, slag från 1 till %2</translation>
     </message>
     <message>
-        <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>det krävs %1 celler gånger noder, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
+        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>det krävs %1 beräkningssteg, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
     </message>
     <message>
         <source>end_time applies only to single blows, not here</source>
@@ -10032,8 +10032,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>närmast kommer %1 för %2</translation>
     </message>
     <message>
-        <source>its sequence of blows needs more wave cells than permitted</source>
-        <translation>dess slag under en matning kräver fler vågceller än vad som är tillåtet</translation>
+        <source>its sequence of blows takes more computing steps than the work limit permits</source>
+        <translation>dess slagföljd tar fler beräkningssteg än arbetsgränsen tillåter</translation>
     </message>
     <message>
         <source>%1; did you mean the example %2?</source>
@@ -10376,8 +10376,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 måste vara från %2 till %3, inte %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 wave cells, more than the %2 permitted, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
-        <translation>slagen skulle ta %1 vågceller, tillåtna är %2: borrkrona och berg möts och skiljs mycket ofta; ett större gamma, färre slag eller en högre frekvens tar mindre</translation>
+        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>dess slag skulle ta %1 beräkningssteg, mer än arbetsgränsen på %2, eftersom kontakten växlar mycket ofta; ett större gamma, färre slag eller en högre frekvens kräver mindre</translation>
     </message>
     <message>
         <source>there is no blow %1 of %2</source>
@@ -10448,8 +10448,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Diagrammen är utelämnade eftersom rapporten skrevs med --no-plots. Skriv den igen utan flaggan för att få dem.</translation>
     </message>
     <message>
-        <source>the waves on the way through it take %1 wave cells at once, more than the %2 permitted; a longer blow, a shorter string or fewer --cells take less</source>
-        <translation>vågorna på väg genom den tar %1 vågceller samtidigt, tillåtna är %2; ett längre slag, en kortare sträng eller färre --cells tar mindre</translation>
+        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
+        <translation>dess vågor lagras i %1 celler, mer än de %2 som är tillåtna; ett längre slag, en kortare sträng eller färre --cells kräver mindre</translation>
     </message>
     <message>
         <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
@@ -10784,10 +10784,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
         <translation>Ett slags impuls är den vid hammarens ändyta. Spalterna i en borrsträng har ingen period, så varken en andel av dem eller den sämsta är känd.</translation>
-    </message>
-    <message>
-        <source>its blows need more wave cells than permitted</source>
-        <translation>dess slag kräver fler vågceller än tillåtet</translation>
     </message>
     <message>
         <source>sequences of blows</source>

@@ -206,7 +206,7 @@ void TestRows::unsolvedRowsAreWrittenEmptyAndExitCodeIsSix() {
     QCOMPARE(finished.exitCode, 6);
     QVERIFY2(
         finished.error.contains("1 of 3 rows could not be solved: their output cells are empty; 1 row: its "
-                                "waves have more polynomial pieces (wave pieces) than permitted"),
+                                "waves have more polynomial pieces than the work limit permits"),
         finished.error);
     QVERIFY2(finished.error.contains("--work-limit, now 1000000, permits more"), finished.error);
     QCOMPARE(finished.error.count('\n'), 1);

@@ -157,7 +157,7 @@ void TestWindowPlots::theWheelScrollsThePageAndChangesNoFieldWithoutFocus() {
 void TestWindowPlots::theReasonOfAnUnsolvedCaseStaysInThePlot() {
     makeWindow([](const SolveRequest& request) {
         return failedBlow(request,
-                          QString("The histories need more than 4 million wave pieces. ").repeated(5));
+                          QString("The histories have more than 4 million polynomial pieces. ").repeated(5));
     });
     PlotWidget& plot = *part<BlowPage>(window()).plot();
     plot.replot();
