@@ -217,6 +217,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     Scenario& scenario = input.document.scenario;
     std::vector<std::string> choices = arguments.values("choose");
     std::ranges::copy(input.document.design.choose, std::back_inserter(choices));
+    std::ranges::copy(arguments.values("vary"), std::back_inserter(choices));
     applyPresets(scenario, arguments, inputName(path), std::ranges::any_of(choices, choosesPresets));
     applySignal(input.document, arguments, inputName(path));
     std::vector<Message> problems;

@@ -2729,6 +2729,10 @@ Trotzdem löschen?</translation>
         <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
         <translation>Welcher Schlag für Gestein, das niemand gemessen hat? Die Seite Auslegung ansehen: der Schlag, der in diesem Gestein am besten ist, verliert viel in weicherem und stärker federndem Gestein, ein längerer mit derselben Energie weniger. Der Befehl ist `drillwave design piston_for_unknown_rock`; der Block design enthält die Einstellungen dazu.</translation>
     </message>
+    <message>
+        <source>rock</source>
+        <translation>Gestein</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -12877,6 +12881,22 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>scan of an earlier scenario: scan again</source>
         <translation>Durchlauf eines früheren Szenarios: neu durchlaufen</translation>
     </message>
+    <message>
+        <source>required feed force</source>
+        <translation>erforderlicher Andruck</translation>
+    </message>
+    <message>
+        <source>is not a rock; give the preset of a rock</source>
+        <translation>ist kein Gestein; die Voreinstellung eines Gesteins angeben</translation>
+    </message>
+    <message>
+        <source>a design does not choose its rock; vary the rock with --uncertain, such as bit_rock.stiffness=50MN/m:250MN/m</source>
+        <translation>eine Auslegung wählt ihr Gestein nicht; das Gestein mit --uncertain variieren, etwa bit_rock.stiffness=50MN/m:250MN/m</translation>
+    </message>
+    <message>
+        <source>`%1` names presets, not a parameter; `sweep --vary %1=all` compares them</source>
+        <translation>`%1` benennt Voreinstellungen, keinen Parameter; `sweep --vary %1=all` vergleicht sie</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -15787,10 +15807,6 @@ kann einen oder zwei veränderte Parameter zeichnen: der mit mehr Werten ist die
 und jeder Wert des anderen ergibt eine Kurve.</translation>
     </message>
     <message>
-        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
-        <translation>diesen Parameter verändern; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
-    </message>
-    <message>
         <source>write outputs in SI, with units in the header</source>
         <translation>Ergebnisse in SI-Einheiten schreiben, mit Einheiten im Kopf</translation>
     </message>
@@ -16765,6 +16781,14 @@ angenommen wird, dass alles Gestein unter der Krone bricht.
 --scan vergleicht Werte eines Parameters. Jeder Wert wird zweimal simuliert: mit einem Anfang aus
 der Ruhe und mit springender Maschine. -o DIR schreibt scenario.yaml, summary.json und blows.csv
 nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</translation>
+    </message>
+    <message>
+        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names</source>
+        <translation>diesen Parameter variieren; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C; Voreinstellungen vergleichen: rock=all, oder rock=, hammer=, rod= oder bit= mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
+        <translation>Auslegungen mit ihrer eigenen Schlagenergie vergleichen, auch wenn FILE keep_energy setzt</translation>
     </message>
 </context>
 </TS>

@@ -2729,6 +2729,10 @@ Ta bort ändå?</translation>
         <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
         <translation>Vilket slag för berg som ingen har mätt? Se på sidan Konstruktion: det slag som är bäst i detta berg förlorar mycket i mjukare och mer fjädrande berg, ett längre med samma energi mindre. Kommandot är `drillwave design piston_for_unknown_rock`; blocket design innehåller dess inställningar.</translation>
     </message>
+    <message>
+        <source>rock</source>
+        <translation>berg</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -12877,6 +12881,22 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>scan of an earlier scenario: scan again</source>
         <translation>svep för ett tidigare scenario: svep igen</translation>
     </message>
+    <message>
+        <source>required feed force</source>
+        <translation>erforderlig matningskraft</translation>
+    </message>
+    <message>
+        <source>is not a rock; give the preset of a rock</source>
+        <translation>är inget berg; ange ett förval för berg</translation>
+    </message>
+    <message>
+        <source>a design does not choose its rock; vary the rock with --uncertain, such as bit_rock.stiffness=50MN/m:250MN/m</source>
+        <translation>en konstruktion väljer inte sitt berg; variera berget med --uncertain, till exempel bit_rock.stiffness=50MN/m:250MN/m</translation>
+    </message>
+    <message>
+        <source>`%1` names presets, not a parameter; `sweep --vary %1=all` compares them</source>
+        <translation>`%1` anger förval, ingen parameter; `sweep --vary %1=all` jämför dem</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -15786,10 +15806,6 @@ FILE.csv.yaml bredvid FILE.csv innehåller version, kommando, varierade parametr
 varje värde på den andra ger en kurva.</translation>
     </message>
     <message>
-        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
-        <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
-    </message>
-    <message>
         <source>write outputs in SI, with units in the header</source>
         <translation>skriv resultat i SI-enheter, angivna i huvudet</translation>
     </message>
@@ -16751,6 +16767,14 @@ Inträngningar är övre gränser, eftersom allt berg under kronan antas brytas.
 --scan jämför värden på en parameter. Varje värde simuleras två gånger: med start från vila och
 med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv till DIR, med
 --histories även histories.csv, med --plots även drilling.png.</translation>
+    </message>
+    <message>
+        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names</source>
+        <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C; jämför förval: rock=all, eller rock=, hammer=, rod= eller bit= med deras namn</translation>
+    </message>
+    <message>
+        <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
+        <translation>jämför konstruktioner vid deras egen slagenergi, även om FILE anger keep_energy</translation>
     </message>
 </context>
 </TS>
