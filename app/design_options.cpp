@@ -147,7 +147,8 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, cons
     study.samples = std::max(leastDesignSamples, std::bit_ceil(static_cast<std::uint64_t>(samples)));
     study.seed = static_cast<std::uint64_t>(arguments.number(
         "seed", static_cast<long>(setup.seed.value_or(1)), 0, std::numeric_limits<long>::max()));
-    study.keepsEnergy = arguments.has("keep-energy") || setup.keepEnergy;
+    study.keepsEnergy =
+        !arguments.has("no-keep-energy") && (arguments.has("keep-energy") || setup.keepEnergy);
     study.workLimit = workLimitOf(arguments);
     // Words that could not be read are missing in the study: do not report missing input as well.
     const bool hasWords = !uncertain.words.empty() || arguments.has("draws");
