@@ -200,7 +200,9 @@ void remarkOnRepeat(std::string_view key, const Scenario& scenario, const Readin
     const std::vector<const Section*> sections = expandedSections(scenario.drillString);
     const std::size_t place = parameter->address->place;
     if (place < 1 || place > sections.size() || std::ranges::count(sections, sections[place - 1]) < 2) return;
-    printRemark({translatable("note: %1 sets %2, which is one section with a repeat"),
+    printRemark({translatable("note: %1 sets %2, which is one section with a repeat; to set only one of "
+                              "them, write the sections "
+                              "out in FILE without the repeat"),
                  {std::string(key), addressedWords(*parameter->address, scenario.drillString)}},
                 style);
 }

@@ -2690,8 +2690,8 @@ Trotzdem löschen?</translation>
         <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Man beachte den Wirkungsgrad: 0,56, wo drei T38-Stangen in weicherem Gestein 0,32 haben. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht, und ein Strang aus einer Stange hat wenige davon; ohne diese Verluste blieben 0,67 im Gestein, und 8&#xa0;% gingen mit dem Hammer zurück, nicht 0,7&#xa0;%.</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)</source>
-        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % fest, 6 bis 10 % verschlissen (Fachtexte, aus dem Gedächtnis)</translation>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
+        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % bei festem, 6 bis 10 % bei verschlissenem Gewinde (Fachtexte, nicht gemessen)</translation>
     </message>
     <message>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
@@ -12634,8 +12634,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Andruck</translation>
     </message>
     <message>
-        <source>note: %1 sets %2, which is one section with a repeat</source>
-        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung</translation>
+        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
+        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung; um nur einen davon zu setzen, in FILE die Abschnitte ohne Wiederholung einzeln aufschreiben</translation>
     </message>
     <message>
         <source>each strip: from the required feed to that of return in time</source>

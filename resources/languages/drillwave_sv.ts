@@ -2690,8 +2690,8 @@ Ta bort ändå?</translation>
         <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på verkningsgraden: 0,56, där tre T38-stänger i mjukare berg har 0,32. Varje skarv antas förlora 5&#xa0;% av energin som passerar, och en sträng av en stång har få av dem; utan dessa förluster skulle 0,67 stanna i berget, och 8&#xa0;% gå tillbaka med hammaren, inte 0,7&#xa0;%.</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)</source>
-        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % åtdragen, 6 till 10 % sliten (facktexter, ur minnet)</translation>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
+        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % med åtdragna gängor, 6 till 10 % med slitna gängor (facktexter, inte uppmätt)</translation>
     </message>
     <message>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
@@ -12634,8 +12634,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>matningskraft</translation>
     </message>
     <message>
-        <source>note: %1 sets %2, which is one section with a repeat</source>
-        <translation>anmärkning: %1 sätter %2, en sektion som upprepas</translation>
+        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
+        <translation>anmärkning: %1 sätter %2, en sektion som upprepas; skriv ut sektionerna utan upprepning i FILE för att sätta bara en av dem</translation>
     </message>
     <message>
         <source>each strip: from the required feed to that of return in time</source>
