@@ -14147,8 +14147,8 @@ in %4</translation>
         <translation>Kraft N (Zug positiv)</translation>
     </message>
     <message>
-        <source>stresses of uniform sections; threads and changes of diameter raise them locally</source>
-        <translation>der gleichförmigen Abschnitte; Gewinde und Durchmessersprünge erhöhen Spannungen örtlich</translation>
+        <source>without local stresses at threads and changes of diameter</source>
+        <translation>ohne örtliche Spannungen an Gewinden und Absätzen</translation>
     </message>
     <message>
         <source>many waves: between peaks the curve may be too low by %1</source>
@@ -14163,8 +14163,8 @@ in %4</translation>
         <translation>Größte Spannungen entlang der Stange, Zug positiv: %1.</translation>
     </message>
     <message>
-        <source>uniform rod: couplings and threads raise stresses locally; residual waves undamped</source>
-        <translation>gleichförmige Stange: Gewinde erhöhen Spannungen örtlich; Restwellen ungedämpft</translation>
+        <source>without local stresses at threads; residual waves undamped</source>
+        <translation>ohne örtliche Spannungen an Gewinden; Restwellen ungedämpft</translation>
     </message>
 </context>
 <context>

@@ -14147,8 +14147,8 @@ i %4</translation>
         <translation>kraft N (drag positivt)</translation>
     </message>
     <message>
-        <source>stresses of uniform sections; threads and changes of diameter raise them locally</source>
-        <translation>för likformiga sektioner; gängor och diameterändringar höjer spänningarna lokalt</translation>
+        <source>without local stresses at threads and changes of diameter</source>
+        <translation>utan lokala spänningar vid gängor och ansatser</translation>
     </message>
     <message>
         <source>many waves: between peaks the curve may be too low by %1</source>
@@ -14163,8 +14163,8 @@ i %4</translation>
         <translation>Största spänningar längs stången, drag positivt: %1.</translation>
     </message>
     <message>
-        <source>uniform rod: couplings and threads raise stresses locally; residual waves undamped</source>
-        <translation>likformig stång: gängor höjer spänningar lokalt; restvågor odämpade</translation>
+        <source>without local stresses at threads; residual waves undamped</source>
+        <translation>utan lokala spänningar vid gängor; restvågor odämpade</translation>
     </message>
 </context>
 <context>

@@ -129,8 +129,8 @@ void TestWindowPlots::theWheelScrollsThePageAndChangesNoFieldWithoutFocus() {
     window().resize(1000, 500);
     QCoreApplication::processEvents();
     QVERIFY(scroll.verticalScrollBar()->maximum() > 0);
-    const auto turn = [](QWidget& widget, Qt::KeyboardModifiers keys) {
-        const QPointF middle = QRectF(widget.rect()).center();
+    const auto turn = [&](QWidget& widget, Qt::KeyboardModifiers keys) {
+        const QPointF middle = QRectF(&widget == &plot ? plot.axisRect()->rect() : widget.rect()).center();
         QWheelEvent wheel(middle, widget.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, keys,
                           Qt::NoScrollPhase, false);
         // As from the hand: only such events go on to the parent.

@@ -55,7 +55,7 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     layout->addLayout(bar);
     layout->addWidget(m_readout);
     layout->addWidget(m_plot, 1);
-    constexpr int lines = 18;  // with legends, axes and table
+    constexpr int lines = 24;  // with legends, axes and table
     setLeastLines(lines);
 
     useFrame(*m_rod, tr("Largest stresses along the rod"));
