@@ -3398,6 +3398,14 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <source>Largest compression %1, %2; largest tension %3, %4.</source>
         <translation>Größter Druck %1, %2; größter Zug %3, %4.</translation>
     </message>
+    <message>
+        <source>x/L = %1</source>
+        <translation>x/L = %1</translation>
+    </message>
+    <message>
+        <source>%1 from the face of the hammer</source>
+        <translation>%1 von der Schlagfläche des Hammers</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3533,10 +3541,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>max.</translation>
     </message>
     <message>
-        <source>least</source>
-        <translation>min.</translation>
-    </message>
-    <message>
         <source>Statistic</source>
         <translation>Nach welcher Statistik</translation>
     </message>
@@ -3549,8 +3553,12 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>max. %1</translation>
     </message>
     <message>
-        <source>least %1</source>
+        <source>smallest %1</source>
         <translation>min. %1</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>min.</translation>
     </message>
 </context>
 <context>
@@ -3683,10 +3691,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation> · Verzug %1</translation>
     </message>
     <message>
-        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.</source>
-        <translation>Wo in Stange oder Strang die Wellen beobachtet werden: 0 ist das Schlagende, 1 die Bohrkrone.</translation>
-    </message>
-    <message>
         <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
         <translation>Werte am Zeitcursor: Normalkraft im Querschnitt, Stoßkraft, Kraftstoß, Impuls</translation>
     </message>
@@ -3701,10 +3705,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Bring all curves into view (double-click in the plots)</source>
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
-    </message>
-    <message>
-        <source>%1 from the face of the hammer</source>
-        <translation>%1 hinter der Schlagfläche des Hammers</translation>
     </message>
     <message>
         <source>No time chosen: click an event, or press T over the plots.</source>
@@ -3735,8 +3735,18 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Größte Stoßkraft %1 bei %2.</translation>
     </message>
     <message>
-        <source>At this section the force is from %1 to %2, tension positive.</source>
-        <translation>An dieser Stelle liegt die Kraft zwischen %1 und %2, Zug positiv.</translation>
+        <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
+        <translation>Bei %1 liegt die Kraft zwischen %2 (Druck) und %3 (Zug).</translation>
+    </message>
+    <message>
+        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
+N₀ₚ is the first wave to the bit, N₁ₙ its reflection from the bit, N₂ₚ from the rear end, N₃ₙ again from the bit.</source>
+        <translation>Stelle, an der die Wellen gezeigt werden: 0 ist das Schlagende, 1 die Bohrkrone.
+N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂ₚ am hinteren Ende, N₃ₙ wieder an der Krone.</translation>
+    </message>
+    <message>
+        <source>0: struck end, 1: bit</source>
+        <translation>0: Schlagende, 1: Bohrkrone</translation>
     </message>
 </context>
 <context>
@@ -4273,6 +4283,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Load %1</source>
         <translation>%1 laden</translation>
+    </message>
+    <message>
+        <source>Objectives: %1</source>
+        <translation>Ziele: %1</translation>
     </message>
 </context>
 <context>
@@ -5978,8 +5992,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::MapPlot</name>
     <message>
-        <source>nearest: %1</source>
-        <translation>am nächsten: %1</translation>
+        <source>computed at %1</source>
+        <translation>berechnet bei %1</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -6002,16 +6016,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation> · %1 von %2 Punkten nicht gelöst (schraffiert)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
-        <translation>%1 übersteigt %2 nur für %3 über %4, erreicht bei %5.</translation>
+        <source>%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 über %4 liegt. Dieser kleinste Wert liegt bei %5.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
-        <translation>%1 übersteigt %2 nur für %3 unter %4, erreicht bei %5.</translation>
+        <source>%1 exceeds %2 only where %3 is below %4. This highest value is at %5.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 unter %4 liegt. Dieser größte Wert liegt bei %5.</translation>
     </message>
     <message>
-        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
-        <translation>%1 erreicht %2 für %3 von %4, bei %5, bis %6, bei %7.</translation>
+        <source>The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.</source>
+        <translation>Die Linie %1 = %2 läuft von %3 = %4, bei %5, bis %6, bei %7.</translation>
     </message>
 </context>
 <context>
@@ -10582,12 +10596,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Auslegung %1 nehmen: ihre Zielgröße %2 ist %3.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
-        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 wird %4 statt %5.</translation>
+        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: das verbessert %3 von %5 auf %4.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
-        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 wird %5 statt %6.</translation>
+        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
+        <translation>%1 von %2 auf %3 ändern: das verbessert %4 von %6 auf %5.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -14003,12 +14017,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>keine Energie bleibt im Gestein</translation>
     </message>
     <message>
-        <source>energy left in the rock: %1 (%2 of E₀)</source>
-        <translation>Energie im Gestein: %1 (%2 von E₀)</translation>
-    </message>
-    <message>
-        <source>energy left in the rock: %1 (%2 of W)</source>
-        <translation>Energie im Gestein: %1 (%2 von W)</translation>
+        <source>energy left in the rock: %1 (%2 of the blow)</source>
+        <translation>Energie im Gestein: %1 (%2 des Schlags)</translation>
     </message>
     <message>
         <source>impact force F</source>
@@ -14335,8 +14345,8 @@ in %4</translation>
         <translation>Wird gelöst</translation>
     </message>
     <message>
-        <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
-        <translation>Mit dem Fenster weg, außer mit Datei ▸ Läufe neben der Datei aufbewahren.</translation>
+        <source>Not kept when the window closes</source>
+        <translation>Mit dem Fenster weg</translation>
     </message>
     <message>
         <source>Difference from the reference</source>
@@ -14349,6 +14359,10 @@ in %4</translation>
     <message>
         <source>COR e</source>
         <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>File ▸ Keep runs beside the file keeps them</source>
+        <translation>Datei ▸ Läufe neben der Datei aufbewahren behält sie</translation>
     </message>
 </context>
 <context>

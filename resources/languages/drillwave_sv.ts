@@ -3398,6 +3398,14 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <source>Largest compression %1, %2; largest tension %3, %4.</source>
         <translation>Största tryck %1, %2; största drag %3, %4.</translation>
     </message>
+    <message>
+        <source>x/L = %1</source>
+        <translation>x/L = %1</translation>
+    </message>
+    <message>
+        <source>%1 from the face of the hammer</source>
+        <translation>%1 från hammarens slagyta</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3533,10 +3541,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>störst</translation>
     </message>
     <message>
-        <source>least</source>
-        <translation>minst</translation>
-    </message>
-    <message>
         <source>Statistic</source>
         <translation>Efter vilken statistik</translation>
     </message>
@@ -3549,8 +3553,12 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>störst %1</translation>
     </message>
     <message>
-        <source>least %1</source>
+        <source>smallest %1</source>
         <translation>minst %1</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>minst</translation>
     </message>
 </context>
 <context>
@@ -3683,10 +3691,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation> · eftersläpning %1</translation>
     </message>
     <message>
-        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.</source>
-        <translation>Var i stången eller strängen vågorna betraktas: 0 är slagänden, 1 borrkronan.</translation>
-    </message>
-    <message>
         <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
         <translation>Värden vid tidsmarkören: normalkraft i tvärsnittet, stötkraft, impuls, rörelsemängd</translation>
     </message>
@@ -3701,10 +3705,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Bring all curves into view (double-click in the plots)</source>
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
-    </message>
-    <message>
-        <source>%1 from the face of the hammer</source>
-        <translation>%1 bakom hammarens slagyta</translation>
     </message>
     <message>
         <source>No time chosen: click an event, or press T over the plots.</source>
@@ -3735,8 +3735,18 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Största stötkraft %1 vid %2.</translation>
     </message>
     <message>
-        <source>At this section the force is from %1 to %2, tension positive.</source>
-        <translation>I detta snitt ligger kraften mellan %1 och %2, drag positivt.</translation>
+        <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
+        <translation>Vid %1 ligger kraften mellan %2 (tryck) och %3 (drag).</translation>
+    </message>
+    <message>
+        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
+N₀ₚ is the first wave to the bit, N₁ₙ its reflection from the bit, N₂ₚ from the rear end, N₃ₙ again from the bit.</source>
+        <translation>Snitt där vågorna visas: 0 är slagänden, 1 borrkronan.
+N₀ₚ är den första vågen mot kronan, N₁ₙ dess reflexion från kronan, N₂ₚ från bakänden, N₃ₙ åter från kronan.</translation>
+    </message>
+    <message>
+        <source>0: struck end, 1: bit</source>
+        <translation>0: slagänden, 1: borrkronan</translation>
     </message>
 </context>
 <context>
@@ -4273,6 +4283,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Load %1</source>
         <translation>Ladda %1</translation>
+    </message>
+    <message>
+        <source>Objectives: %1</source>
+        <translation>Mål: %1</translation>
     </message>
 </context>
 <context>
@@ -5978,8 +5992,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::MapPlot</name>
     <message>
-        <source>nearest: %1</source>
-        <translation>närmast: %1</translation>
+        <source>computed at %1</source>
+        <translation>beräknad vid %1</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -6002,16 +6016,16 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation> · %1 av %2 punkter inte lösta (skrafferade)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
-        <translation>%1 överstiger %2 endast för %3 över %4, som nås vid %5.</translation>
+        <source>%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.</source>
+        <translation>%1 överstiger %2 bara där %3 är över %4. Detta lägsta värde ligger vid %5.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
-        <translation>%1 överstiger %2 endast för %3 under %4, som nås vid %5.</translation>
+        <source>%1 exceeds %2 only where %3 is below %4. This highest value is at %5.</source>
+        <translation>%1 överstiger %2 bara där %3 är under %4. Detta högsta värde ligger vid %5.</translation>
     </message>
     <message>
-        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
-        <translation>%1 når %2 för %3 från %4, vid %5, till %6, vid %7.</translation>
+        <source>The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.</source>
+        <translation>Linjen %1 = %2 går från %3 = %4, vid %5, upp till %6, vid %7.</translation>
     </message>
 </context>
 <context>
@@ -10582,12 +10596,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ta konstruktionen %1: dess målstorhet %2 är %3.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
-        <translation>Byt konstruktion från %1 till %2: målstorheten %3 blir %4 i stället för %5.</translation>
+        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
+        <translation>Byt konstruktion från %1 till %2: det förbättrar %3 från %5 till %4.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
-        <translation>Ändra %1 från %2 till %3: målstorheten %4 blir %5 i stället för %6.</translation>
+        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
+        <translation>Ändra %1 från %2 till %3: det förbättrar %4 från %6 till %5.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -14003,12 +14017,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>ingen energi kvar i berget</translation>
     </message>
     <message>
-        <source>energy left in the rock: %1 (%2 of E₀)</source>
-        <translation>energi kvar i berget: %1 (%2 av E₀)</translation>
-    </message>
-    <message>
-        <source>energy left in the rock: %1 (%2 of W)</source>
-        <translation>energi kvar i berget: %1 (%2 av W)</translation>
+        <source>energy left in the rock: %1 (%2 of the blow)</source>
+        <translation>energi kvar i berget: %1 (%2 av slaget)</translation>
     </message>
     <message>
         <source>impact force F</source>
@@ -14335,8 +14345,8 @@ i %4</translation>
         <translation>Löses</translation>
     </message>
     <message>
-        <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
-        <translation>Försvinner med fönstret, om inte Arkiv ▸ Behåll körningar bredvid filen.</translation>
+        <source>Not kept when the window closes</source>
+        <translation>Försvinner med fönstret</translation>
     </message>
     <message>
         <source>Difference from the reference</source>
@@ -14349,6 +14359,10 @@ i %4</translation>
     <message>
         <source>COR e</source>
         <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>File ▸ Keep runs beside the file keeps them</source>
+        <translation>Arkiv ▸ Behåll körningar bredvid filen behåller dem</translation>
     </message>
 </context>
 <context>
