@@ -2650,7 +2650,7 @@ Trotzdem löschen?</translation>
         <translation>unter dem Erforderlichen</translation>
     </message>
     <message>
-        <source>covers this gap</source>
+        <source>enough for this gap</source>
         <translation>reicht für diesen Spalt</translation>
     </message>
     <message>
@@ -6168,7 +6168,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Wirksamer Andruck geteilt durch den erforderlichen, minus 1</translation>
     </message>
     <message>
-        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <source>Up to this blow frequency the effective feed force is at least the required one</source>
         <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
     <message>
@@ -10624,44 +10624,44 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 liegt unter den %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow (%2 required).</source>
-        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab (%2 erforderlich).</translation>
+        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
+        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
-        <translation>Um diesen Schlag abzudecken, muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
+        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>Für diesen Schlag muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>Um diesen Schlag abzudecken, muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
-        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 deckt schon das Gewicht von Maschine und Stange längs des Bohrlochs diesen Schlag und starres Gestein ab.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 reicht schon das Gewicht von Maschine und Stange längs des Bohrlochs für diesen Schlag und für starres Gestein.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
@@ -10792,12 +10792,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>rechtzeitige Rückkehr</translation>
     </message>
     <message>
-        <source>covered up to</source>
+        <source>enough up to</source>
         <translation>reicht bis</translation>
     </message>
     <message>
-        <source>It covers %1 of all gaps in this rock.</source>
-        <translation>Er deckt %1 aller Spalte in diesem Gestein ab.</translation>
+        <source>It is enough for %1 of all gaps in this rock.</source>
+        <translation>Er reicht für %1 aller Spalte in diesem Gestein.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
@@ -12404,20 +12404,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass die Stoßzahl e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 jeden Spalt zwischen Bohrkrone und Gestein.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 starres Gestein.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt jeden Spalt zwischen Bohrkrone und Gestein ab.</translation>
+        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt starres Gestein ab.</translation>
+        <source>An additional feed force of %1 is enough for rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für starres Gestein.</translation>
     </message>
     <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
@@ -16595,13 +16595,14 @@ I0 the impulse of a blow and e the coefficient of restitution:
   return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
                   before the next blow
   margin          effective over required feed force, less 1
-  covered up to   highest blow frequency at which the effective feed force is not below the
+  enough up to    highest blow frequency at which the effective feed force is not below the
                   required one
 If the feed force is below f I0, the blows push the machine back. The effective feed force is the
 installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
-hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and
-drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, I0
-is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+hole is added. For consecutive blows, use `drillwave drill`; its --scan
+drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
+I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
         <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: dieser
 Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der Spalt
 auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten der Tabelle (theory
@@ -16610,12 +16611,12 @@ auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten de
   Rückkehr       f I0 (1 + 2e), der Andruck, der eine ungedämpfte starre Stange vor dem nächsten
                  Schlag zum Gestein zurückbringt
   Reserve        wirksamer durch erforderlichen Andruck, weniger 1
-  abgedeckt bis  höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
+  reicht bis     höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
                  erforderlichen liegt
 Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist
 der angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und
 drill.machine_mass längs des Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill`
-verwenden. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
+verwenden; dessen --scan drill.thrust=START:STOP:COUNT zeigt, was mehr Andruck bringt. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
 drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, den der Hammer
 überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
     </message>

@@ -2650,8 +2650,8 @@ Ta bort ändå?</translation>
         <translation>under kravet</translation>
     </message>
     <message>
-        <source>covers this gap</source>
-        <translation>täcker denna spalt</translation>
+        <source>enough for this gap</source>
+        <translation>räcker för denna spalt</translation>
     </message>
     <message>
         <source>elastic rock, worst gap</source>
@@ -6168,7 +6168,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Verksam matningskraft delad med den som krävs, minus 1</translation>
     </message>
     <message>
-        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <source>Up to this blow frequency the effective feed force is at least the required one</source>
         <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
     <message>
@@ -10624,44 +10624,44 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på %1 är lägre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow (%2 required).</source>
-        <translation>En matningskraft på %1 täcker varje enskilt slag (%2 krävs).</translation>
+        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för varje enskilt slag (%2 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 täcker detta slag och stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>En matningskraft på %1 täcker varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
+        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 täcker detta slag och stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
-        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
+        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
-        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
-        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
-        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 täcker redan tyngden av maskin och stång längs hålet detta slag och stelt berg.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 räcker redan tyngden av maskin och stång längs hålet för detta slag och för stelt berg.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
@@ -10792,12 +10792,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>återkomst i tid</translation>
     </message>
     <message>
-        <source>covered up to</source>
-        <translation>täcker upp till</translation>
+        <source>enough up to</source>
+        <translation>räcker till</translation>
     </message>
     <message>
-        <source>It covers %1 of all gaps in this rock.</source>
-        <translation>Den täcker %1 av alla spalter i detta berg.</translation>
+        <source>It is enough for %1 of all gaps in this rock.</source>
+        <translation>Den räcker för %1 av alla spalter i detta berg.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
@@ -12404,20 +12404,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Borrkronan skallrar mot berget (%1 kontakter), så att studstalet e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker varje spalt mellan borrkrona och berg.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker stelt berg.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker varje spalt mellan borrkrona och berg.</translation>
+        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker stelt berg.</translation>
+        <source>An additional feed force of %1 is enough for rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för stelt berg.</translation>
     </message>
     <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
@@ -16587,13 +16587,14 @@ I0 the impulse of a blow and e the coefficient of restitution:
   return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
                   before the next blow
   margin          effective over required feed force, less 1
-  covered up to   highest blow frequency at which the effective feed force is not below the
+  enough up to    highest blow frequency at which the effective feed force is not below the
                   required one
 If the feed force is below f I0, the blows push the machine back. The effective feed force is the
 installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
-hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and
-drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, I0
-is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+hole is added. For consecutive blows, use `drillwave drill`; its --scan
+drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
+I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
         <translation>Uppskattar från enstaka slag om den angivna matningskraften räcker. Skriver ut fyra fall: detta
 slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den spalt på
 elastiskt berg (gamma = 1) som kräver mest. I tabellens kolumner (theory §10) är f slagfrekvensen,
@@ -16602,7 +16603,7 @@ I0 ett slags impuls och e studstalet:
   retur i tid     f I0 (1 + 2e), den matningskraft som för en odämpad stel stång tillbaka till
                   berget före nästa slag
   marginal        effektiv genom krävd matningskraft, minus 1
-  täcks upp till  högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
+  räcker till     högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
                   den krävda
 Om matningskraften är lägre än f I0 trycker slagen tillbaka maskinen. Den effektiva
 matningskraften är den angivna; om drill.inclination anges tillkommer tyngden av stång och
