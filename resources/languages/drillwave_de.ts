@@ -12896,8 +12896,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Durchlauf eines früheren Szenarios: neu durchlaufen</translation>
     </message>
     <message>
-        <source>required feed force</source>
-        <translation>erforderlicher Andruck</translation>
+        <source>required feed</source>
+        <translation>nötiger Andruck</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>

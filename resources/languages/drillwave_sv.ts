@@ -12896,8 +12896,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>svep för ett tidigare scenario: svep igen</translation>
     </message>
     <message>
-        <source>required feed force</source>
-        <translation>erforderlig matningskraft</translation>
+        <source>required feed</source>
+        <translation>nödvändig matning</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>
