@@ -27,6 +27,11 @@ SweepAxis axisArgument(const std::string& option, const std::string& word) {
     return checked(parseAxis(word), option);
 }
 
+SweepAxis axisOrPresetsArgument(const std::string& option, const std::string& word, const Scenario& scenario,
+                                const PresetLookup& presets) {
+    return checked(parseAxisOrPresets(word, scenario, presets), option);
+}
+
 SweepAxis rangeArgument(const std::string& option, const std::string& word) {
     ParsedAxis parsed = parseRange(word);
     if (parsed.axis.count == 2 && parsed.axis.start > parsed.axis.stop) {

@@ -7,6 +7,7 @@
 
 #include "app/arguments.h"
 #include "core/archive/row_record.h"
+#include "core/study/design/design_texts.h"
 #include "core/study/rows/sweep_axis.h"
 
 namespace drillwave {
@@ -15,6 +16,11 @@ namespace drillwave {
 /// messages. Throws CommandError: invalid scenario for a value that the parameter cannot take, usage for any
 /// other mistake.
 SweepAxis axisArgument(const std::string& option, const std::string& word);
+
+/// Returns the axis that `word` describes, in the syntax of parseAxisOrPresets(); presets are
+/// looked up in `presets`. Throws CommandError as axisArgument() does.
+SweepAxis axisOrPresetsArgument(const std::string& option, const std::string& word, const Scenario& scenario,
+                                const PresetLookup& presets);
 
 /// Returns the range that `word` describes, in the syntax of parseRange(), with its two ends swapped if the
 /// first is higher. Throws CommandError: invalid scenario for a value that the parameter cannot take, else

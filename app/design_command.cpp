@@ -163,6 +163,8 @@ const Command& designCommand() {
               Times::list},
              {"keep-energy", "",
               "give every design the blow energy of FILE, by scaling its impulse or hammer velocity"},
+             {"no-keep-energy", "",
+              "compare designs at their own blow energy, also if FILE sets keep_energy"},
              {"samples", "N",
               "number of random samples for each design, rounded up to a power of two (default: 4096, for a "
               "drill string 1024)"},

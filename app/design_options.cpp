@@ -81,25 +81,6 @@ void readUncertain(const Wanted& wanted, DesignStudy& study, std::vector<NamedKe
     }
 }
 
-/// Looks presets up in the file of --presets, or in the built-in ones.
-class ArgumentPresets {
-  public:
-    explicit ArgumentPresets(const Arguments& arguments) : m_arguments(arguments) {}
-
-    PresetLookup lookup() {
-        const std::optional<std::string> file = m_arguments.value("presets");
-        return {.presets = [this, file]() -> const PresetFile& {
-                    if (!m_presets) m_presets = presetsOf(file, m_arguments.style());
-                    return *m_presets;
-                },
-                .listCommand = "drillwave presets" + (file ? " " + *file : std::string())};
-    }
-
-  private:
-    const Arguments& m_arguments;
-    std::optional<PresetFile> m_presets;
-};
-
 void readChoices(const Wanted& wanted, const PresetLookup& lookup, DesignStudy& study,
                  std::vector<NamedKey>& unread, DesignFaults& faults) {
     for (const std::string& word : wanted.words) {
@@ -150,12 +131,11 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, cons
     DesignStudy study;
     study.base = base;
     std::vector<NamedKey> unread;
-    ArgumentPresets presets(arguments);
     Wanted uncertain = wantedOf(arguments, "uncertain", "uncertain", setup.uncertain);
     if (!arguments.has("uncertain") && arguments.has("draws")) uncertain.words.clear();
     readUncertain(uncertain, study, unread, faults);
     readDrawsOf(arguments, study, faults);
-    readChoices(wantedOf(arguments, "choose", "choose", setup.choose), presets.lookup(), study, unread,
+    readChoices(wantedOf(arguments, "choose", "choose", setup.choose), presetLookup(arguments), study, unread,
                 faults);
     readAims(arguments, setup, study, faults);
     readLimits(wantedOf(arguments, "at-most", "at_most", setup.atMost), true, study, faults);
@@ -167,7 +147,8 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, cons
     study.samples = std::max(leastDesignSamples, std::bit_ceil(static_cast<std::uint64_t>(samples)));
     study.seed = static_cast<std::uint64_t>(arguments.number(
         "seed", static_cast<long>(setup.seed.value_or(1)), 0, std::numeric_limits<long>::max()));
-    study.keepsEnergy = arguments.has("keep-energy") || setup.keepEnergy;
+    study.keepsEnergy =
+        !arguments.has("no-keep-energy") && (arguments.has("keep-energy") || setup.keepEnergy);
     study.workLimit = workLimitOf(arguments);
     // Words that could not be read are missing in the study: do not report missing input as well.
     const bool hasWords = !uncertain.words.empty() || arguments.has("draws");

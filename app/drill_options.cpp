@@ -66,7 +66,7 @@ void checkDrillWork(double work, const Arguments& arguments) {
     if (work <= permitted) return;
     throw CommandError(
         ExitCode::unsolvedOrFailed,
-        Message(translatable("it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer "
+        Message(translatable("it takes %1 computing steps, more than the %2 permitted, about %3; fewer "
                              "blows or --cells take less, --work-limit permits more"),
                 {style.number(work, 3), style.number(permitted, 3),
                  style.quantity(work / workOfSecond, Quantity::time, 2)}));

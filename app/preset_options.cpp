@@ -65,6 +65,15 @@ PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle&
     return parsedPresets(file.bytes, *path);
 }
 
+PresetLookup presetLookup(const Arguments& arguments) {
+    const std::optional<std::string> file = arguments.value("presets");
+    return {.presets = [&arguments, file, kept = std::optional<PresetFile>()]() mutable -> const PresetFile& {
+                if (!kept) kept = presetsOf(file, arguments.style());
+                return *kept;
+            },
+            .listCommand = "drillwave presets" + (file ? " " + *file : std::string())};
+}
+
 PresetFile parsedPresets(std::string_view text, const std::string& path) {
     if (text.size() > maximumPresetBytes)
         throw CommandError(

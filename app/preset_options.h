@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/arguments.h"
+#include "core/study/design/design_texts.h"
 #include "core/yaml/preset_file.h"
 
 namespace drillwave {
@@ -27,6 +28,9 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
 /// Returns the presets of a file, of standard input ("-") or of a pipe; without a path, the built-in ones.
 /// Throws CommandError.
 PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle& style);
+/// Returns a lookup in the file of --presets, or in the built-in presets. Reads the file once, when a name is
+/// looked up; `arguments` must outlive it.
+PresetLookup presetLookup(const Arguments& arguments);
 /// Returns the presets in the text of a file; `path` names it in messages. Throws CommandError.
 PresetFile parsedPresets(std::string_view text, const std::string& path);
 

@@ -20,6 +20,7 @@
 #include "core/study/rows/study_plan.h"
 #include "core/text/decimal_text.h"
 #include "core/text/message.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 
@@ -85,7 +86,7 @@ Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit) {
     for (const RowFailure& failure : counts.failures) {
         text = joined(std::move(text), "%1; %2", about(countOf(failure.rows, noun), failure.reason));
         told += failure.rows;
-        atLimit |= isAtLimit(failure.reason);
+        atLimit |= isWorkLimit(failure.reason);
     }
     if (told < counts.failed)
         text = {translatable("%1; %2 for other reasons"), {text, std::to_string(counts.failed - told)}};
@@ -102,13 +103,8 @@ WorkLimits workLimitsOf(const Arguments& arguments) {
     return {.pieces = pieces, .cells = cellsOfPiece * pieces};
 }
 
-bool isAtLimit(const Message& reason) {
-    const std::string text = reason.text();
-    return text.find("wave pieces") != std::string::npos || text.find("wave cells") != std::string::npos;
-}
-
 Message reasonWithHint(const Message& reason, long workLimit) {
-    return isAtLimit(reason) ? withLimitHint(reason, workLimit) : reason;
+    return isWorkLimit(reason) ? withLimitHint(reason, workLimit) : reason;
 }
 
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario) {

@@ -70,8 +70,8 @@ RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoi
 /// Word for one solved case in messages on failures: "row" or "point".
 enum class RowNoun { row, point };
 
-/// Returns why rows or points failed, with their numbers: "2 rows: it needs more wave pieces than permitted".
-/// Advises a larger --work-limit if that is the reason.
+/// Returns why rows or points failed, with their numbers: "2 rows: its waves have more polynomial pieces than
+/// …". Advises a larger --work-limit if that is the reason.
 Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit);
 
 /// Returns the value of --work-limit [wave pieces, the unit of work of the exact solver], or `fallback`
@@ -84,8 +84,6 @@ WorkLimits workLimitsOf(const Arguments& arguments);
 OptionSpec workLimitSpec();
 /// Returns the message "FILE: could not be solved: REASON".
 Message couldNotBeSolved(const std::string& path, const Message& reason);
-/// Returns true if a blow failed for the reason that it reached the limit of work.
-bool isAtLimit(const Message& reason);
 /// Returns a reason, with "; --work-limit, now 1000000, permits more" added if the blow reached that limit.
 Message reasonWithHint(const Message& reason, long workLimit);
 /// Returns a reason, with the same advice on --work-limit, for a blow that was solved within workLimitsOf().

@@ -200,7 +200,9 @@ void remarkOnRepeat(std::string_view key, const Scenario& scenario, const Readin
     const std::vector<const Section*> sections = expandedSections(scenario.drillString);
     const std::size_t place = parameter->address->place;
     if (place < 1 || place > sections.size() || std::ranges::count(sections, sections[place - 1]) < 2) return;
-    printRemark({translatable("note: %1 sets %2, which is one section with a repeat"),
+    printRemark({translatable("note: %1 sets %2, which is one section with a repeat; to set only one of "
+                              "them, write the sections "
+                              "out in FILE without the repeat"),
                  {std::string(key), addressedWords(*parameter->address, scenario.drillString)}},
                 style);
 }
@@ -217,6 +219,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     Scenario& scenario = input.document.scenario;
     std::vector<std::string> choices = arguments.values("choose");
     std::ranges::copy(input.document.design.choose, std::back_inserter(choices));
+    std::ranges::copy(arguments.values("vary"), std::back_inserter(choices));
     applyPresets(scenario, arguments, inputName(path), std::ranges::any_of(choices, choosesPresets));
     applySignal(input.document, arguments, inputName(path));
     std::vector<Message> problems;

@@ -3,6 +3,7 @@
 #include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/method_options.h"
+#include "app/preset_options.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
@@ -13,9 +14,11 @@ namespace drillwave {
 
 namespace {
 
-std::vector<SweepAxis> axesOf(const Arguments& arguments) {
+std::vector<SweepAxis> axesOf(const Arguments& arguments, const Scenario& base) {
+    const PresetLookup presets = presetLookup(arguments);
     std::vector<SweepAxis> axes;
-    for (const std::string& word : arguments.values("vary")) axes.push_back(axisArgument("vary", word));
+    for (const std::string& word : arguments.values("vary"))
+        axes.push_back(axisOrPresetsArgument("vary", word, base, presets));
     if (axes.empty())
         throw CommandError(ExitCode::usage,
                            translatable("needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C"));
@@ -43,10 +46,10 @@ std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const
 
 ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
-    const std::vector<SweepAxis> axes = axesOf(arguments);
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
+    const std::vector<SweepAxis> axes = axesOf(arguments, base.scenario);
     std::vector<std::string> words;
     for (const std::string& word : arguments.values("vary")) words.push_back(quotedAxis("vary", word));
     checkNotSet(arguments, base.scenario, axes, words);
@@ -85,7 +88,8 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
 std::vector<OptionSpec> sweepOptions() {
     std::vector<OptionSpec> options{
         {"vary", "KEY=VALUES",
-         "vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C",
+         "vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to "
+         "compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names",
          OptionSpec::Times::list}};
     for (const OptionSpec& option : rowOptionSpecs()) options.push_back(option);
     options.push_back(plotsOptionSpec());

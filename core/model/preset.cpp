@@ -41,8 +41,10 @@ std::string valueLine(const Message& label, const std::string& value, const std:
     return style.said(label) + ": " + value + " — " + style.said(Message::ofTable(source));
 }
 
-constexpr EnumNames<PresetPart> partNames{
-    {{PresetPart::hammer, "hammer"}, {PresetPart::rod, "rod"}, {PresetPart::bit, "bit"}}};
+constexpr EnumNames<PresetPart> partNames{{{PresetPart::hammer, "hammer"},
+                                           {PresetPart::rod, "rod"},
+                                           {PresetPart::bit, "bit"},
+                                           {PresetPart::rock, "rock"}}};
 
 /// How many sections at the end of the string are the bit: those that are called so.
 std::size_t bitSections(const DrillString& drillString) {
@@ -173,6 +175,7 @@ Message partProblem(PresetPart part, const Scenario& scenario) {
         return translatable(
             "presets need physical units, and this scenario is given by its dimensionless "
             "groups; choose a group such as beta");
+    if (part == PresetPart::rock) return {};
     const bool ofString = isString(scenario);
     if (part == PresetPart::bit) {
         if (!ofString) return translatable("a uniform rod has no bit; use a drill string");
@@ -200,7 +203,8 @@ bool suits(const PartPreset& preset, PresetPart part, const Scenario& scenario) 
         return (part == PresetPart::bit && sections->kind == SectionPresetKind::bit) ||
                (isPiston && sections->kind == SectionPresetKind::piston);
     const PresetKind kind = std::get<Preset>(preset).kind;
-    return (isForce && kind == PresetKind::hammer) || (part == PresetPart::rod && kind == PresetKind::rod);
+    return (isForce && kind == PresetKind::hammer) || (part == PresetPart::rod && kind == PresetKind::rod) ||
+           (part == PresetPart::rock && kind == PresetKind::rock);
 }
 
 Message replacePart(Scenario& scenario, PresetPart part, const PartPreset& preset) {

@@ -91,12 +91,12 @@ std::string description(const SectionPreset& preset, const ReadingStyle& style);
 /// one. Requires a preset of a piston.
 Hammer withPiston(Hammer hammer, const SectionPreset& piston);
 
-// Presets as values of a study: hammers, rods and bits are chosen by name.
+// Presets as values of a study: hammers, rods, bits and rocks are chosen by name.
 
 /// Part of a scenario that a preset replaces in a study.
-enum class PresetPart { hammer, rod, bit };
+enum class PresetPart { hammer, rod, bit, rock };
 
-/// Returns the name of a part on the command line: "hammer", "rod" or "bit".
+/// Returns the name of a part on the command line: "hammer", "rod", "bit" or "rock".
 std::string_view name(PresetPart part);
 std::optional<PresetPart> findPresetPart(std::string_view name);
 

@@ -64,7 +64,7 @@ constexpr std::array fieldTable{
     SectionField{"mass_after", "attached mass", "M", "Lumped mass at the end towards the rock; for the last section of a string, the mass of the bit",
                  Quantity::mass, "kg", ranges::mass, {0, 50}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.massAfter); }, [](Section& s, double v) { s.massAfter = v; }},
-    SectionField{"loss", "loss", "η", "Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)",
+    SectionField{"loss", "loss", "η", "Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)",
                  Quantity::share, "%", ranges::share, {0, 0.3}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.loss); }, [](Section& s, double v) { s.loss = v; }},
     SectionField{"attenuation", "attenuation", "α", "Decay of the amplitude of a wave per length",

@@ -270,10 +270,10 @@ Message answerMessage(const DesignReport& report, const DesignNames& names) {
                 {names.design(*present), name, names.aim(first), names.aimed(report, first, chosen)}};
     const DesignAim& deciding = decidingAim(report, *present);
     if (only)
-        return {translatable("Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6."),
+        return {translatable("Change %1 from %2 to %3: this improves %4 from %6 to %5."),
                 {names.choice(*only), names.design(*present), name, names.aim(deciding),
                  names.aimed(report, deciding, chosen), names.aimed(report, deciding, *present)}};
-    return {translatable("Change the design from %1 to %2: the objective %3 becomes %4 instead of %5."),
+    return {translatable("Change the design from %1 to %2: this improves %3 from %5 to %4."),
             {names.design(*present), name, names.aim(deciding), names.aimed(report, deciding, chosen),
              names.aimed(report, deciding, *present)}};
 }

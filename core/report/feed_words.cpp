@@ -48,19 +48,21 @@ class EstimateMessage {
             case FeedState::requiredAtThisGap:
                 return thisGapOnly(ofThisBlow, largest.thrust);
             case FeedState::requiredMet:
-                return {m_estimate.isOfAllGaps()
-                            ? translatable("A feed force of %1 covers every single blow (%2 required).")
-                            : translatable("A feed force of %1 covers this blow and rigid rock (%2 "
-                                           "required); other gaps between bit and rock were not examined."),
-                        {installed(largest.thrust), required(largest.thrust)}};
+                return {
+                    m_estimate.isOfAllGaps()
+                        ? translatable("A feed force of %1 is enough for every single blow (%2 required).")
+                        : translatable("A feed force of %1 is enough for this blow and for rigid rock (%2 "
+                                       "required); other gaps between bit and rock were not examined."),
+                    {installed(largest.thrust), required(largest.thrust)}};
             case FeedState::returnMet:
-                return {m_estimate.isOfAllGaps()
-                            ? translatable("A feed force of %1 covers every single blow, and even returns an "
-                                           "undamped rod to the rock in time at every gap (%2 required).")
-                            : translatable("A feed force of %1 covers this blow and rigid rock, and even "
-                                           "returns an undamped rod to the rock in time (%2 required); other "
-                                           "gaps between bit and rock were not examined."),
-                        {installed(largest.thrustUndamped), required(largest.thrustUndamped)}};
+                return {
+                    m_estimate.isOfAllGaps()
+                        ? translatable("A feed force of %1 is enough for every single blow, and even returns "
+                                       "an undamped rod to the rock in time at every gap (%2 required).")
+                        : translatable("A feed force of %1 is enough for this blow and for rigid rock, and "
+                                       "even returns an undamped rod to the rock in time (%2 required); "
+                                       "other gaps between bit and rock were not examined."),
+                    {installed(largest.thrustUndamped), required(largest.thrustUndamped)}};
         }
         return {};
     }
@@ -71,11 +73,11 @@ class EstimateMessage {
         const int digits = digitsApart(m_estimate.frequency, limit);
         const std::string present = frequency(m_estimate.frequency, std::max(usualDigits, digits));
         if (!(limit > 0))
-            return {translatable(
-                        "To cover this blow, the feed force must be at least %1 at a blow frequency of %2."),
-                    {least(needed), present}};
-        return {translatable("To cover this blow, the feed force must be at least %1 at %2, or the blow "
-                             "frequency at most %3 with this feed force."),
+            return {
+                translatable("For this blow, the feed force must be at least %1 at a blow frequency of %2."),
+                {least(needed), present}};
+        return {translatable("For this blow, the feed force must be at least %1 at %2, or the blow frequency "
+                             "at most %3 with this feed force."),
                 {least(needed), present, frequency(limit, digits, Rounding::down)}};
     }
 
@@ -88,18 +90,19 @@ class EstimateMessage {
             case FeedState::pushedBack:
             case FeedState::belowRequired:
                 return m_estimate.isOfAllGaps()
-                           ? Message(translatable("An additional feed force of %1 covers this blow, one of "
-                                                  "%2 covers every gap between bit and rock."),
+                           ? Message(translatable("An additional feed force of %1 is enough for this blow, "
+                                                  "one of %2 for every gap between bit and rock."),
                                      {more(ofThisBlow), more(largest.thrust)})
-                           : Message(translatable("An additional feed force of %1 covers this blow, one of "
-                                                  "%2 covers rigid rock."),
+                           : Message(translatable("An additional feed force of %1 is enough for this blow, "
+                                                  "one of %2 for rigid rock."),
                                      {more(ofThisBlow), more(largest.thrust)});
             case FeedState::requiredAtThisGap:
-                return {m_estimate.isOfAllGaps()
-                            ? translatable(
-                                  "An additional feed force of %1 covers every gap between bit and rock.")
-                            : translatable("An additional feed force of %1 covers rigid rock."),
-                        {more(largest.thrust)}};
+                return {
+                    m_estimate.isOfAllGaps()
+                        ? translatable(
+                              "An additional feed force of %1 is enough for every gap between bit and rock.")
+                        : translatable("An additional feed force of %1 is enough for rigid rock."),
+                    {more(largest.thrust)}};
             case FeedState::requiredMet:
                 return {translatable("For single blows, no additional feed force is required. From %1 on, "
                                      "even an undamped rod would return to the rock before each next blow."),
@@ -150,13 +153,13 @@ class EstimateMessage {
     Message thisGapOnly(double ofThisBlow, double largest) const {
         const bool isByGap = m_estimate.largestCase() != ThrustCase::rigidRock;
         return {
-            isByGap ? translatable("A feed force of %1 covers this blow (%2 required), but not every gap "
-                                   "between bit and rock (up to %3 required).")
+            isByGap ? translatable("A feed force of %1 is enough for this blow (%2 required), but not for "
+                                   "every gap between bit and rock (up to %3 required).")
             : m_estimate.isOfAllGaps()
-                ? translatable(
-                      "A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).")
-                : translatable("A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 "
-                               "required); other gaps between bit and rock were not examined."),
+                ? translatable("A feed force of %1 is enough for this blow (%2 required), but not for rigid "
+                               "rock (%3 required).")
+                : translatable("A feed force of %1 is enough for this blow (%2 required), but not for rigid "
+                               "rock (%3 required); other gaps between bit and rock were not examined."),
             {installed(largest), required(ofThisBlow), required(largest)}};
     }
 
@@ -165,9 +168,10 @@ class EstimateMessage {
         const double largest = m_estimate.largest().thrust;
         const std::string present = frequency(m_estimate.frequency, usualDigits);
         if (m_estimate.thrustFor(largest) == 0)
-            return {translatable("No feed force is given. At a blow frequency of %1, the weight of machine "
-                                 "and rod along the hole already covers this blow and rigid rock."),
-                    {present}};
+            return {
+                translatable("No feed force is given. At a blow frequency of %1, the weight of machine and "
+                             "rod along the hole is already enough for this blow and for rigid rock."),
+                {present}};
         if (largest <= needed)
             return {translatable(
                         "No feed force is given. At a blow frequency of %2, this blow requires at least %1."),
@@ -189,7 +193,7 @@ class EstimateMessage {
 std::string_view feedWord(FeedState state) {
     static constexpr EnumNames<FeedState> words{{{FeedState::pushedBack, "machine pushed back"},
                                                  {FeedState::belowRequired, "below required"},
-                                                 {FeedState::requiredAtThisGap, "covers this gap"},
+                                                 {FeedState::requiredAtThisGap, "enough for this gap"},
                                                  {FeedState::requiredMet, "required met"},
                                                  {FeedState::returnMet, "return in time met"},
                                                  {FeedState::notApplicable, "no estimate"}}};

@@ -8,6 +8,7 @@ namespace drillwave {
 
 Message outputMessage(const Output& output) {
     if (output.name == "cor") return translatable("COR e");
+    if (output.name == "thrust") return translatable("required feed");
     if (!output.label().empty()) return Message::ofTable(output.label());
     std::string name(output.name);
     std::ranges::replace(name, '_', ' ');

@@ -28,7 +28,10 @@ class NumberCells {
         if (same > 0) m_text.append(m_text, m_start, m_ends[same - 1]);
         for (std::size_t c = same; c < numbers.size(); ++c) {
             if (c > 0 || m_place == Place::behindCells) m_text += ',';
-            m_columns[c].appendText(m_text, numbers[c]);
+            if (m_columns[c].kind == RowColumn::Kind::word)
+                m_text += csvCell(m_columns[c].cell(numbers[c]));
+            else
+                m_columns[c].appendText(m_text, numbers[c]);
             m_ends[c] = m_text.size() - start;
         }
         m_start = start;

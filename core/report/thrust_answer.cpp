@@ -116,8 +116,9 @@ StudyTable ThrustAnswer::table(const ReadingStyle& style) const {
                   translatable(
                       "At this feed an undamped rigid rod is back at the rock before the next blow")},
                  {translatable("margin"), translatable("Effective feed force over the required one, less 1")},
-                 {translatable("covered up to"), translatable("Up to this blow frequency the effective feed "
-                                                              "force covers the required one")}},
+                 {translatable("enough up to"),
+                  translatable(
+                      "Up to this blow frequency the effective feed force is at least the required one")}},
         .cells = std::vector<std::vector<StudyTable::Cell>>(4)};
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = feed().need(which);
@@ -261,16 +262,17 @@ const Study& thrustStudy() {
             "rock\n"
             "                  before the next blow\n"
             "  margin          effective over required feed force, less 1\n"
-            "  covered up to   highest blow frequency at which the effective feed force is not below the\n"
+            "  enough up to    highest blow frequency at which the effective feed force is not below the\n"
             "                  required one\n"
             "If the feed force is below f I0, the blows push the machine back. The effective feed force is "
             "the\n"
             "installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along "
             "the\n"
-            "hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and\n"
-            "drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, "
-            "I0\n"
-            "is the impulse that the hammer transfers, and only this blow and rigid rock are printed.",
+            "hole is added. For consecutive blows, use `drillwave drill`; its --scan\n"
+            "drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units\n"
+            "and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill "
+            "strings,\n"
+            "I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.",
         .csvHelp = "also write the table of --along to FILE.csv; -o - prints this CSV instead of the tables",
         .options =
             {{.key = "along",

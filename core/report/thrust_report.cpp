@@ -141,7 +141,7 @@ TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style) {
     TextGrid grid;
     std::vector<const char*> titles{translatable("case"), "e", translatable("required"),
                                     translatable("return in time")};
-    if (isInstalled) titles.insert(titles.end(), {translatable("margin"), translatable("covered up to")});
+    if (isInstalled) titles.insert(titles.end(), {translatable("margin"), translatable("enough up to")});
     grid.addTitles(titles, style);
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = report.study.need(which);
@@ -164,8 +164,8 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
     const std::optional<FeedState> state = feed.state();
     // A feed that is enough for every gap is enough for each one in this rock.
     if (shareCovered && (state == FeedState::belowRequired || state == FeedState::requiredAtThisGap))
-        sentences.push_back(
-            {translatable("It covers %1 of all gaps in this rock."), {shareText(*shareCovered, style)}});
+        sentences.push_back({translatable("It is enough for %1 of all gaps in this rock."),
+                             {shareText(*shareCovered, style)}});
     if (Message margin = marginSentence(feed, style); !margin.isEmpty())
         sentences.push_back(std::move(margin));
     if (!feed.gapsHavePeriod)

@@ -2650,7 +2650,7 @@ Trotzdem löschen?</translation>
         <translation>unter dem Erforderlichen</translation>
     </message>
     <message>
-        <source>covers this gap</source>
+        <source>enough for this gap</source>
         <translation>reicht für diesen Spalt</translation>
     </message>
     <message>
@@ -2690,8 +2690,8 @@ Trotzdem löschen?</translation>
         <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Man beachte den Wirkungsgrad: 0,56, wo drei T38-Stangen in weicherem Gestein 0,32 haben. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht, und ein Strang aus einer Stange hat wenige davon; ohne diese Verluste blieben 0,67 im Gestein, und 8&#xa0;% gingen mit dem Hammer zurück, nicht 0,7&#xa0;%.</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)</source>
-        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % fest, 6 bis 10 % verschlissen (Fachtexte, aus dem Gedächtnis)</translation>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
+        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % bei festem, 6 bis 10 % bei verschlissenem Gewinde (Fachtexte, nicht gemessen)</translation>
     </message>
     <message>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
@@ -2728,6 +2728,10 @@ Trotzdem löschen?</translation>
     <message>
         <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
         <translation>Welcher Schlag für Gestein, das niemand gemessen hat? Die Seite Auslegung ansehen: der Schlag, der in diesem Gestein am besten ist, verliert viel in weicherem und stärker federndem Gestein, ein längerer mit derselben Energie weniger. Der Befehl ist `drillwave design piston_for_unknown_rock`; der Block design enthält die Einstellungen dazu.</translation>
+    </message>
+    <message>
+        <source>rock</source>
+        <translation>Gestein</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3398,14 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <source>Largest compression %1, %2; largest tension %3, %4.</source>
         <translation>Größter Druck %1, %2; größter Zug %3, %4.</translation>
     </message>
+    <message>
+        <source>x/L = %1</source>
+        <translation>x/L = %1</translation>
+    </message>
+    <message>
+        <source>%1 from the face of the hammer</source>
+        <translation>%1 von der Schlagfläche des Hammers</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3529,10 +3541,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>max.</translation>
     </message>
     <message>
-        <source>least</source>
-        <translation>min.</translation>
-    </message>
-    <message>
         <source>Statistic</source>
         <translation>Nach welcher Statistik</translation>
     </message>
@@ -3545,8 +3553,12 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>max. %1</translation>
     </message>
     <message>
-        <source>least %1</source>
+        <source>smallest %1</source>
         <translation>min. %1</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>min.</translation>
     </message>
 </context>
 <context>
@@ -3679,10 +3691,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation> · Verzug %1</translation>
     </message>
     <message>
-        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.</source>
-        <translation>Wo in Stange oder Strang die Wellen beobachtet werden: 0 ist das Schlagende, 1 die Bohrkrone.</translation>
-    </message>
-    <message>
         <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
         <translation>Werte am Zeitcursor: Normalkraft im Querschnitt, Stoßkraft, Kraftstoß, Impuls</translation>
     </message>
@@ -3697,10 +3705,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Bring all curves into view (double-click in the plots)</source>
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
-    </message>
-    <message>
-        <source>%1 from the face of the hammer</source>
-        <translation>%1 hinter der Schlagfläche des Hammers</translation>
     </message>
     <message>
         <source>No time chosen: click an event, or press T over the plots.</source>
@@ -3731,8 +3735,18 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Größte Stoßkraft %1 bei %2.</translation>
     </message>
     <message>
-        <source>At this section the force is from %1 to %2, tension positive.</source>
-        <translation>An dieser Stelle liegt die Kraft zwischen %1 und %2, Zug positiv.</translation>
+        <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
+        <translation>Bei %1 liegt die Kraft zwischen %2 (Druck) und %3 (Zug).</translation>
+    </message>
+    <message>
+        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
+N₀ₚ is the first wave to the bit, N₁ₙ its reflection from the bit, N₂ₚ from the rear end, N₃ₙ again from the bit.</source>
+        <translation>Stelle, an der die Wellen gezeigt werden: 0 ist das Schlagende, 1 die Bohrkrone.
+N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂ₚ am hinteren Ende, N₃ₙ wieder an der Krone.</translation>
+    </message>
+    <message>
+        <source>0: struck end, 1: bit</source>
+        <translation>0: Schlagende, 1: Bohrkrone</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4283,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Load %1</source>
         <translation>%1 laden</translation>
+    </message>
+    <message>
+        <source>Objectives: %1</source>
+        <translation>Ziele: %1</translation>
     </message>
 </context>
 <context>
@@ -5974,8 +5992,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::MapPlot</name>
     <message>
-        <source>nearest: %1</source>
-        <translation>am nächsten: %1</translation>
+        <source>computed at %1</source>
+        <translation>berechnet bei %1</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -5998,16 +6016,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation> · %1 von %2 Punkten nicht gelöst (schraffiert)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
-        <translation>%1 übersteigt %2 nur für %3 über %4, erreicht bei %5.</translation>
+        <source>%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 über %4 liegt. Dieser kleinste Wert liegt bei %5.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
-        <translation>%1 übersteigt %2 nur für %3 unter %4, erreicht bei %5.</translation>
+        <source>%1 exceeds %2 only where %3 is below %4. This highest value is at %5.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 unter %4 liegt. Dieser größte Wert liegt bei %5.</translation>
     </message>
     <message>
-        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
-        <translation>%1 erreicht %2 für %3 von %4, bei %5, bis %6, bei %7.</translation>
+        <source>The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.</source>
+        <translation>Die Linie %1 = %2 läuft von %3 = %4, bei %5, bis %6, bei %7.</translation>
     </message>
 </context>
 <context>
@@ -6150,7 +6168,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Wirksamer Andruck geteilt durch den erforderlichen, minus 1</translation>
     </message>
     <message>
-        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <source>Up to this blow frequency the effective feed force is at least the required one</source>
         <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
     <message>
@@ -7710,8 +7728,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
     </message>
     <message>
-        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
-        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke (Wellenstücke), als eine schnelle Studie erlaubt</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
+        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke, als eine schnelle Studie erlaubt</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7746,20 +7764,20 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>die Reihenfolge zweier Ereignisse hängt an der Rundung</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
-        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>seine Wellen haben mehr Polynomstücke (Wellenstücke), als erlaubt sind, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Wellen haben mehr Polynomstücke, als die Aufwandsgrenze erlaubt, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
         <translation>die Zahlen liegen jenseits der doppelten Genauigkeit</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes braucht weniger</translation>
+        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes Gestein braucht weniger</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -7782,8 +7800,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Bohrkrone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Masse der Bohrkrone schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Masse der Bohrkrone oder eine frühere end_time braucht weniger</translation>
     </message>
     <message>
-        <source>it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a shorter end_time</source>
-        <translation>der Schlag braucht mehr Wellenzellen als erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
+        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
+        <translation>der Schlag braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
     </message>
     <message>
         <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
@@ -9534,8 +9552,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--histories %1 muss A:B sein, Schläge von 1 bis %2</translation>
     </message>
     <message>
-        <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>es kostet %1 Zellen mal Knoten, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
+        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>es kostet %1 Rechenschritte, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
     </message>
     <message>
         <source>end_time applies only to single blows, not here</source>
@@ -10032,8 +10050,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>am nächsten kommt %2 mit %1</translation>
     </message>
     <message>
-        <source>its sequence of blows needs more wave cells than permitted</source>
-        <translation>seine Schläge unter einem Vorschub brauchen mehr Wellenzellen als erlaubt</translation>
+        <source>its sequence of blows takes more computing steps than the work limit permits</source>
+        <translation>seine Schlagfolge braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt</translation>
     </message>
     <message>
         <source>%1; did you mean the example %2?</source>
@@ -10376,8 +10394,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 muss zwischen %2 und %3 liegen, nicht bei %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 wave cells, more than the %2 permitted, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
-        <translation>die Schläge brauchten %1 Wellenzellen, erlaubt sind %2: Bohrkrone und Gestein treffen und trennen sich sehr oft; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
+        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>seine Schläge brauchten %1 Rechenschritte, mehr als die Aufwandsgrenze von %2, weil der Kontakt sehr oft wechselt; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
     </message>
     <message>
         <source>there is no blow %1 of %2</source>
@@ -10448,8 +10466,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Diagramme fehlen, weil dieser Bericht mit --no-plots geschrieben wurde. Ohne diese Option noch einmal geschrieben, enthält er sie.</translation>
     </message>
     <message>
-        <source>the waves on the way through it take %1 wave cells at once, more than the %2 permitted; a longer blow, a shorter string or fewer --cells take less</source>
-        <translation>die Wellen unterwegs brauchen %1 Wellenzellen zugleich, erlaubt sind %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
+        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
+        <translation>seine Wellen liegen in %1 Zellen, mehr als die erlaubten %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
     </message>
     <message>
         <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
@@ -10578,12 +10596,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Auslegung %1 nehmen: ihre Zielgröße %2 ist %3.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
-        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 wird %4 statt %5.</translation>
+        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: das verbessert %3 von %5 auf %4.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
-        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 wird %5 statt %6.</translation>
+        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
+        <translation>%1 von %2 auf %3 ändern: das verbessert %4 von %6 auf %5.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10606,44 +10624,44 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 liegt unter den %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow (%2 required).</source>
-        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab (%2 erforderlich).</translation>
+        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>Ein Andruck von %1 deckt jeden einzelnen Schlag ab und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
+        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag und starres Gestein ab und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
-        <translation>Um diesen Schlag abzudecken, muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
+        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>Für diesen Schlag muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>Um diesen Schlag abzudecken, muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 deckt diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
-        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 deckt schon das Gewicht von Maschine und Stange längs des Bohrlochs diesen Schlag und starres Gestein ab.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 reicht schon das Gewicht von Maschine und Stange längs des Bohrlochs für diesen Schlag und für starres Gestein.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
@@ -10774,20 +10792,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>rechtzeitige Rückkehr</translation>
     </message>
     <message>
-        <source>covered up to</source>
+        <source>enough up to</source>
         <translation>reicht bis</translation>
     </message>
     <message>
-        <source>It covers %1 of all gaps in this rock.</source>
-        <translation>Er deckt %1 aller Spalte in diesem Gestein ab.</translation>
+        <source>It is enough for %1 of all gaps in this rock.</source>
+        <translation>Er reicht für %1 aller Spalte in diesem Gestein.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
         <translation>Der Kraftstoß eines Schlags ist der an der Stirnfläche des Hammers. Die Spalte eines Strangs haben keine Periode, daher sind weder ein Anteil von ihnen noch der schlechteste bekannt.</translation>
-    </message>
-    <message>
-        <source>its blows need more wave cells than permitted</source>
-        <translation>seine Schläge brauchen mehr Wellenzellen als erlaubt</translation>
     </message>
     <message>
         <source>sequences of blows</source>
@@ -12390,20 +12404,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass die Stoßzahl e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 jeden Spalt zwischen Bohrkrone und Gestein.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt diesen Schlag ab, einer von %2 starres Gestein.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt jeden Spalt zwischen Bohrkrone und Gestein ab.</translation>
+        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 deckt starres Gestein ab.</translation>
+        <source>An additional feed force of %1 is enough for rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für starres Gestein.</translation>
     </message>
     <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
@@ -12634,8 +12648,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Andruck</translation>
     </message>
     <message>
-        <source>note: %1 sets %2, which is one section with a repeat</source>
-        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung</translation>
+        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
+        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung; um nur einen davon zu setzen, in FILE die Abschnitte ohne Wiederholung einzeln aufschreiben</translation>
     </message>
     <message>
         <source>each strip: from the required feed to that of return in time</source>
@@ -12880,6 +12894,22 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>scan of an earlier scenario: scan again</source>
         <translation>Durchlauf eines früheren Szenarios: neu durchlaufen</translation>
+    </message>
+    <message>
+        <source>required feed</source>
+        <translation>nötiger Andruck</translation>
+    </message>
+    <message>
+        <source>is not a rock; give the preset of a rock</source>
+        <translation>ist kein Gestein; die Voreinstellung eines Gesteins angeben</translation>
+    </message>
+    <message>
+        <source>a design does not choose its rock; vary the rock with --uncertain, such as bit_rock.stiffness=50MN/m:250MN/m</source>
+        <translation>eine Auslegung wählt ihr Gestein nicht; das Gestein mit --uncertain variieren, etwa bit_rock.stiffness=50MN/m:250MN/m</translation>
+    </message>
+    <message>
+        <source>`%1` names presets, not a parameter; `sweep --vary %1=all` compares them</source>
+        <translation>`%1` benennt Voreinstellungen, keinen Parameter; `sweep --vary %1=all` vergleicht sie</translation>
     </message>
 </context>
 <context>
@@ -13987,12 +14017,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>keine Energie bleibt im Gestein</translation>
     </message>
     <message>
-        <source>energy left in the rock: %1 (%2 of E₀)</source>
-        <translation>Energie im Gestein: %1 (%2 von E₀)</translation>
-    </message>
-    <message>
-        <source>energy left in the rock: %1 (%2 of W)</source>
-        <translation>Energie im Gestein: %1 (%2 von W)</translation>
+        <source>energy left in the rock: %1 (%2 of the blow)</source>
+        <translation>Energie im Gestein: %1 (%2 des Schlags)</translation>
     </message>
     <message>
         <source>impact force F</source>
@@ -14131,8 +14157,8 @@ in %4</translation>
         <translation>Kraft N (Zug positiv)</translation>
     </message>
     <message>
-        <source>stresses of uniform sections; threads and changes of diameter raise them locally</source>
-        <translation>der gleichförmigen Abschnitte; Gewinde und Durchmessersprünge erhöhen Spannungen örtlich</translation>
+        <source>without local stresses at threads and changes of diameter</source>
+        <translation>ohne örtliche Spannungen an Gewinden und Absätzen</translation>
     </message>
     <message>
         <source>many waves: between peaks the curve may be too low by %1</source>
@@ -14147,8 +14173,8 @@ in %4</translation>
         <translation>Größte Spannungen entlang der Stange, Zug positiv: %1.</translation>
     </message>
     <message>
-        <source>uniform rod: couplings and threads raise stresses locally; residual waves undamped</source>
-        <translation>gleichförmige Stange: Gewinde erhöhen Spannungen örtlich; Restwellen ungedämpft</translation>
+        <source>without local stresses at threads; residual waves undamped</source>
+        <translation>ohne örtliche Spannungen an Gewinden; Restwellen ungedämpft</translation>
     </message>
 </context>
 <context>
@@ -14319,8 +14345,8 @@ in %4</translation>
         <translation>Wird gelöst</translation>
     </message>
     <message>
-        <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
-        <translation>Mit dem Fenster weg, außer mit Datei ▸ Läufe neben der Datei aufbewahren.</translation>
+        <source>Not kept when the window closes</source>
+        <translation>Mit dem Fenster weg</translation>
     </message>
     <message>
         <source>Difference from the reference</source>
@@ -14333,6 +14359,10 @@ in %4</translation>
     <message>
         <source>COR e</source>
         <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>File ▸ Keep runs beside the file keeps them</source>
+        <translation>Datei ▸ Läufe neben der Datei aufbewahren behält sie</translation>
     </message>
 </context>
 <context>
@@ -15791,10 +15821,6 @@ kann einen oder zwei veränderte Parameter zeichnen: der mit mehr Werten ist die
 und jeder Wert des anderen ergibt eine Kurve.</translation>
     </message>
     <message>
-        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
-        <translation>diesen Parameter verändern; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
-    </message>
-    <message>
         <source>write outputs in SI, with units in the header</source>
         <translation>Ergebnisse in SI-Einheiten schreiben, mit Einheiten im Kopf</translation>
     </message>
@@ -16569,13 +16595,14 @@ I0 the impulse of a blow and e the coefficient of restitution:
   return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
                   before the next blow
   margin          effective over required feed force, less 1
-  covered up to   highest blow frequency at which the effective feed force is not below the
+  enough up to    highest blow frequency at which the effective feed force is not below the
                   required one
 If the feed force is below f I0, the blows push the machine back. The effective feed force is the
 installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
-hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and
-drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, I0
-is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+hole is added. For consecutive blows, use `drillwave drill`; its --scan
+drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
+I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
         <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: dieser
 Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der Spalt
 auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten der Tabelle (theory
@@ -16584,12 +16611,12 @@ auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten de
   Rückkehr       f I0 (1 + 2e), der Andruck, der eine ungedämpfte starre Stange vor dem nächsten
                  Schlag zum Gestein zurückbringt
   Reserve        wirksamer durch erforderlichen Andruck, weniger 1
-  abgedeckt bis  höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
+  reicht bis     höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
                  erforderlichen liegt
 Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist
 der angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und
 drill.machine_mass längs des Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill`
-verwenden. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
+verwenden; dessen --scan drill.thrust=START:STOP:COUNT zeigt, was mehr Andruck bringt. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
 drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, den der Hammer
 überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
     </message>
@@ -16769,6 +16796,14 @@ angenommen wird, dass alles Gestein unter der Krone bricht.
 --scan vergleicht Werte eines Parameters. Jeder Wert wird zweimal simuliert: mit einem Anfang aus
 der Ruhe und mit springender Maschine. -o DIR schreibt scenario.yaml, summary.json und blows.csv
 nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</translation>
+    </message>
+    <message>
+        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names</source>
+        <translation>diesen Parameter variieren; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C; Voreinstellungen vergleichen: rock=all, oder rock=, hammer=, rod= oder bit= mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
+        <translation>Auslegungen mit ihrer eigenen Schlagenergie vergleichen, auch wenn FILE keep_energy setzt</translation>
     </message>
 </context>
 </TS>

@@ -2650,8 +2650,8 @@ Ta bort ändå?</translation>
         <translation>under kravet</translation>
     </message>
     <message>
-        <source>covers this gap</source>
-        <translation>täcker denna spalt</translation>
+        <source>enough for this gap</source>
+        <translation>räcker för denna spalt</translation>
     </message>
     <message>
         <source>elastic rock, worst gap</source>
@@ -2690,8 +2690,8 @@ Ta bort ändå?</translation>
         <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på verkningsgraden: 0,56, där tre T38-stänger i mjukare berg har 0,32. Varje skarv antas förlora 5&#xa0;% av energin som passerar, och en sträng av en stång har få av dem; utan dessa förluster skulle 0,67 stanna i berget, och 8&#xa0;% gå tillbaka med hammaren, inte 0,7&#xa0;%.</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)</source>
-        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % åtdragen, 6 till 10 % sliten (facktexter, ur minnet)</translation>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
+        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % med åtdragna gängor, 6 till 10 % med slitna gängor (facktexter, inte uppmätt)</translation>
     </message>
     <message>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
@@ -2728,6 +2728,10 @@ Ta bort ändå?</translation>
     <message>
         <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
         <translation>Vilket slag för berg som ingen har mätt? Se på sidan Konstruktion: det slag som är bäst i detta berg förlorar mycket i mjukare och mer fjädrande berg, ett längre med samma energi mindre. Kommandot är `drillwave design piston_for_unknown_rock`; blocket design innehåller dess inställningar.</translation>
+    </message>
+    <message>
+        <source>rock</source>
+        <translation>berg</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3398,14 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <source>Largest compression %1, %2; largest tension %3, %4.</source>
         <translation>Största tryck %1, %2; största drag %3, %4.</translation>
     </message>
+    <message>
+        <source>x/L = %1</source>
+        <translation>x/L = %1</translation>
+    </message>
+    <message>
+        <source>%1 from the face of the hammer</source>
+        <translation>%1 från hammarens slagyta</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3529,10 +3541,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>störst</translation>
     </message>
     <message>
-        <source>least</source>
-        <translation>minst</translation>
-    </message>
-    <message>
         <source>Statistic</source>
         <translation>Efter vilken statistik</translation>
     </message>
@@ -3545,8 +3553,12 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>störst %1</translation>
     </message>
     <message>
-        <source>least %1</source>
+        <source>smallest %1</source>
         <translation>minst %1</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>minst</translation>
     </message>
 </context>
 <context>
@@ -3679,10 +3691,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation> · eftersläpning %1</translation>
     </message>
     <message>
-        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.</source>
-        <translation>Var i stången eller strängen vågorna betraktas: 0 är slagänden, 1 borrkronan.</translation>
-    </message>
-    <message>
         <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
         <translation>Värden vid tidsmarkören: normalkraft i tvärsnittet, stötkraft, impuls, rörelsemängd</translation>
     </message>
@@ -3697,10 +3705,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Bring all curves into view (double-click in the plots)</source>
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
-    </message>
-    <message>
-        <source>%1 from the face of the hammer</source>
-        <translation>%1 bakom hammarens slagyta</translation>
     </message>
     <message>
         <source>No time chosen: click an event, or press T over the plots.</source>
@@ -3731,8 +3735,18 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Största stötkraft %1 vid %2.</translation>
     </message>
     <message>
-        <source>At this section the force is from %1 to %2, tension positive.</source>
-        <translation>I detta snitt ligger kraften mellan %1 och %2, drag positivt.</translation>
+        <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
+        <translation>Vid %1 ligger kraften mellan %2 (tryck) och %3 (drag).</translation>
+    </message>
+    <message>
+        <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
+N₀ₚ is the first wave to the bit, N₁ₙ its reflection from the bit, N₂ₚ from the rear end, N₃ₙ again from the bit.</source>
+        <translation>Snitt där vågorna visas: 0 är slagänden, 1 borrkronan.
+N₀ₚ är den första vågen mot kronan, N₁ₙ dess reflexion från kronan, N₂ₚ från bakänden, N₃ₙ åter från kronan.</translation>
+    </message>
+    <message>
+        <source>0: struck end, 1: bit</source>
+        <translation>0: slagänden, 1: borrkronan</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4283,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Load %1</source>
         <translation>Ladda %1</translation>
+    </message>
+    <message>
+        <source>Objectives: %1</source>
+        <translation>Mål: %1</translation>
     </message>
 </context>
 <context>
@@ -5974,8 +5992,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::MapPlot</name>
     <message>
-        <source>nearest: %1</source>
-        <translation>närmast: %1</translation>
+        <source>computed at %1</source>
+        <translation>beräknad vid %1</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -5998,16 +6016,16 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation> · %1 av %2 punkter inte lösta (skrafferade)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
-        <translation>%1 överstiger %2 endast för %3 över %4, som nås vid %5.</translation>
+        <source>%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.</source>
+        <translation>%1 överstiger %2 bara där %3 är över %4. Detta lägsta värde ligger vid %5.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
-        <translation>%1 överstiger %2 endast för %3 under %4, som nås vid %5.</translation>
+        <source>%1 exceeds %2 only where %3 is below %4. This highest value is at %5.</source>
+        <translation>%1 överstiger %2 bara där %3 är under %4. Detta högsta värde ligger vid %5.</translation>
     </message>
     <message>
-        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
-        <translation>%1 når %2 för %3 från %4, vid %5, till %6, vid %7.</translation>
+        <source>The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.</source>
+        <translation>Linjen %1 = %2 går från %3 = %4, vid %5, upp till %6, vid %7.</translation>
     </message>
 </context>
 <context>
@@ -6150,7 +6168,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Verksam matningskraft delad med den som krävs, minus 1</translation>
     </message>
     <message>
-        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <source>Up to this blow frequency the effective feed force is at least the required one</source>
         <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
     <message>
@@ -7710,8 +7728,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
     </message>
     <message>
-        <source>the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study permits</source>
-        <translation>vågorna i dess slag vid alla spalter har fler polynombitar (vågbitar) än en snabb studie tillåter</translation>
+        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
+        <translation>vågorna i dess slag vid alla spalter har fler polynombitar än en snabb studie tillåter</translation>
     </message>
     <message>
         <source>it has no such output</source>
@@ -7746,20 +7764,20 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>ordningen mellan två händelser hänger på avrundningen</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>dess förlopp behöver mer än 4 miljoner vågbitar: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
+        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess förlopp har mer än 4 miljoner polynombitar, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
     </message>
     <message>
-        <source>its waves have more polynomial pieces (wave pieces) than permitted, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>dess vågor har fler polynombitar (vågbitar) än tillåtet, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
+        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess vågor har fler polynombitar än arbetsgränsen tillåter, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
         <translation>dess tal ligger utanför talområdet för dubbel precision</translation>
     </message>
     <message>
-        <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>dess förlopp behöver mer än 4 miljoner vågbitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg behöver färre</translation>
+        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>dess förlopp har mer än 4 miljoner polynombitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg kräver färre</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -7782,8 +7800,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>krona och berg, eller hammare och sträng, möts och skiljs för ofta, eller en kronmassa svänger för fort, för att följas: ett mjukare berg, ett större gamma, ingen kronmassa eller ett tidigare end_time behöver mindre</translation>
     </message>
     <message>
-        <source>it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a shorter end_time</source>
-        <translation>det tar fler vågceller än tillåtet: färre sektioner, längder med en gemensam delare eller ett tidigare end_time behöver färre</translation>
+        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
+        <translation>det tar fler beräkningssteg än arbetsgränsen tillåter: färre sektioner, längder med en gemensam delare eller ett tidigare end_time kräver färre</translation>
     </message>
     <message>
         <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
@@ -9534,8 +9552,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--histories %1 måste vara A:B, slag från 1 till %2</translation>
     </message>
     <message>
-        <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>det krävs %1 celler gånger noder, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
+        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>det krävs %1 beräkningssteg, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
     </message>
     <message>
         <source>end_time applies only to single blows, not here</source>
@@ -10032,8 +10050,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>närmast kommer %1 för %2</translation>
     </message>
     <message>
-        <source>its sequence of blows needs more wave cells than permitted</source>
-        <translation>dess slag under en matning kräver fler vågceller än vad som är tillåtet</translation>
+        <source>its sequence of blows takes more computing steps than the work limit permits</source>
+        <translation>dess slagföljd tar fler beräkningssteg än arbetsgränsen tillåter</translation>
     </message>
     <message>
         <source>%1; did you mean the example %2?</source>
@@ -10376,8 +10394,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 måste vara från %2 till %3, inte %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 wave cells, more than the %2 permitted, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
-        <translation>slagen skulle ta %1 vågceller, tillåtna är %2: borrkrona och berg möts och skiljs mycket ofta; ett större gamma, färre slag eller en högre frekvens tar mindre</translation>
+        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>dess slag skulle ta %1 beräkningssteg, mer än arbetsgränsen på %2, eftersom kontakten växlar mycket ofta; ett större gamma, färre slag eller en högre frekvens kräver mindre</translation>
     </message>
     <message>
         <source>there is no blow %1 of %2</source>
@@ -10448,8 +10466,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Diagrammen är utelämnade eftersom rapporten skrevs med --no-plots. Skriv den igen utan flaggan för att få dem.</translation>
     </message>
     <message>
-        <source>the waves on the way through it take %1 wave cells at once, more than the %2 permitted; a longer blow, a shorter string or fewer --cells take less</source>
-        <translation>vågorna på väg genom den tar %1 vågceller samtidigt, tillåtna är %2; ett längre slag, en kortare sträng eller färre --cells tar mindre</translation>
+        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
+        <translation>dess vågor lagras i %1 celler, mer än de %2 som är tillåtna; ett längre slag, en kortare sträng eller färre --cells kräver mindre</translation>
     </message>
     <message>
         <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
@@ -10578,12 +10596,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ta konstruktionen %1: dess målstorhet %2 är %3.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: the objective %3 becomes %4 instead of %5.</source>
-        <translation>Byt konstruktion från %1 till %2: målstorheten %3 blir %4 i stället för %5.</translation>
+        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
+        <translation>Byt konstruktion från %1 till %2: det förbättrar %3 från %5 till %4.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: the objective %4 becomes %5 instead of %6.</source>
-        <translation>Ändra %1 från %2 till %3: målstorheten %4 blir %5 i stället för %6.</translation>
+        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
+        <translation>Ändra %1 från %2 till %3: det förbättrar %4 från %6 till %5.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10606,44 +10624,44 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på %1 är lägre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow (%2 required).</source>
-        <translation>En matningskraft på %1 täcker varje enskilt slag (%2 krävs).</translation>
+        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för varje enskilt slag (%2 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 täcker detta slag och stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>En matningskraft på %1 täcker varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
+        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow and rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 täcker detta slag och stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
-        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
+        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
     </message>
     <message>
-        <source>To cover this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>För att täcka detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not every gap between bit and rock (up to %3 required).</source>
-        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required).</source>
-        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs).</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 covers this blow (%2 required), but not rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 täcker detta slag (%2 krävs), men inte stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole already covers this blow and rigid rock.</source>
-        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 täcker redan tyngden av maskin och stång längs hålet detta slag och stelt berg.</translation>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 räcker redan tyngden av maskin och stång längs hålet för detta slag och för stelt berg.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
@@ -10774,20 +10792,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>återkomst i tid</translation>
     </message>
     <message>
-        <source>covered up to</source>
-        <translation>täcker upp till</translation>
+        <source>enough up to</source>
+        <translation>räcker till</translation>
     </message>
     <message>
-        <source>It covers %1 of all gaps in this rock.</source>
-        <translation>Den täcker %1 av alla spalter i detta berg.</translation>
+        <source>It is enough for %1 of all gaps in this rock.</source>
+        <translation>Den räcker för %1 av alla spalter i detta berg.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
         <translation>Ett slags impuls är den vid hammarens ändyta. Spalterna i en borrsträng har ingen period, så varken en andel av dem eller den sämsta är känd.</translation>
-    </message>
-    <message>
-        <source>its blows need more wave cells than permitted</source>
-        <translation>dess slag kräver fler vågceller än tillåtet</translation>
     </message>
     <message>
         <source>sequences of blows</source>
@@ -12390,20 +12404,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Borrkronan skallrar mot berget (%1 kontakter), så att studstalet e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker varje spalt mellan borrkrona och berg.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers this blow, one of %2 covers rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker detta slag, en på %2 täcker stelt berg.</translation>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker varje spalt mellan borrkrona och berg.</translation>
+        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 covers rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 täcker stelt berg.</translation>
+        <source>An additional feed force of %1 is enough for rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för stelt berg.</translation>
     </message>
     <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
@@ -12634,8 +12648,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>matningskraft</translation>
     </message>
     <message>
-        <source>note: %1 sets %2, which is one section with a repeat</source>
-        <translation>anmärkning: %1 sätter %2, en sektion som upprepas</translation>
+        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
+        <translation>anmärkning: %1 sätter %2, en sektion som upprepas; skriv ut sektionerna utan upprepning i FILE för att sätta bara en av dem</translation>
     </message>
     <message>
         <source>each strip: from the required feed to that of return in time</source>
@@ -12880,6 +12894,22 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>scan of an earlier scenario: scan again</source>
         <translation>svep för ett tidigare scenario: svep igen</translation>
+    </message>
+    <message>
+        <source>required feed</source>
+        <translation>nödvändig matning</translation>
+    </message>
+    <message>
+        <source>is not a rock; give the preset of a rock</source>
+        <translation>är inget berg; ange ett förval för berg</translation>
+    </message>
+    <message>
+        <source>a design does not choose its rock; vary the rock with --uncertain, such as bit_rock.stiffness=50MN/m:250MN/m</source>
+        <translation>en konstruktion väljer inte sitt berg; variera berget med --uncertain, till exempel bit_rock.stiffness=50MN/m:250MN/m</translation>
+    </message>
+    <message>
+        <source>`%1` names presets, not a parameter; `sweep --vary %1=all` compares them</source>
+        <translation>`%1` anger förval, ingen parameter; `sweep --vary %1=all` jämför dem</translation>
     </message>
 </context>
 <context>
@@ -13987,12 +14017,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>ingen energi kvar i berget</translation>
     </message>
     <message>
-        <source>energy left in the rock: %1 (%2 of E₀)</source>
-        <translation>energi kvar i berget: %1 (%2 av E₀)</translation>
-    </message>
-    <message>
-        <source>energy left in the rock: %1 (%2 of W)</source>
-        <translation>energi kvar i berget: %1 (%2 av W)</translation>
+        <source>energy left in the rock: %1 (%2 of the blow)</source>
+        <translation>energi kvar i berget: %1 (%2 av slaget)</translation>
     </message>
     <message>
         <source>impact force F</source>
@@ -14131,8 +14157,8 @@ i %4</translation>
         <translation>kraft N (drag positivt)</translation>
     </message>
     <message>
-        <source>stresses of uniform sections; threads and changes of diameter raise them locally</source>
-        <translation>för likformiga sektioner; gängor och diameterändringar höjer spänningarna lokalt</translation>
+        <source>without local stresses at threads and changes of diameter</source>
+        <translation>utan lokala spänningar vid gängor och ansatser</translation>
     </message>
     <message>
         <source>many waves: between peaks the curve may be too low by %1</source>
@@ -14147,8 +14173,8 @@ i %4</translation>
         <translation>Största spänningar längs stången, drag positivt: %1.</translation>
     </message>
     <message>
-        <source>uniform rod: couplings and threads raise stresses locally; residual waves undamped</source>
-        <translation>likformig stång: gängor höjer spänningar lokalt; restvågor odämpade</translation>
+        <source>without local stresses at threads; residual waves undamped</source>
+        <translation>utan lokala spänningar vid gängor; restvågor odämpade</translation>
     </message>
 </context>
 <context>
@@ -14319,8 +14345,8 @@ i %4</translation>
         <translation>Löses</translation>
     </message>
     <message>
-        <source>Lost when the window closes, unless you choose File ▸ Keep runs beside the file.</source>
-        <translation>Försvinner med fönstret, om inte Arkiv ▸ Behåll körningar bredvid filen.</translation>
+        <source>Not kept when the window closes</source>
+        <translation>Försvinner med fönstret</translation>
     </message>
     <message>
         <source>Difference from the reference</source>
@@ -14333,6 +14359,10 @@ i %4</translation>
     <message>
         <source>COR e</source>
         <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>File ▸ Keep runs beside the file keeps them</source>
+        <translation>Arkiv ▸ Behåll körningar bredvid filen behåller dem</translation>
     </message>
 </context>
 <context>
@@ -15790,10 +15820,6 @@ FILE.csv.yaml bredvid FILE.csv innehåller version, kommando, varierade parametr
 varje värde på den andra ger en kurva.</translation>
     </message>
     <message>
-        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
-        <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
-    </message>
-    <message>
         <source>write outputs in SI, with units in the header</source>
         <translation>skriv resultat i SI-enheter, angivna i huvudet</translation>
     </message>
@@ -16561,13 +16587,14 @@ I0 the impulse of a blow and e the coefficient of restitution:
   return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
                   before the next blow
   margin          effective over required feed force, less 1
-  covered up to   highest blow frequency at which the effective feed force is not below the
+  enough up to    highest blow frequency at which the effective feed force is not below the
                   required one
 If the feed force is below f I0, the blows push the machine back. The effective feed force is the
 installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
-hole is added. For consecutive blows, use `drillwave drill`. FILE must have physical units and
-drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings, I0
-is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+hole is added. For consecutive blows, use `drillwave drill`; its --scan
+drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
+I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
         <translation>Uppskattar från enstaka slag om den angivna matningskraften räcker. Skriver ut fyra fall: detta
 slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den spalt på
 elastiskt berg (gamma = 1) som kräver mest. I tabellens kolumner (theory §10) är f slagfrekvensen,
@@ -16576,7 +16603,7 @@ I0 ett slags impuls och e studstalet:
   retur i tid     f I0 (1 + 2e), den matningskraft som för en odämpad stel stång tillbaka till
                   berget före nästa slag
   marginal        effektiv genom krävd matningskraft, minus 1
-  täcks upp till  högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
+  räcker till     högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
                   den krävda
 Om matningskraften är lägre än f I0 trycker slagen tillbaka maskinen. Den effektiva
 matningskraften är den angivna; om drill.inclination anges tillkommer tyngden av stång och
@@ -16755,6 +16782,14 @@ Inträngningar är övre gränser, eftersom allt berg under kronan antas brytas.
 --scan jämför värden på en parameter. Varje värde simuleras två gånger: med start från vila och
 med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv till DIR, med
 --histories även histories.csv, med --plots även drilling.png.</translation>
+    </message>
+    <message>
+        <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names</source>
+        <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C; jämför förval: rock=all, eller rock=, hammer=, rod= eller bit= med deras namn</translation>
+    </message>
+    <message>
+        <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
+        <translation>jämför konstruktioner vid deras egen slagenergi, även om FILE anger keep_energy</translation>
     </message>
 </context>
 </TS>

@@ -93,14 +93,14 @@ void TestDesignOptions::faultsHaveTheirExitCodes() {
 }
 
 void TestDesignOptions::theFileStandsForWhatIsNotGiven() {
-    const DesignSetup setup{.uncertain = {gap},
-                            .choose = {"hammer=heavy,light"},
-                            .aims = {"max:cor@mean"},
-                            .atMost = {"thrust@q95=8kN"},
-                            .atLeast = {},
-                            .keepEnergy = false,
-                            .samples = 100,
-                            .seed = 7};
+    DesignSetup setup{.uncertain = {gap},
+                      .choose = {"hammer=heavy,light"},
+                      .aims = {"max:cor@mean"},
+                      .atMost = {"thrust@q95=8kN"},
+                      .atLeast = {},
+                      .keepEnergy = false,
+                      .samples = 100,
+                      .seed = 7};
     DesignFaults faults;
     const DesignStudy ofFile = read({}, faults, setup);
     faults.check();
@@ -119,6 +119,10 @@ void TestDesignOptions::theFileStandsForWhatIsNotGiven() {
     QCOMPARE(replaced.seed, std::uint64_t{7});
     QCOMPARE(replaced.limits.size(), std::size_t{2});
     QVERIFY(replaced.keepsEnergy && replaced.uncertain == ofFile.uncertain);
+    setup.keepEnergy = true;
+    QVERIFY(read({"--choose", "rod.length=3m,4m"}, faults, setup).keepsEnergy);
+    QVERIFY(!read({"--choose", "rod.length=3m,4m", "--no-keep-energy"}, faults, setup).keepsEnergy);
+    faults.check();
 }
 
 void TestDesignOptions::faultsOfTheFileAreNamedByItsKeys() {

@@ -33,6 +33,7 @@ class TestRows : public QObject {
     void badCellsAreNamedBeforeAnythingIsWritten();
     void unknownColumnsAreWarnedOf();
     void unsolvedRowsAreWrittenEmptyAndExitCodeIsSix();
+    void aSweepComparesPresetsOfRockAndHammer();
     void theWorkOfARowHasALimit();
     void anInterruptionLeavesNoFile();
     void aMillionPointsTakeNoMoreMemoryThanAFew();
@@ -201,12 +202,32 @@ void TestRows::unknownColumnsAreWarnedOf() {
     QVERIFY(finished.out.startsWith("beta,gama,cor,cor\n1,0.5,,1.3"));
 }
 
+void TestRows::aSweepComparesPresetsOfRockAndHammer() {
+    const QString rod = example("t38_medium_rock");
+    const auto rocks = rowsOf(run({"sweep", rod, "--vary", "rock=all", "-j1"}).out);
+    QVERIFY(rocks.size() > 4);
+    QCOMPARE(rocks[0], QList<QByteArray>({"rock", "cor"}));
+    for (qsizetype row = 1; row < rocks.size(); ++row) {
+        const Finished same = run({"run", rod, "--rock", rocks[row][0], "--json"});
+        QVERIFY2(same.out.contains("\"cor\": " + rocks[row][1].left(12)), same.out);
+    }
+    // Names with commas are one cell.
+    const Finished hammers = run({"sweep", example("t38_string"), "--vary", "hammer=T38 drifter,R32", "-j1"});
+    QVERIFY2(hammers.out.contains("\n\"T38 drifter, 50 and 38 mm\","), hammers.out);
+    // A preset needs units; other commands name the one that takes presets.
+    QCOMPARE(run({"sweep", example("paper_fig4a"), "--vary", "rock=all"}).exitCode, 5);
+    const Finished curve = run({"curve", rod, "--along", "rock=all"});
+    QCOMPARE(curve.exitCode, 2);
+    QVERIFY2(curve.error.contains("`sweep --vary rock=all` compares them"), curve.error);
+    QCOMPARE(run({"design", example("piston_for_unknown_rock"), "--choose", "rock=all"}).exitCode, 2);
+}
+
 void TestRows::unsolvedRowsAreWrittenEmptyAndExitCodeIsSix() {
     const Finished finished = run({"sweep", example("paper_fig4a"), "--vary", "beta=1,1e-300,2", "-j1"});
     QCOMPARE(finished.exitCode, 6);
     QVERIFY2(
         finished.error.contains("1 of 3 rows could not be solved: their output cells are empty; 1 row: its "
-                                "waves have more polynomial pieces (wave pieces) than permitted"),
+                                "waves have more polynomial pieces than the work limit permits"),
         finished.error);
     QVERIFY2(finished.error.contains("--work-limit, now 1000000, permits more"), finished.error);
     QCOMPARE(finished.error.count('\n'), 1);

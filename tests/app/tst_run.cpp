@@ -194,8 +194,9 @@ void TestRun::theSummaryIsForPeople() {
     QVERIFY2(warned.out.contains("The feed force of 1 kN is less than the mean force of the blows, 3.06 kN"),
              warned.out);
     // The recommendation stands first.
-    QVERIFY2(finished.out.startsWith("T38 rod, medium rock\n"
-                                     "  A feed force of 8 kN covers every single blow (7.253 kN required)."),
+    QVERIFY2(finished.out.startsWith(
+                 "T38 rod, medium rock\n"
+                 "  A feed force of 8 kN is enough for every single blow (7.253 kN required)."),
              finished.out);
 }
 

@@ -261,7 +261,7 @@ void TestStudies::weightAlongTheHoleIsPartOfTheFeed() {
     QCOMPARE(thrust["needs"]["rigid_rock"]["margin"].toDouble(), (4000 + weight) / 6120 - 1);
     QCOMPARE(thrust["feed"]["state"].toString(), QString("required_at_this_gap"));
     QCOMPARE(thrust["feed"]["effective"].toDouble(), 4000 + weight);
-    QVERIFY(output(steep).contains("4 kN (7.215 kN with the weight along the hole) covers this blow"));
+    QVERIFY(output(steep).contains("4 kN (7.215 kN with the weight along the hole) is enough for this blow"));
     const QJsonObject level = json({"thrust", example("t38_medium_rock")});
     QVERIFY(level["weight_along_hole"].isNull());
     QCOMPARE(level["effective_force"].toDouble(), 8000.0);

@@ -11,7 +11,9 @@ namespace {
 
 // "rod length L [m]".
 QString axisLabel(const SweepAxis& axis) {
-    const QString name = axis.parameter ? parameterName(*axis.parameter) : QStringLiteral("pulse shape");
+    const QString name = axis.parameter ? parameterName(*axis.parameter)
+                         : axis.presets ? QString::fromUtf8(axis.key().data(), qsizetype(axis.key().size()))
+                                        : QStringLiteral("pulse shape");
     const QString unit =
         axis.unit ? QString::fromUtf8(axis.unit->name.data(), qsizetype(axis.unit->name.size())) : QString();
     return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);

@@ -147,4 +147,13 @@ QString largestStressText(const SolvedBlow& blow) {
              placeText(tension, blow));
 }
 
+QString placeText(const SolvedBlow& blow, double section) {
+    const Scenario& scenario = blow.request.scenario;
+    const QLocale locale;
+    if (!hasUnits(scenario)) return tr("x/L = %1").arg(numberText(section, 3, locale));
+    const double x = section * chainProperties(scenario).length;
+    return (x < 0 ? tr("%1 from the face of the hammer") : translated(chainWords(scenario).place))
+        .arg(quantityText(std::abs(x), blow.units.of(UnitKind::length, x), locale));
+}
+
 }  // namespace drillwave

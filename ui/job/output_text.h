@@ -43,6 +43,8 @@ QString corErrorText(const SolvedBlow& blow);
 
 /// Returns where and when a largest force in the rod occurs, in words; empty if not known.
 QString placeText(const Output& output, const SolvedBlow& blow);
+/// Returns the place of a section: "1.2 m from the struck end"; x/L for a scenario without units.
+QString placeText(const SolvedBlow& blow, double section);
 /// Returns "Largest compression 361 MPa, 0.52 m from the hammer, 1.9 ms; largest tension …"; empty if not
 /// known.
 QString largestStressText(const SolvedBlow& blow);

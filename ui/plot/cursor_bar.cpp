@@ -106,7 +106,7 @@ int CursorBar::leastWidth(Form form) const {
     const int buttons =
         m_copy->sizeHint().width() + m_close->sizeHint().width() + 4 * m_grid->horizontalSpacing();
     const bool wide = form == Form::wide;
-    constexpr int slack = 4;  // a label takes a little more than its text
+    constexpr int slack = 8;  // a label takes a little more than its text
     // The words are those of reading_cells.cpp.
     const int cell = slack + fontMetrics().horizontalAdvance(
                                  wide ? drillwave::tr("integral") + QStringLiteral(" −88.8888 kN·ms")

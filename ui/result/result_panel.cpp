@@ -156,7 +156,8 @@ void ResultPanel::showHeadline() {
         };
         parts << penetrationText();
         parts << (isForced(m_blow->scenario) ? value("work_ratio") : hammerEnergyText(*m_blow))
-              << value("percussion_power") << tr("e = %1").arg(value("cor"));
+              << value("percussion_power")
+              << tr("e = %1").arg(value("cor")).replace(u' ', QChar(QChar::Nbsp));
         parts.removeAll(QString());
     }
     m_headline->setText(parts.join(QStringLiteral("  ·  ")));

@@ -163,10 +163,9 @@ void RunPanel::fill() {
     m_list->setVisible(!runs.empty());
     m_output->setVisible(!runs.empty());
     m_list->headerItem()->setText(value, m_output->currentText());
-    m_hint->setText(
-        runs.empty()
-            ? tr("F7 pins this result to compare with.")
-            : tr("Lost when the window closes, unless you choose File ▸ Keep runs beside the file."));
+    m_hint->setText(runs.empty() ? tr("F7 pins this result to compare with.")
+                                 : tr("Not kept when the window closes"));
+    m_hint->setToolTip(runs.empty() ? QString() : tr("File ▸ Keep runs beside the file keeps them"));
     m_hint->setVisible(runs.empty() || !m_kept);
     if (!runs.empty()) {
         auto* now = new QTreeWidgetItem(m_list, {tr("● now")});

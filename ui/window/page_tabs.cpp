@@ -82,12 +82,16 @@ Page& PageTabs::current() const {
 
 QSize PageTabs::minimumSizeHint() const {
     const int widest = layout()->minimumSize().width();
-    const QLayout* parts = count() > 0 ? current().layout() : nullptr;
-    if (!parts) return {widest, QStackedWidget::minimumSizeHint().height()};
     // The width of the parent, which the tabs are about to have.
-    const int width = std::max(widest, parentWidget() ? parentWidget()->width() : this->width());
-    return {widest, parts->hasHeightForWidth() ? parts->minimumHeightForWidth(width)
-                                               : current().minimumSizeHint().height()};
+    return {widest, heightForWidth(std::max(widest, parentWidget() ? parentWidget()->width() : width()))};
+}
+
+// The stack alone would take the height of its highest page, and scroll a page that fits.
+int PageTabs::heightForWidth(int width) const {
+    const QLayout* parts = count() > 0 ? current().layout() : nullptr;
+    if (!parts) return QStackedWidget::minimumSizeHint().height();
+    return parts->hasHeightForWidth() ? parts->minimumHeightForWidth(width)
+                                      : current().minimumSizeHint().height();
 }
 
 Page& PageTabs::page(int index) const {

@@ -33,6 +33,8 @@ class PageTabs : public QStackedWidget {
     /// Returns the width that the widest page needs, and the height that the visible page needs at the
     /// available width.
     QSize minimumSizeHint() const override;
+    /// Returns the minimum height of the current page.
+    int heightForWidth(int width) const override;
     /// Returns a page by its index in the order of the tabs, from 0 to count() − 1.
     Page& page(int index) const;
     /// Returns the row of tabs, which the window lays out.

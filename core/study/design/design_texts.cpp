@@ -42,6 +42,7 @@ bool isPresetName(std::string_view name, const PresetFile& file) {
 Message unsuitable(PresetPart part, const Scenario& scenario) {
     if (part == PresetPart::bit) return translatable("is not a bit; give the preset of a bit");
     if (part == PresetPart::rod) return translatable("is not a rod; give the preset of a rod");
+    if (part == PresetPart::rock) return translatable("is not a rock; give the preset of a rock");
     return isForced(scenario) ? translatable("does not fit a uniform rod; give the preset of a hammer")
                               : translatable("does not fit a drill string; give the preset of a piston");
 }
@@ -146,14 +147,22 @@ PresetLookup builtInLookup() {
     return {.presets = []() -> const PresetFile& { return builtInPresetFile(); }};
 }
 
+ParsedAxis parseAxisOrPresets(std::string_view text, const Scenario& scenario, const PresetLookup& lookup) {
+    if (const std::optional<PresetPart> part = partOf(text))
+        return parsePresets(*part, text, scenario, lookup);
+    return parseAxis(text);
+}
+
 bool choosesPresets(std::string_view text) {
     return partOf(text).has_value();
 }
 
 ParsedAxis parseChoice(std::string_view text, const Scenario& scenario, const PresetLookup& lookup) {
-    if (const std::optional<PresetPart> part = partOf(text))
-        return parsePresets(*part, text, scenario, lookup);
-    return parseAxis(text);
+    if (partOf(text) == PresetPart::rock)
+        return {.axis = {},
+                .problem = translatable("a design does not choose its rock; vary the rock with --uncertain, "
+                                        "such as bit_rock.stiffness=50MN/m:250MN/m")};
+    return parseAxisOrPresets(text, scenario, lookup);
 }
 
 bool beginsAsAim(std::string_view text) {

@@ -24,13 +24,16 @@ struct PresetLookup {
 /// Returns a lookup that uses the presets built into the program.
 PresetLookup builtInLookup();
 
-/// Returns whether a text chooses presets: whether it begins with "hammer=", "rod=" or "bit=".
+/// Returns the axis of presets read from "rock=NAME,NAME" or "rock=all" (also "hammer=", "rod=" or "bit="),
+/// or the axis of parseAxis() for other text. Names must be presets that suit the scenario; for drill
+/// strings, hammers are pistons. Names may be abbreviated if unique, and may contain commas. Returns a
+/// problem if no preset can replace that component of the scenario.
+ParsedAxis parseAxisOrPresets(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);
+
+/// Returns whether a text chooses presets: whether it begins with "hammer=", "rod=", "bit=" or "rock=".
 bool choosesPresets(std::string_view text);
 
-/// Returns the design variable read from "hammer=NAME,NAME" (also "rod=" or "bit="), or from the text of a
-/// sweep axis (see parseAxis()). Names must be presets that suit the scenario; for drill strings, hammers are
-/// pistons. Names may be abbreviated if unique, and may contain commas. Returns a problem if no preset can
-/// replace that component of the scenario.
+/// Returns the design variable read by parseAxisOrPresets(). The rock is refused: nobody chooses it.
 ParsedAxis parseChoice(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);
 
 /// Objective read from text, or the problem why it could not be read.

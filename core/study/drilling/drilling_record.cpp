@@ -12,6 +12,7 @@
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
 #include "core/wave/drilling/drilling_march.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 
@@ -120,17 +121,16 @@ Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid) 
     for (const double trip : grid.roundTrips)
         kept += std::ceil(trip) * static_cast<double>(grid.cuts.count());
     if (kept <= mostKeptCells) return {};
-    return {translatable("the waves on the way through it take %1 wave cells at once, more than the %2 "
-                         "permitted; a longer blow, a shorter string or fewer --cells take less"),
-            {rounded(kept, 2), rounded(mostKeptCells, 2)}};
+    return {
+        translatable("its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter "
+                     "string or fewer --cells need less"),
+        {rounded(kept, 2), rounded(mostKeptCells, 2)}};
 }
 
 Message workProblem(const DrillingMarch& march, long blows, double mostWork) {
     const double all = march.work() / static_cast<double>(march.blows()) * static_cast<double>(blows);
     if (march.work() < std::min(judgedWork, mostWork) || all <= mostWork) return {};
-    return {translatable("its blows would take %1 wave cells, more than the %2 permitted, because contact "
-                         "changes very often; a larger gamma, fewer blows or a higher frequency take less"),
-            {rounded(all, 2), rounded(mostWork, 2)}};
+    return {WorkLimitReason::contacts, {rounded(all, 2), rounded(mostWork, 2)}};
 }
 
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,

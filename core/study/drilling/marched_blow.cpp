@@ -13,6 +13,7 @@
 #include "core/study/drilling/drilling_record.h"
 #include "core/text/message.h"
 #include "core/wave/drilling/drilling_march.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 namespace {
@@ -118,7 +119,7 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
 
     Message problem = memoryProblem(mesh.problem, mesh.grid);
     if (problem.isEmpty() && mesh.grid.work(mesh.problem) * static_cast<double>(number) > mostWork)
-        problem = translatable("its blows need more wave cells than permitted");
+        problem = WorkLimitReason::sequence;
     if (!problem.isEmpty()) {
         blow.impact = Impact::unsolved(std::move(problem));
         return blow;

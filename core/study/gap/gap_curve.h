@@ -33,9 +33,8 @@ inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
 /// Text of GapCurve::reason if a curve was given up because it exceeds the permitted number of wave pieces.
-inline constexpr const char* tooManyPieces = translatable(
-    "the waves of its blows at all gaps have more polynomial pieces (wave pieces) than a quick study "
-    "permits");
+inline constexpr const char* tooManyPieces =
+    translatable("the waves of its blows at all gaps have more polynomial pieces than a quick study permits");
 
 /// Returns the dimensionless gap δ = d/d0 beyond which results repeat with period 1. It is 0 if the hammer
 /// force ends before the first reflection returns. Otherwise it is the next whole number beyond which all

@@ -12,6 +12,7 @@
 #include "core/blow/string_blow.h"
 #include "core/model/blow_traits.h"
 #include "core/study/drilling/drilling_numbers.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 namespace {
@@ -96,7 +97,7 @@ Message CaseSolver::march(const Scenario& scenario, const std::stop_token& stop)
                                 .blowAlone = false,
                                 .mostWork = workWithEvents * static_cast<double>(m_solver.mostCells())};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
-        return translatable("its sequence of blows needs more wave cells than permitted");
+        return WorkLimitReason::sequence;
     const DrillingResult result = studyDrilling(scenario, settings, wants, stop);
     m_drill = drillNumbersOf(result);
     m_lack = whyNoStatistics(result);

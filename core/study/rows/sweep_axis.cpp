@@ -174,6 +174,9 @@ Message readKey(ParsedAxis& parsed, std::string_view text, std::string_view& val
     if (key == restrikeKey)
         return {translatable("%1 is true or false, so it cannot be an axis; give it with --set"),
                 {std::string(key)}};
+    if (findPresetPart(key))
+        return {translatable("`%1` names presets, not a parameter; `sweep --vary %1=all` compares them"),
+                {std::string(key)}};
     return notAParameter(key);
 }
 

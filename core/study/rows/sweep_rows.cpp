@@ -6,7 +6,7 @@ namespace drillwave {
 std::size_t lineAxis(const std::vector<SweepAxis>& axes) {
     std::size_t found = axes.size();
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        if (axes[i].words || axes[i].count < 2) continue;
+        if (!axes[i].parameter || axes[i].count < 2) continue;
         if (found == axes.size() || axes[i].count > axes[found].count) found = i;
     }
     return found;

@@ -205,7 +205,7 @@ class DrillingMarch {
     bool m_isWeakened = false;
     /// Waves b that arrive at the rear ends of all sections over a part of a cell.
     std::vector<WaveCell> m_arriving;
-    /// The same waves after the losses of m_upLosses.
+    /// Waves of m_arriving after the losses of m_upLosses.
     std::vector<WaveCell> m_returning;
     std::mt19937 m_random;
 

@@ -21,6 +21,7 @@
 #include "core/wave/exact/input_move.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 
@@ -244,12 +245,10 @@ class ContactMarch {
 
     bool failAtLimit() {
         const bool atMemory = m_mostPieces < m_limits.pieces;
-        fail(atMemory
-                 ? translatable("its histories need more than 4 million wave pieces, because of very many "
-                                "reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer")
-                 : translatable(
-                       "its waves have more polynomial pieces (wave pieces) than permitted, because of very "
-                       "many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer"));
+        fail(atMemory ? translatable(
+                            "its histories have more than 4 million polynomial pieces, because of very many "
+                            "reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer")
+                      : WorkLimitReason::pieces);
         m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
         return true;
     }

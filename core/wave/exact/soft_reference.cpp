@@ -22,7 +22,8 @@ Impact softReference(const Problem& problem, Detail detail) {
     if (detail == Detail::histories) {
         impact.hindrance = Hindrance::histories;
         impact.reason = translatable(
-            "its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the "
+            "its histories have more than 4 million polynomial pieces: the rock is so soft that the waves "
+            "pass the "
             "rod millions of times in one contact; a stiffer rock needs fewer");
         return impact;
     }

@@ -10,6 +10,7 @@
 #include "core/wave/impact.h"
 #include "core/wave/network/census.h"
 #include "core/wave/problem.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 
@@ -98,7 +99,7 @@ Impact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     begin(mostCells);
     while (true) {
         if (m_plan.wants().forcesIfTheyFit && work() > mostCells) m_recorder.leaveOutForces();
-        if (work() > mostCells) return notSolved(Message::ofTable(workLimitReason()), Hindrance::workLimit);
+        if (work() > mostCells) return notSolved(workLimitReason(), Hindrance::workLimit);
         if (!m_census.isUnderWay()) scheduleCensus();
         m_lattice.takeBlock(m_census, static_cast<double>(mostCells - flownCells() - m_cells), stop);
         if (!m_lattice.failureReason().empty())
@@ -231,12 +232,8 @@ Impact NetworkMarch::notSolved(Message reason, Hindrance hindrance) {
 }
 
 /// Returns the cause of most of the work, and how to reduce it.
-std::string_view NetworkMarch::workLimitReason() const {
-    if (m_lattice.workOfEvents() > work() / 2)
-        return translatable(
-            "contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, "
-            "no bit mass or a shorter end_time");
-    return tooManyCells;
+const char* NetworkMarch::workLimitReason() const {
+    return m_lattice.workOfEvents() > work() / 2 ? WorkLimitReason::events : WorkLimitReason::steps;
 }
 
 long NetworkMarch::flownCells() const {

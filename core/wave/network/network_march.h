@@ -31,10 +31,6 @@ class NetworkMarch {
     /// Returns the result of the blow that was planned last. The work is limited to `mostCells` (cells ×
     /// nodes); a blow that needs more is not solved.
     Impact run(long mostCells, const std::stop_token& stop);
-    /// Message for a blow that needs more cells than permitted.
-    static constexpr std::string_view tooManyCells = translatable(
-        "it takes more wave cells than permitted: try fewer sections, lengths with a common divisor or a "
-        "shorter end_time");
     /// Returns the number of cells that were stored for all sections at the end of the blow.
     double held() const { return m_lattice.held(); }
 
@@ -47,7 +43,7 @@ class NetworkMarch {
     bool fliesUntil(double time, const std::stop_token& stop);
     Impact result(const CensusResult& census, Outcome outcome);
     Impact notSolved(Message reason, Hindrance hindrance);
-    std::string_view workLimitReason() const;
+    const char* workLimitReason() const;
     long flownCells() const;
     long work() const;
 

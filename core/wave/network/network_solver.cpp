@@ -8,6 +8,7 @@
 #include "core/text/message.h"
 #include "core/wave/network/network_march.h"
 #include "core/wave/network/string_waves.h"
+#include "core/wave/work_limit.h"
 
 namespace drillwave {
 
@@ -282,7 +283,7 @@ Impact NetworkSolver::Workspace::solveRounded(const Problem& problem, const Netw
     const double foreseen = planRounded(problem, cell, wants).work;
     cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
     if (cell * fewestRoundedCells > roundTripOf(problem))
-        return Impact::unsolved(Message::ofTable(NetworkMarch::tooManyCells), Hindrance::workLimit);
+        return Impact::unsolved(WorkLimitReason::steps, Hindrance::workLimit);
     planRounded(problem, cell, wants);
     Impact impact = run(settings, stop);
     for (const double other : {0.83, 1.19}) {

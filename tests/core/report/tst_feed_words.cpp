@@ -119,36 +119,43 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     row("pushed back", "t38_medium_rock", 2e3,
         "The feed force of 2 kN is less than the mean force of the blows, 3.06 kN: the machine is pushed "
         "back.",
-        "An additional feed force of 2.38 kN covers this blow, one of 5.26 kN covers every gap between bit "
+        "An additional feed force of 2.38 kN is enough for this blow, one of 5.26 kN for every gap between "
+        "bit "
         "and rock.");
     row("below required", "t38_medium_rock", 3.5e3,
         "A feed force of 3.5 kN is below the 4.375 kN that this blow requires: penetration will probably be "
         "lost.",
-        "An additional feed force of 875 N covers this blow, one of 3.76 kN covers every gap between bit and "
+        "An additional feed force of 875 N is enough for this blow, one of 3.76 kN for every gap between bit "
+        "and "
         "rock.");
     row("required at this gap", "t38_medium_rock", 6e3,
-        "A feed force of 6 kN covers this blow (4.375 kN required), but not every gap between bit and rock "
+        "A feed force of 6 kN is enough for this blow (4.375 kN required), but not for every gap between bit "
+        "and rock "
         "(up to 7.253 kN required).",
-        "An additional feed force of 1.26 kN covers every gap between bit and rock.");
+        "An additional feed force of 1.26 kN is enough for every gap between bit and rock.");
     row("required met", "t38_medium_rock", 8e3,
-        "A feed force of 8 kN covers every single blow (7.253 kN required).",
+        "A feed force of 8 kN is enough for every single blow (7.253 kN required).",
         "For single blows, no additional feed force is required. From 11.5 kN on, even an undamped rod would "
         "return to the rock before each next blow.");
     row("return met", "t38_medium_rock", 12e3,
-        "A feed force of 12 kN covers every single blow, and even returns an undamped rod to the rock in "
+        "A feed force of 12 kN is enough for every single blow, and even returns an undamped rod to the rock "
+        "in "
         "time at every gap (11.45 kN required).",
         "For single blows, no additional feed force is required.");
     row("a string, at this gap", "t38_string", 8e3,
-        "A feed force of 8 kN covers this blow (4.509 kN required), but not rigid rock (9.017 kN required); "
+        "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "
+        "required); "
         "other gaps between bit and rock were not examined.",
-        "An additional feed force of 1.02 kN covers rigid rock.");
+        "An additional feed force of 1.02 kN is enough for rigid rock.");
     row("a string, required met", "t38_string", 10e3,
-        "A feed force of 10 kN covers this blow and rigid rock (9.017 kN required); other gaps between bit "
+        "A feed force of 10 kN is enough for this blow and for rigid rock (9.017 kN required); other gaps "
+        "between bit "
         "and rock were not examined.",
         "For single blows, no additional feed force is required. From 13.6 kN on, even an undamped rod would "
         "return to the rock before each next blow.");
     row("a string, return met", "t38_string", 14e3,
-        "A feed force of 14 kN covers this blow and rigid rock, and even returns an undamped rod to the rock "
+        "A feed force of 14 kN is enough for this blow and for rigid rock, and even returns an undamped rod "
+        "to the rock "
         "in time (13.53 kN required); other gaps between bit and rock were not examined.",
         "For single blows, no additional feed force is required.");
     row("waves on their way", "t38_string", 14e3,
@@ -288,16 +295,17 @@ void TestFeedWords::noSentenceContradictsTheNumbers() {
             }
         QCOMPARE(first.contains("pushed back"), installed < feed.balance);
         QCOMPARE(first.contains("will probably be lost"), installed >= feed.balance && installed < own);
-        QCOMPARE(first.contains("covers this blow (") && first.contains("but not "),
+        QCOMPARE(first.contains("is enough for this blow (") && first.contains("but not "),
                  installed >= own && installed < required);
-        QCOMPARE(first.contains("covers every single blow") || first.contains("this blow and rigid rock"),
+        QCOMPARE(first.contains("is enough for every single blow") ||
+                     first.contains("this blow and for rigid rock"),
                  installed >= required);
         QCOMPARE(first.contains("even returns an undamped rod"), installed >= inTime);
         QCOMPARE(first.contains("gaps between bit and rock were not examined"),
                  !feed.isOfAllGaps() && installed >= own);
         if (installed >= required && report.study.shareFull) QCOMPARE(*report.study.shareFull, 1.0);
         // An estimate says nothing of what the bit does.
-        for (const char* word : {"rests", "bounces", "full rate", "enough", "off the rock"})
+        for (const char* word : {"rests", "bounces", "full rate", "off the rock"})
             QVERIFY2(!all.contains(word), qPrintable(all));
         // Formulas are for the manual.
         for (const char* symbol : {"I0", "(1+", "d0", "f I"})
@@ -370,7 +378,7 @@ void TestFeedWords::aHairBelowIsPrintedWithMoreDigits() {
              std::string("A feed force of 8.0008 kN is below the 8.0009 kN that this blow requires: "
                          "penetration will probably be lost."));
     QCOMPARE(feedRemedy(estimateOf(FeedForce{8000.8, {}}, 8000.9)).text(),
-             std::string("To cover this blow, the feed force must be at least 8.0009 kN at 50 Hz, or the "
+             std::string("For this blow, the feed force must be at least 8.0009 kN at 50 Hz, or the "
                          "blow frequency at most 49.9993 Hz with this feed force."));
 }
 
@@ -381,22 +389,24 @@ void TestFeedWords::theWeightAlongTheHoleIsNoThrustToInstall() {
              std::string("A feed force of 6 kN (5 kN with the weight along the hole) is below the 8 kN that "
                          "this blow requires: penetration will probably be lost."));
     QCOMPARE(feedRemedy(up).text(),
-             std::string("To cover this blow, the feed force must be at least 9 kN at 50 Hz, or the blow "
+             std::string("For this blow, the feed force must be at least 9 kN at 50 Hz, or the blow "
                          "frequency at most 31.2 Hz with this feed force."));
     QCOMPARE(sentenceOf(estimateOf({}, 8000)),
              std::string("No feed force is given. At a blow frequency of 50 Hz, the weight of machine and "
-                         "rod along the hole already covers this blow and rigid rock."));
+                         "rod along the hole is already enough for this blow and for rigid rock."));
 }
 
 void TestFeedWords::numbersAreThoseOfTheReader() {
     Scenario scenario = scenarioOf("t38_medium_rock");
     const OtherReader reader;
     QCOMPARE(sentencesOf(reportOf(scenario), reader).front(),
-             QString("A feed force of 1,798 kip covers every single blow (1,631 kip required)."));
+             QString("A feed force of 1,798 kip is enough for every single blow (1,631 kip required)."));
     scenario.drill.thrust = 5000;
-    QCOMPARE(sentencesOf(reportOf(scenario), reader).front(),
-             QString("A feed force of 1,124 kip covers this blow (0,9835 kip required), but not every gap "
-                     "between bit and rock (up to 1,631 kip required)."));
+    QCOMPARE(
+        sentencesOf(reportOf(scenario), reader).front(),
+        QString(
+            "A feed force of 1,124 kip is enough for this blow (0,9835 kip required), but not for every gap "
+            "between bit and rock (up to 1,631 kip required)."));
     for (const QString& sentence : sentencesOf(reportOf(scenario), reader))
         QVERIFY2(!sentence.contains(QRegularExpression("[0-9]\\.[0-9]")), qPrintable(sentence));
 }

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -21,6 +22,7 @@
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/figure_page.h"
 #include "ui/plot/figure_frame.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_notices.h"
@@ -65,6 +67,7 @@ class TestPageTabs : public QObject {
     void namesOfPagesGoBeforeCaptions();
     void theChosenTabIsInViewInANarrowWindow();
     void tabsAreAboveTheDocksOverTheWholeWidth();
+    void aPageThatFitsIsNotScrolled();
     void theKeysGoRoundThePages();
     void f6GoesRoundTheAreas();
     void onlyTheStudyOfThePageOnShowIsFollowed();
@@ -230,6 +233,28 @@ void TestPageTabs::tabsAreAboveTheDocksOverTheWholeWidth() {
     QVERIFY(strip.mapTo(window.get(), QPoint()).x() < 20);
     QVERIFY(strip.width() > 1200);
     QCOMPARE(strip.tabText(0), QString("THIS BLOW"));
+}
+
+// The height of a page is its own, not that of the highest page.
+void TestPageTabs::aPageThatFitsIsNotScrolled() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    auto& pages = part<PageTabs>(*window);
+    const QScrollBar& bar = *part<PageScroll>(*window).verticalScrollBar();
+    for (const QSize size : {QSize(1280, 800), QSize(800, 500)}) {
+        window->resize(size);
+        for (const char* title : {"Rock", "Feed"}) {
+            for (int i = 0; i < pages.count(); ++i)
+                if (pages.page(i).title() == QLatin1String(title)) pages.setCurrentIndex(i);
+            QCOMPARE(pages.current().title(), QLatin1String(title));
+            const bool hasTable = pages.current().findChild<QWidget*>(QStringLiteral("answerTable"));
+            if (size.height() > 500 || !hasTable) QTRY_COMPARE(bar.maximum(), 0);
+            const QWidget& plot = *pages.current().findChild<PlotWidget*>();
+            QTRY_VERIFY(plot.mapTo(&pages.current(), QPoint(0, plot.height())).y() <=
+                        part<PageScroll>(*window).viewport()->height());
+        }
+    }
 }
 
 void TestPageTabs::theKeysGoRoundThePages() {

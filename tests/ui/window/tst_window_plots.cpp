@@ -129,8 +129,8 @@ void TestWindowPlots::theWheelScrollsThePageAndChangesNoFieldWithoutFocus() {
     window().resize(1000, 500);
     QCoreApplication::processEvents();
     QVERIFY(scroll.verticalScrollBar()->maximum() > 0);
-    const auto turn = [](QWidget& widget, Qt::KeyboardModifiers keys) {
-        const QPointF middle = QRectF(widget.rect()).center();
+    const auto turn = [&](QWidget& widget, Qt::KeyboardModifiers keys) {
+        const QPointF middle = QRectF(&widget == &plot ? plot.axisRect()->rect() : widget.rect()).center();
         QWheelEvent wheel(middle, widget.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, keys,
                           Qt::NoScrollPhase, false);
         // As from the hand: only such events go on to the parent.
@@ -157,7 +157,7 @@ void TestWindowPlots::theWheelScrollsThePageAndChangesNoFieldWithoutFocus() {
 void TestWindowPlots::theReasonOfAnUnsolvedCaseStaysInThePlot() {
     makeWindow([](const SolveRequest& request) {
         return failedBlow(request,
-                          QString("The histories need more than 4 million wave pieces. ").repeated(5));
+                          QString("The histories have more than 4 million polynomial pieces. ").repeated(5));
     });
     PlotWidget& plot = *part<BlowPage>(window()).plot();
     plot.replot();

@@ -10,6 +10,7 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/model/chain_words.h"
+#include "ui/job/output_text.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
@@ -39,8 +40,9 @@ QString answerOf(const SolvedBlow& blow, const BlowCurves& curves) {
         const auto [least, largest] =
             std::ranges::minmax_element(*curves.sectionForce, {}, &QCPGraphData::value);
         text += QLatin1Char(' ') +
-                BlowPage::tr("At this section the force is from %1 to %2, tension positive.")
-                    .arg(shown(least->value, blow.units.force), shown(largest->value, blow.units.force));
+                BlowPage::tr("At %1, the force is between %2 (compression) and %3 (tension).")
+                    .arg(placeText(blow, curves.section), shown(least->value, blow.units.force),
+                         shown(largest->value, blow.units.force));
     }
     if (const char* rebound = chainWords(blow.scenario).rebound; *rebound)
         text += QLatin1Char(' ') + translated(rebound).arg(numberText(blow.summary.cor, 4, locale));
@@ -73,7 +75,11 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new PlaceField(
-          observation, tr("Section at which the waves are shown: 0 is the struck end, 1 the bit."), this)),
+          observation,
+          tr("Section at which the waves are shown: 0 is the struck end, 1 the bit.\nN₀ₚ is the first wave "
+             "to the "
+             "bit, N₁ₙ its reflection from the bit, N₂ₚ from the rear end, N₃ₙ again from the bit."),
+          this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
@@ -156,14 +162,9 @@ void BlowPage::showSection() {
 }
 
 void BlowPage::showPlace() {
-    const bool hasLength = m_blow && hasUnits(m_blow->request.scenario);
-    m_place->setVisible(hasLength);
-    if (!hasLength) return;
-    const Scenario& scenario = m_blow->request.scenario;
-    const double x = m_observation.section() * chainProperties(scenario).length;
-    const QString place = quantityText(std::abs(x), m_blow->units.of(UnitKind::length, x), QLocale());
-    m_place->setText(
-        (x < 0 ? tr("%1 from the face of the hammer") : translated(chainWords(scenario).place)).arg(place));
+    m_place->setText(m_blow && hasUnits(m_blow->request.scenario)
+                         ? placeText(*m_blow, m_observation.section())
+                         : tr("0: struck end, 1: bit"));
 }
 
 void BlowPage::showInstant() {

@@ -54,7 +54,7 @@ AimRow::AimRow(const QString& words, QWidget* parent)
     m_sense->setAccessibleName(tr("Maximise or minimise"));
     m_sense->setMinimumContentsLength(6);
     m_sense->addItem(tr("largest"));
-    m_sense->addItem(tr("least"));
+    m_sense->addItem(tr("smallest"));
     m_statistic->setObjectName(QStringLiteral("statistic"));
     m_statistic->setAccessibleName(tr("Statistic"));
     for (const char* name : offeredStatistics) m_statistic->addItem(QString(), QString::fromLatin1(name));

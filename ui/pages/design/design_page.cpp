@@ -435,7 +435,7 @@ void DesignPage::draw(const DesignAnswer& answer) {
     const QStringList beside = DesignCard::besideHeadline(answer.report, units);
     m_sentence =
         (beside.isEmpty() ? QString() : beside.join(QLatin1Char(' ')) + QLatin1Char('\n')) +
-        aims.join(QStringLiteral(" · ")) + QStringLiteral(" · ") +
+        tr("Objectives: %1").arg(aims.join(QStringLiteral(", "))) + QStringLiteral(" · ") +
         (answer.isRefined()   ? tr("%1 samples of each design").arg(answer.wanted)
          : answer.secondsLeft ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
                               : tr("%1 samples of each design so far, refined to %2")

@@ -182,7 +182,7 @@ QString choiceName(const SweepAxis& choice) {
 }
 
 QString aimWords(const DesignAim& aim) {
-    return (aim.sense == Sense::largest ? AimRow::tr("largest %1") : AimRow::tr("least %1"))
+    return (aim.sense == Sense::largest ? AimRow::tr("largest %1") : AimRow::tr("smallest %1"))
         .arg(aimName(aim));
 }
 

@@ -7,7 +7,6 @@
 #include <QWidgetAction>
 #include <algorithm>
 
-#include "core/text/enum_names.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/text/shown_text.h"
 
@@ -22,6 +21,8 @@ QString partName(PresetPart part) {
             return PresetTicks::tr("rods");
         case PresetPart::bit:
             return PresetTicks::tr("bits");
+        case PresetPart::rock:
+            break;  // no design variable
     }
     return {};
 }
@@ -42,7 +43,7 @@ PresetTicks::PresetTicks(QWidget* parent) : QWidget(parent) {
     auto* layout = new FlowLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    for (const PresetPart part : allValues<PresetPart>) {
+    for (const PresetPart part : {PresetPart::hammer, PresetPart::rod, PresetPart::bit}) {
         auto* button = new QToolButton(this);
         button->setObjectName(QString::fromUtf8(name(part).data(), qsizetype(name(part).size())));
         button->setPopupMode(QToolButton::InstantPopup);

@@ -189,9 +189,9 @@ bool MapPlot::nameCuts() {
     QString atX = m_picture->xText(grid.xs()[m_cut->column], locale);
     if (const auto& here = m_crosshair->place()) {
         if (m_picture->yText(here->y() / m_picture->y.factor, locale) != atY)
-            atY = tr("nearest: %1").arg(atY);
+            atY = tr("computed at %1").arg(atY);
         if (m_picture->xText(here->x() / m_picture->x.factor, locale) != atX)
-            atX = tr("nearest: %1").arg(atX);
+            atX = tr("computed at %1").arg(atX);
     }
     QCPAxis* below = m_below->axis(QCPAxis::atTop);
     QCPAxis* beside = m_beside->axis(QCPAxis::atTop);
@@ -308,15 +308,15 @@ QString MapPlot::answer() const {
     const QString name = outputName(output), along = parameterName(*report.study.y.parameter);
     switch (sideOf(m_picture->grid(), deciding->level)) {
         case LevelSide::above:
-            return tr("%1 exceeds %2 only for %3 above %4, reached at %5.")
+            return tr("%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.")
                 .arg(name, level, along, y(extent->lowest), x(extent->lowest));
         case LevelSide::below:
-            return tr("%1 exceeds %2 only for %3 below %4, reached at %5.")
+            return tr("%1 exceeds %2 only where %3 is below %4. This highest value is at %5.")
                 .arg(name, level, along, y(extent->highest), x(extent->highest));
         case LevelSide::mixed:
             break;
     }
-    return tr("%1 passes %2 for %3 from %4, at %5, to %6, at %7.")
+    return tr("The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.")
         .arg(name, level, along, y(extent->lowest), x(extent->lowest), y(extent->highest),
              x(extent->highest));
 }

@@ -110,8 +110,7 @@ RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
             .unloading = slopes.elastic * units.stiffness.factor,
             .lines = linesOf(law, summary.peakForce, units),
             .energy = summary.energy.rockWork * blow.drivenEnergy() * units.energy.factor,
-            .energyShare = summary.energy.rockWork,
-            .ofHammerEnergy = !isForced(blow.scenario)};
+            .energyShare = summary.energy.rockWork};
 }
 
 QPointF rockPoint(const RockCurve& curve, double time) {

@@ -40,9 +40,7 @@ struct RockCurve {
     /// Lines up to the largest force; a single one for a law without corners.
     QVector<RockLine> lines = {};
     double energy = 0;       ///< energy left in the rock (the enclosed area), in units.energy
-    double energyShare = 0;  ///< energy left in the rock as a share of the hammer work, 0 … 1
-    /// Whether energyShare refers to the hammer energy E0 instead.
-    bool ofHammerEnergy = false;
+    double energyShare = 0;  ///< energy left in the rock as a share of the energy of the blow, 0 … 1
     std::vector<RunOverlay<RockCurve>> runs = {};  ///< paths of pinned runs (results kept for comparison)
 };
 

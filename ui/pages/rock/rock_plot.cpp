@@ -19,8 +19,7 @@ QString shown(double value, const ShownUnit& unit, const QLocale& locale) {
 QString energyText(const RockCurve& curve, const QLocale& locale) {
     constexpr double rounding = 1e-9;
     if (std::abs(curve.energyShare) < rounding) return RockPlot::tr("no energy left in the rock");
-    return (curve.ofHammerEnergy ? RockPlot::tr("energy left in the rock: %1 (%2 of E₀)")
-                                 : RockPlot::tr("energy left in the rock: %1 (%2 of W)"))
+    return RockPlot::tr("energy left in the rock: %1 (%2 of the blow)")
         .arg(shown(curve.energy, curve.units.energy, locale), percentText(curve.energyShare, 3, locale));
 }
 

@@ -55,7 +55,7 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     layout->addLayout(bar);
     layout->addWidget(m_readout);
     layout->addWidget(m_plot, 1);
-    constexpr int lines = 18;  // with legends, axes and table
+    constexpr int lines = 24;  // with legends, axes and table
     setLeastLines(lines);
 
     useFrame(*m_rod, tr("Largest stresses along the rod"));
@@ -149,7 +149,7 @@ void RodPage::showReadout() {
         if (!(force.size > 0)) return stress;
         return tr("%1 at %2").arg(stress, quantityText(force.time, shown->units.time, locale));
     };
-    const QString place = quantityText(m_observation.section(), shown->units.length, locale);
+    const QString place = placeText(*m_blow, m_observation.section());
     if (shown->string) {
         const RodStretch& in = shown->string->stretches[shown->string->sectionAt(m_observation.section())];
         return m_readout->setText(tr("At %1 in the blow: %2 and %3\nin %4")

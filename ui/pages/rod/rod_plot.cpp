@@ -303,11 +303,9 @@ void RodPlot::nameNumbers() {
         strength.showName(m_curves, [this](double stress) { return stressText(stress); });
     const double missed = m_curves.envelope.missed * m_curves.units.stress.factor;
     m_caption->setText(
-        m_curves.string
-            ? tr("stresses of uniform sections; threads and changes of diameter raise them locally")
-        : missed > 0
-            ? tr("many waves: between peaks the curve may be too low by %1").arg(stressText(missed))
-            : tr("uniform rod: couplings and threads raise stresses locally; residual waves undamped"));
+        m_curves.string ? tr("without local stresses at threads and changes of diameter")
+        : missed > 0 ? tr("many waves: between peaks the curve may be too low by %1").arg(stressText(missed))
+                     : tr("without local stresses at threads; residual waves undamped"));
 }
 
 void RodPlot::summarize() {

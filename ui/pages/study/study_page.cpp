@@ -25,7 +25,7 @@ namespace {
 
 constexpr int patienceMilliseconds = 150;      // as with a blow that is not solved yet
 constexpr double mostOfWindowForWords = 0.15;  // of its height
-constexpr int plotLines = 17;                  // with legend, axes and table
+constexpr int plotLines = 21;                  // with legend, axes and table
 
 }  // namespace
 
@@ -91,8 +91,19 @@ void StudyPage::stackBelow(int width) {
 
 void StudyPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
+    foldSettings();
     if (m_stackBelow > 0)
         m_center->setDirection(width() < m_stackBelow ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight);
+}
+
+// In a low window the plot is seen first. A window that has grown shows the settings again.
+void StudyPage::foldSettings() {
+    constexpr int leastHeight = 520;  // [px]
+    const bool isLow = window()->height() < leastHeight;
+    if (isLow == m_isLow) return;
+    m_isLow = isLow;
+    const bool wasFolded = std::exchange(m_hasFolded, isLow && m_settings->isOpen());
+    if (m_hasFolded || wasFolded) m_settings->setOpen(!isLow);
 }
 
 void StudyPage::addAbove(QWidget* widget, PartOf part) {

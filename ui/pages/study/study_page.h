@@ -127,6 +127,7 @@ class StudyPage : public PlotPage {
 
   private:
     void takeIntoAnswer(QWidget* widget);
+    void foldSettings();
     template <class Take>
     void takeStep(const Take& take, const QString& step);
     void askNow();
@@ -144,6 +145,8 @@ class StudyPage : public PlotPage {
     bool m_inputCurrent = true;  // whether the blow shown belongs to the present input
     ScrolledLabel* m_words = nullptr;
     SectionBox* m_settings = nullptr;
+    bool m_isLow = false;            // whether the window is too low for open settings
+    bool m_hasFolded = false;        // whether the settings are folded because of that
     QBoxLayout* m_center = nullptr;  // the plot and the widget beside it
     int m_stackBelow = 0;            // width [px]
     QString m_sentence;

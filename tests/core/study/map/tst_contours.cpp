@@ -194,7 +194,7 @@ void TestContours::aCrossingThatCannotBeSolvedBreaksTheLine() {
     const Contour contour = contourOf(study, grid, 1, 2);
     QCOMPARE(contour.pointCount(), std::uint64_t{0});
     QVERIFY(contour.unplaced > 10);
-    QVERIFY(contour.reason.text().find("wave pieces") != std::string::npos);
+    QVERIFY(contour.reason.text().find("polynomial pieces") != std::string::npos);
 }
 
 void TestContours::aStopEndsTheSearch() {

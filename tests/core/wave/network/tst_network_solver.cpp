@@ -463,7 +463,7 @@ class TestNetworkSolver : public QObject {
         const Impact whole = march(problem, grid, {}, mostNetworkCells);
         const Impact half = march(problem, grid, {}, whole.pieces / 2);
         QCOMPARE(half.outcome, Outcome::notSolved);
-        QVERIFY(half.reason.text().starts_with("it takes more wave cells than permitted"));
+        QVERIFY(half.reason.text().starts_with("it takes more computing steps than the work limit permits"));
         problem.sections.back().massAfter = 1e-6;  // which swings through many thousand pieces
         const Impact swinging = march(problem, grid, {}, 2 * whole.pieces);
         QCOMPARE(swinging.outcome, Outcome::notSolved);

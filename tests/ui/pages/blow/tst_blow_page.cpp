@@ -117,7 +117,7 @@ void TestBlowPage::theAnswerHasTheLargestForcesAndTheRebound() {
     const QString answer = label("answer")->text();
     const QString peak = outputText(*findOutput("peak_force"), *blow);
     QVERIFY2(answer.startsWith(QStringLiteral("Largest impact force %1 at ").arg(peak)), qPrintable(answer));
-    QVERIFY2(answer.contains(QStringLiteral("At this section the force is from −")), qPrintable(answer));
+    QVERIFY2(answer.contains(QStringLiteral("the force is between −")), qPrintable(answer));
     QVERIFY2(answer.endsWith(
                  QStringLiteral("The rod rebounds with e = %1.").arg(outputText(*findOutput("cor"), *blow))),
              qPrintable(answer));
@@ -149,7 +149,7 @@ void TestBlowPage::thePlaceIsGivenInMetresWhereThereIsALength() {
     m_observation->setSection(1);
     QCOMPARE(label("place")->text(), QStringLiteral("3.66\u00a0m from the struck end"));
     m_page->setResult(solved(*m_page, dimensionless({0.5, 0.1, 10, 0}), UnitSystem::dimensionless));
-    QVERIFY(!label("place")->isVisible());
+    QCOMPARE(label("place")->text(), QStringLiteral("0: struck end, 1: bit"));
 }
 
 void TestBlowPage::theInstantOfTheTimeCursorIsRead() {

@@ -125,7 +125,7 @@ void TestMapPage::theFirstLookIsRestitutionOverStiffnessAndElasticity() {
     QCOMPARE(m_page->map()->mapRect()->axis(QCPAxis::atLeft)->label(), QStringLiteral("elasticity γ"));
     QVERIFY(m_page->map()->textSummary().startsWith(QStringLiteral("COR e is between ")));
     const QString answer = m_page->findChild<QLabel*>(QStringLiteral("answer"))->text();
-    QVERIFY2(answer.startsWith(QStringLiteral("COR e exceeds 1 only for elasticity γ above 0.6")),
+    QVERIFY2(answer.startsWith(QStringLiteral("COR e exceeds 1 only where elasticity γ is above 0.6")),
              qPrintable(answer));
 }
 

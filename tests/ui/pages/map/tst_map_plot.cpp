@@ -148,7 +148,7 @@ void TestMapPlot::cutsSayWhereTheyAreNotThroughTheScenario() {
     drawn.plot.setCrosshair(QPointF(1, 1));
     QVERIFY2(!name().contains("nearest") && name().endsWith('1'), qPrintable(name()));
     drawn.plot.setCrosshair(QPointF(1, 0.9));
-    QVERIFY2(name().startsWith("nearest: ") && name().endsWith('1'), qPrintable(name()));
+    QVERIFY2(name().startsWith("computed at ") && name().endsWith('1'), qPrintable(name()));
     drawn.plot.setCrosshair(QPointF(1, 0));
     QVERIFY2(!name().contains("nearest") && name().endsWith('0'), qPrintable(name()));
 }

@@ -79,7 +79,7 @@ void TestRockPage::thePathIsThereForEyesAndEars() {
     m_page->setResult(blow);
     QCOMPARE(m_page->plot()->plottableCount(), 1);
     const QString description = m_page->plot()->accessibleDescription();
-    for (const char* text : {"Fₘ = ", "Uₘ = ", "Uᵣ = ", "energy left in the rock", "J", "% of W"})
+    for (const char* text : {"Fₘ = ", "Uₘ = ", "Uᵣ = ", "energy left in the rock", "J", "% of the blow"})
         QVERIFY2(description.contains(QString::fromUtf8(text)), qPrintable(description));
     QVERIFY(!m_page->plot()->accessibleName().isEmpty());
 }

@@ -10,6 +10,7 @@
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/pinned_run.h"
+#include "tests/support/without_strengths.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
@@ -281,8 +282,8 @@ void TestRodPage::darkAndLightAreFollowed() {
 SolvedBlowPtr TestRodPage::solvedString(const std::function<void(Scenario&)>& change,
                                         UnitSystem units) const {
     SolveRequest request;
-    request.scenario =
-        parseScenario(std::string(findExample("t38_string")->text), "t38_string.yaml").scenario;
+    request.scenario = test::withoutStrengths(
+        parseScenario(std::string(findExample("t38_string")->text), "t38_string.yaml").scenario);
     if (change) change(request.scenario);
     request.units = units;
     request.pages = {m_page->prepare()};

@@ -19,6 +19,7 @@
 #include "core/yaml/scenario_file.h"
 #include "tests/support/lossless_string.h"
 #include "tests/support/window_fixture.h"
+#include "tests/support/without_strengths.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"
 #include "ui/form/problem_plate.h"
@@ -426,6 +427,8 @@ void TestStringPage::unitsOfAllKindsAreTaken() {
 }
 
 void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
+    QCOMPARE(document().useScenario(test::withoutStrengths(document().scenario()), QStringLiteral("weak")),
+             QString());
     const QTableView& table = *page().table();
     std::vector<int> few;
     for (const char* field : {"area", "end_diameter", "end_area", "youngs_modulus", "density",
@@ -490,7 +493,7 @@ void TestStringPage::numbersFollowTheLocale() {
 }
 
 void TestStringPage::aNewcomerBuildsTheStringFromOneSection() {
-    const DrillString wanted = test::losslessString().drillString;
+    const DrillString wanted = test::withoutStrengths(test::losslessString()).drillString;
     const char* bare =
         "drillwave: 2\n"
         "hammer: {velocity: 10 m/s, sections: [{length: 300 mm, diameter: 50 mm}]}\n"
@@ -596,6 +599,11 @@ void TestStringPage::aSectionIsReplacedByAPreset() {
 }
 
 void TestStringPage::thePageSaysWhatTheStringIsAndWhatBreaksFirst() {
+    QVERIFY2(answer().startsWith(QStringLiteral("The section that breaks first is 3rd rod: ")),
+             qPrintable(answer()));
+    QCOMPARE(document().useScenario(test::withoutStrengths(document().scenario()), QStringLiteral("weak")),
+             QString());
+    settle();
     QVERIFY2(words().startsWith(QStringLiteral("3 rods, 3 couplings, 3 other sections, ")),
              qPrintable(words()));
     QVERIFY2(words().contains(QStringLiteral("No section has a strength")), qPrintable(words()));
