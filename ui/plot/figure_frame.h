@@ -2,31 +2,20 @@
 // Draws a figure given as data, in the same way on screen and in files.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/report/figure.h"
 #include "ui/plot/curve_marks.h"
 #include "ui/plot/drag_line.h"
 #include "ui/plot/figure_bands.h"
+#include "ui/plot/figure_units.h"
 #include "ui/plot/layer_items.h"
 #include "ui/plot/series_drag.h"
 #include "ui/plot/study_frame.h"
-#include "ui/text/shown_units.h"
 
 namespace drillwave {
 
 class PlotWidget;
-
-/// Units in which one user reads figures. `units` is for multiples of the blow's scales and for SI values;
-/// `unitFor` is for parameters.
-struct FigureUnits {
-    ShownUnits units;
-    std::function<const Unit&(const Parameter&)> unitFor;
-
-    /// Returns the unit of a quantity: shown value = value of the figure · factor.
-    ShownUnit of(const FigureQuantity& quantity) const;
-};
 
 /// Figure with the units in which it is shown.
 struct ShownFigure {
