@@ -2881,14 +2881,6 @@ Trotzdem löschen?</translation>
         <translation>dieses Szenario</translation>
     </message>
     <message>
-        <source>draws</source>
-        <translation>Ziehungen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 designs, best for uncertain rock %3</source>
-        <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
-    </message>
-    <message>
         <source>COR e</source>
         <translation>Stoßzahl e</translation>
     </message>
@@ -3492,34 +3484,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
 </context>
 <context>
     <name>drillwave::AimRow</name>
-    <message>
-        <source>on average</source>
-        <translation>im Mittel</translation>
-    </message>
-    <message>
-        <source>in the smallest sample</source>
-        <translation>bei der kleinsten Stichprobe</translation>
-    </message>
-    <message>
-        <source>in the largest sample</source>
-        <translation>bei der größten Stichprobe</translation>
-    </message>
-    <message>
-        <source>for the values entered</source>
-        <translation>für die eingegebenen Werte</translation>
-    </message>
-    <message>
-        <source>in the middle (median)</source>
-        <translation>in der Mitte (Median)</translation>
-    </message>
-    <message>
-        <source>in the worst %1 %</source>
-        <translation>in den schlechtesten %1 %</translation>
-    </message>
-    <message>
-        <source>in the best %1 %</source>
-        <translation>in den besten %1 %</translation>
-    </message>
     <message>
         <source>Maximise or minimise</source>
         <translation>Maximum oder Minimum</translation>
@@ -4269,51 +4233,6 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Load %1</source>
         <translation>%1 laden</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::DesignPlot</name>
-    <message>
-        <source>5 % to 95 %</source>
-        <translation>5 % bis 95 %</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>values entered</source>
-        <translation>eingegebene Werte</translation>
-    </message>
-    <message>
-        <source>equally good</source>
-        <translation>gleich gut</translation>
-    </message>
-    <message>
-        <source>best for the values entered</source>
-        <translation>beste für die eingegebenen Werte</translation>
-    </message>
-    <message>
-        <source>best for uncertain rock</source>
-        <translation>beste für unsicheres Gestein</translation>
-    </message>
-    <message>
-        <source>share of the scatter
-(filled: by itself)</source>
-        <translation>Anteil an der Streuung
-(gefüllt: allein)</translation>
-    </message>
-    <message>
-        <source>this scenario</source>
-        <translation>dieses Szenario</translation>
-    </message>
-    <message>
-        <source>%1: no scatter</source>
-        <translation>%1: streut nicht</translation>
-    </message>
-    <message>
-        <source>present design</source>
-        <translation>jetzige Auslegung</translation>
     </message>
 </context>
 <context>
@@ -12880,6 +12799,56 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>scan of an earlier scenario: scan again</source>
         <translation>Durchlauf eines früheren Szenarios: neu durchlaufen</translation>
+    </message>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % bis 95 %</translation>
+    </message>
+    <message>
+        <source>values entered</source>
+        <translation>eingegebene Werte</translation>
+    </message>
+    <message>
+        <source>share of the scatter
+(filled: by itself)</source>
+        <translation>Anteil an der Streuung
+(gefüllt: allein)</translation>
+    </message>
+    <message>
+        <source>%1: no scatter</source>
+        <translation>%1: streut nicht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 designs, best for uncertain rock %3</source>
+        <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
+    </message>
+    <message>
+        <source>on average</source>
+        <translation>im Mittel</translation>
+    </message>
+    <message>
+        <source>in the smallest sample</source>
+        <translation>bei der kleinsten Stichprobe</translation>
+    </message>
+    <message>
+        <source>in the largest sample</source>
+        <translation>bei der größten Stichprobe</translation>
+    </message>
+    <message>
+        <source>for the values entered</source>
+        <translation>für die eingegebenen Werte</translation>
+    </message>
+    <message>
+        <source>in the middle (median)</source>
+        <translation>in der Mitte (Median)</translation>
+    </message>
+    <message>
+        <source>in the worst %1 %</source>
+        <translation>in den schlechtesten %1 %</translation>
+    </message>
+    <message>
+        <source>in the best %1 %</source>
+        <translation>in den besten %1 %</translation>
     </message>
 </context>
 <context>

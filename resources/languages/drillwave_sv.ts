@@ -2881,14 +2881,6 @@ Ta bort ändå?</translation>
         <translation>detta scenario</translation>
     </message>
     <message>
-        <source>draws</source>
-        <translation>dragningar</translation>
-    </message>
-    <message>
-        <source>%1 of %2 designs, best for uncertain rock %3</source>
-        <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
-    </message>
-    <message>
         <source>COR e</source>
         <translation>studstal e</translation>
     </message>
@@ -3492,34 +3484,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
 </context>
 <context>
     <name>drillwave::AimRow</name>
-    <message>
-        <source>on average</source>
-        <translation>i medeltal</translation>
-    </message>
-    <message>
-        <source>in the smallest sample</source>
-        <translation>för det minsta stickprovet</translation>
-    </message>
-    <message>
-        <source>in the largest sample</source>
-        <translation>för det största stickprovet</translation>
-    </message>
-    <message>
-        <source>for the values entered</source>
-        <translation>för de angivna värdena</translation>
-    </message>
-    <message>
-        <source>in the middle (median)</source>
-        <translation>i mitten (median)</translation>
-    </message>
-    <message>
-        <source>in the worst %1 %</source>
-        <translation>i de sämsta %1 %</translation>
-    </message>
-    <message>
-        <source>in the best %1 %</source>
-        <translation>i de bästa %1 %</translation>
-    </message>
     <message>
         <source>Maximise or minimise</source>
         <translation>Störst eller minst</translation>
@@ -4269,51 +4233,6 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Load %1</source>
         <translation>Ladda %1</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::DesignPlot</name>
-    <message>
-        <source>5 % to 95 %</source>
-        <translation>5 % till 95 %</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>medel</translation>
-    </message>
-    <message>
-        <source>values entered</source>
-        <translation>angivna värden</translation>
-    </message>
-    <message>
-        <source>equally good</source>
-        <translation>likvärdiga</translation>
-    </message>
-    <message>
-        <source>best for the values entered</source>
-        <translation>bäst för de angivna värdena</translation>
-    </message>
-    <message>
-        <source>best for uncertain rock</source>
-        <translation>bäst för osäkert berg</translation>
-    </message>
-    <message>
-        <source>share of the scatter
-(filled: by itself)</source>
-        <translation>andel av spridningen
-(fylld: ensam)</translation>
-    </message>
-    <message>
-        <source>this scenario</source>
-        <translation>detta scenario</translation>
-    </message>
-    <message>
-        <source>%1: no scatter</source>
-        <translation>%1: sprider inte</translation>
-    </message>
-    <message>
-        <source>present design</source>
-        <translation>nuvarande konstruktion</translation>
     </message>
 </context>
 <context>
@@ -12880,6 +12799,56 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>scan of an earlier scenario: scan again</source>
         <translation>svep för ett tidigare scenario: svep igen</translation>
+    </message>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % till 95 %</translation>
+    </message>
+    <message>
+        <source>values entered</source>
+        <translation>angivna värden</translation>
+    </message>
+    <message>
+        <source>share of the scatter
+(filled: by itself)</source>
+        <translation>andel av spridningen
+(fylld: ensam)</translation>
+    </message>
+    <message>
+        <source>%1: no scatter</source>
+        <translation>%1: sprider inte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 designs, best for uncertain rock %3</source>
+        <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
+    </message>
+    <message>
+        <source>on average</source>
+        <translation>i medeltal</translation>
+    </message>
+    <message>
+        <source>in the smallest sample</source>
+        <translation>för det minsta stickprovet</translation>
+    </message>
+    <message>
+        <source>in the largest sample</source>
+        <translation>för det största stickprovet</translation>
+    </message>
+    <message>
+        <source>for the values entered</source>
+        <translation>för de angivna värdena</translation>
+    </message>
+    <message>
+        <source>in the middle (median)</source>
+        <translation>i mitten (median)</translation>
+    </message>
+    <message>
+        <source>in the worst %1 %</source>
+        <translation>i de sämsta %1 %</translation>
+    </message>
+    <message>
+        <source>in the best %1 %</source>
+        <translation>i de bästa %1 %</translation>
     </message>
 </context>
 <context>

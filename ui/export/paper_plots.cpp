@@ -6,12 +6,13 @@
 #include <algorithm>
 
 #include "core/model/assignments.h"
+#include "core/report/design_figure.h"
 #include "core/report/drilling_figure.h"
 #include "core/report/sequence_words.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/blow/measured_force.h"
-#include "ui/pages/design/design_plot.h"
+#include "ui/pages/design/design_units.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/string/string_sketch.h"
@@ -143,7 +144,9 @@ PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader)
     const DesignUnits units(
         report.study, reader.unitsFor(report.study.base),
         [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
-    return paperPlot<DesignPlot>(designPicture(report, units), {180, 180}, reader.locale);
+    const LocalStyle style = units.style();
+    const ShownDesignNames names(report.study, units, style);
+    return figurePaperPlot(designFigure(report, names), report.study.base, reader);
 }
 
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include "core/report/figure.h"
 #include "ui/plot/curve_marks.h"
 #include "ui/plot/drag_line.h"
+#include "ui/plot/field_item.h"
 #include "ui/plot/figure_bands.h"
 #include "ui/plot/figure_units.h"
 #include "ui/plot/layer_items.h"
@@ -72,9 +73,18 @@ class FigureFrame : public StudyFrame {
     /// Returns the places for the keyboard in the first panel: along its lines, with the marks as targets. If
     /// the panel has marked points, the keys go from point to point.
     KeyPlaces keyPlaces() const override;
-    /// Returns the row index of the study's table whose point is nearest to `place` (coordinates of the first
+    /// Returns the row index of the study's table whose point is nearest to `place` (coordinates of the
     /// panel). Nothing if no point is within a few pixels.
-    std::optional<std::size_t> rowAt(QPointF place) const;
+    std::optional<std::size_t> rowAt(QPointF place, std::size_t panel = 0) const;
+    /// Returns the field of the first panel; nullptr if it shows none.
+    const FieldItem* field() const {
+        return !isEmpty() && panelOf(0).field ? m_panels.front().field : nullptr;
+    }
+    /// Returns a description of a place of the field: x, y, and the value or the reason why there is none.
+    /// Empty without a field, and outside it.
+    QString fieldWords(QPointF place) const;
+    const StudyFigure& figure() const { return m_shown.figure; }
+    int legendRows() const { return m_legend ? m_legend->rowCount() : 0; }
 
   signals:
     /// Reports that the user is dragging the vertical line of the figure, which is now at x in the units of
@@ -92,7 +102,7 @@ class FigureFrame : public StudyFrame {
     /// Series as drawn: either a line or a path.
     struct Drawn {
         QCPGraph* line = nullptr;
-        QCPCurve* path = nullptr;
+        HaloPath* path = nullptr;
         QCPGraph* upper = nullptr;          // second edge of a shaded strip
         std::vector<QCPItemText*> texts{};  // beside the points
         QCPAbstractPlottable* plottable() const {
@@ -109,6 +119,7 @@ class FigureFrame : public StudyFrame {
         std::vector<QCPItemStraightLine*> levels;
         FigureBands bands{rect};
         LayerItems* layers = nullptr;
+        FieldItem* field = nullptr;
         DragLine* handle = nullptr;
         RunMarks* runs = nullptr;
         std::size_t first = 0;  // index of the panel with the y axis of this panel
@@ -135,7 +146,8 @@ class FigureFrame : public StudyFrame {
     void setKeyRange(std::size_t index);
     std::optional<QCPRange> valuesOf(std::size_t first, bool isRight) const;
     void setValueRange(std::size_t first, QCPAxis::AxisType side);
-    void styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const;
+    void styleLine(const Drawn& drawn, std::size_t index, const FigureSeries& series, const QPen& pen) const;
+    QString titleOf(const FigureAxis& axis) const;
     QString numberOf(const FigureNumber& number) const;
     QString textOf(const FigureText& text) const;
     void showTexts();
@@ -170,5 +182,8 @@ class FigureFrame : public StudyFrame {
     QString m_captionText;
     bool m_isCleared = true;
 };
+
+/// Returns a name broken into lines, so that `count` names fit side by side below an axis.
+QString inLines(const QString& name, std::size_t count);
 
 }  // namespace drillwave

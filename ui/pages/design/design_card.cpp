@@ -16,39 +16,6 @@
 namespace drillwave {
 namespace {
 
-QString valueText(const DesignReport& report, const DesignAim& aim, std::size_t design,
-                  const DesignUnits& units) {
-    const SampledValue& value = aimedValue(report, aim, design);
-    const AimedOutput shown = units.of(*aim.output, std::abs(value.value));
-    QString text = numberText(value.value * shown.factor, 4, units.locale());
-    if (aim.statistic.hasError())
-        text += QStringLiteral(" ± ") + numberText(value.error() * shown.factor, 1, units.locale());
-    if (!shown.unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + shown.unit.unit;
-    return text;
-}
-
-/// The words of the rows, axes and fields of the page.
-class CardNames : public DesignNames {
-  public:
-    CardNames(const DesignStudy& study, const DesignUnits& units, const ReadingStyle& style)
-        : DesignNames(study, style), m_units(units) {}
-
-    std::string design(std::uint64_t design) const override {
-        return m_units.designName(design).toStdString();
-    }
-    Message aim(const DesignAim& aim) const override { return aimName(aim).toStdString(); }
-    Message choice(const SweepAxis& choice) const override { return choiceName(choice).toStdString(); }
-    std::string value(const Output& output, double number, int significant) const override {
-        return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();
-    }
-    std::string aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const override {
-        return valueText(report, aim, design, m_units).toStdString();
-    }
-
-  private:
-    const DesignUnits& m_units;
-};
-
 /// Returns the difference of `value` from `of`, in percent of the second.
 QString percentBetween(double value, double of, const DesignUnits& units) {
     return numberText(100 * std::abs(value / of - 1), 2, units.locale());
@@ -135,7 +102,7 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     if (!best.nominal || *best.nominal == *best.robust || !namesRobust) return text;
     const double robust = aimedValue(report, first, *best.robust).value;
     const double other = aimedValue(report, first, *best.nominal).value;
-    const QString where = statisticWords(first.statistic, first.sense);
+    const QString where = translated(statisticMessage(first.statistic, first.sense));
     text +=
         QStringLiteral("<p>") +
         (first.sense == Sense::largest
@@ -231,7 +198,7 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
     const LocalStyle style = units.style();
-    const CardNames names(report.study, units, style);
+    const ShownDesignNames names(report.study, units, style);
     QStringList paragraphs;
     paragraphs << bestSentences(answer, units);
     const std::size_t shown = shownDesign(report);
@@ -262,14 +229,14 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
 
 QString DesignCard::headline(const DesignReport& report, const DesignUnits& units) {
     const LocalStyle style = units.style();
-    const CardNames names(report.study, units, style);
+    const ShownDesignNames names(report.study, units, style);
     const Message answer = designAnswerMessage(report, names);
     return translated(answer.isEmpty() ? designWarning(report, names) : answer);
 }
 
 QStringList DesignCard::besideHeadline(const DesignReport& report, const DesignUnits& units) {
     const LocalStyle style = units.style();
-    const CardNames names(report.study, units, style);
+    const ShownDesignNames names(report.study, units, style);
     QStringList sentences;
     if (!designAnswerMessage(report, names).isEmpty()) sentences << translated(designWarning(report, names));
     const std::size_t robust = *report.findings.best.robust;
