@@ -32,8 +32,8 @@ std::pair<double, double> rangeOf(const SweepAxis& axis, double room) {
         low = std::min(low, axis.value(i));
         high = std::max(high, axis.value(i));
     }
-    if (low == high)
-        return {low - (low == 0 ? 1 : std::abs(low) / 20), high + (low == 0 ? 1 : std::abs(low) / 20)};
+    const double alone = low == 0 ? 1 : std::abs(low) / 20;
+    if (low == high) return {low - alone, high + alone};
     if (axis.kind != SweepAxis::Kind::logarithmic)
         return {low - room * (high - low), high + room * (high - low)};
     const double ratio = std::pow(high / low, room);
@@ -101,34 +101,36 @@ class ObjectivePanel {
         return isNumber ? m_study.choice(design).back() : double(design % m_each);
     }
 
-    /// Fills a curve over the last design variable, from `first` on, where the panel has curves.
-    std::vector<double> over(FigureSeries& series, std::size_t first, auto value) const {
-        std::vector<double> values;
-        for (std::size_t d = first; !m_isField && d < first + m_each; ++d) values.push_back(value(d));
-        if (series.x.empty())
-            for (std::size_t i = 0; i < values.size(); ++i) series.x.push_back(along(first + i));
-        return values;
-    }
-
-    void addCurve(FigureSeries series, const char* legend, std::size_t first, auto value) {
-        if (!m_isField) series.legend = legend;
-        series.y = over(series, first, value);
-        m_panel.series.push_back(std::move(series));
+    /// Returns a series as a curve over the last design variable, from the design `first` on. It is empty
+    /// where the panel has a field.
+    FigureSeries over(std::size_t first, FigureSeries series, auto value) const {
+        for (std::size_t d = first; !m_isField && d < first + m_each; ++d) {
+            series.x.push_back(along(d));
+            series.y.push_back(value(d));
+        }
+        return series;
     }
 
     void addBand() {
         const std::size_t family = *m_report.findings.best.robust / m_each, first = family * m_each;
-        FigureSeries band{
-            .role = static_cast<SeriesRole>(family), .stroke = SeriesStroke::none, .isFilled = true};
+        const auto legend = [&](const char* words) { return m_isField ? Message() : Message(words); };
         using Kind = Statistic::Kind;
-        band.upper = over(band, first, [&](std::size_t d) { return statistic(d, {Kind::quantile, 5}); });
-        addCurve(std::move(band), translatable("5 % to 95 %"), first, [&](std::size_t d) {
-            return statistic(d, {Kind::quantile, 95});
-        });
-        addCurve({.stroke = SeriesStroke::dashed}, translatable("mean"), first,
-                 [&](std::size_t d) { return statistic(d, {Kind::mean}); });
-        addCurve({.stroke = SeriesStroke::shortDashed}, translatable("values entered"), first,
-                 [&](std::size_t d) { return nominal(d); });
+        FigureSeries band = over(first,
+                                 {.role = static_cast<SeriesRole>(family),
+                                  .stroke = SeriesStroke::none,
+                                  .legend = legend(translatable("5 % to 95 %")),
+                                  .isFilled = true},
+                                 [&](std::size_t d) {
+                                     return statistic(d, {Kind::quantile, 95});
+                                 });
+        band.upper = over(first, {}, [&](std::size_t d) { return statistic(d, {Kind::quantile, 5}); }).y;
+        m_panel.series.push_back(std::move(band));
+        m_panel.series.push_back(
+            over(first, {.stroke = SeriesStroke::dashed, .legend = legend(translatable("mean"))},
+                 [&](std::size_t d) { return statistic(d, {Kind::mean}); }));
+        m_panel.series.push_back(over(
+            first, {.stroke = SeriesStroke::shortDashed, .legend = legend(translatable("values entered"))},
+            [&](std::size_t d) { return nominal(d); }));
     }
 
     void addMark(FigureSeries& series, std::size_t design, double value) const {
@@ -176,9 +178,9 @@ class ObjectivePanel {
             for (std::size_t c = 0; c + 1 < values.size(); ++c)
                 name += (c == 0 ? "" : ", ") + m_names.choiceValue(m_study.choices[c], values[c]);
             if (!name.empty()) series.legend = name;
-            series.y = over(series, first, [&](std::size_t d) { return objective(d); });
             for (std::size_t i = 0; i < m_each; ++i) series.rows.push_back(first + i);
-            m_panel.series.push_back(std::move(series));
+            m_panel.series.push_back(
+                over(first, std::move(series), [&](std::size_t d) { return objective(d); }));
         }
     }
 
@@ -312,9 +314,10 @@ StudyFigure designFigure(const DesignReport& report, const DesignNames& names) {
         figure.panels[i].height = heightBelow;
         figure.panels[i].hasOwnY = true;
     }
-    figure.summary = {translatable("%1 of %2 designs, best for uncertain rock %3"),
-                      {names.aim(study.aims.front()), std::to_string(study.designCount()),
-                       names.design(*report.findings.best.robust)}};
+    figure.summary = {{translatable("%1 of %2 designs, best for uncertain rock %3"),
+                       {{.words = names.aim(study.aims.front())},
+                        {.words = std::to_string(study.designCount())},
+                        {.words = names.design(*report.findings.best.robust)}}}};
     return figure;
 }
 

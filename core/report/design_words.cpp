@@ -297,7 +297,11 @@ Message designWarning(const DesignReport& report, const DesignNames& names) {
 }
 
 std::string DesignNames::design(std::uint64_t design) const {
-    return designName(m_study, design, m_style);
+    std::string text;
+    const std::vector<double> values = m_study.choice(design);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += (text.empty() ? "" : ", ") + choiceValue(m_study.choices[i], values[i]);
+    return text.empty() ? "FILE" : text;
 }
 
 std::string DesignNames::choiceValue(const SweepAxis& choice, double value) const {
@@ -437,12 +441,7 @@ std::string aimedName(const DesignAim& aim) {
 }
 
 std::string designName(const DesignStudy& study, std::uint64_t design, const ReadingStyle& style) {
-    const DesignNames names(study, style);
-    std::string text;
-    const std::vector<double> values = study.choice(design);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        text += (text.empty() ? "" : ", ") + names.choiceValue(study.choices[i], values[i]);
-    return text.empty() ? "FILE" : text;
+    return DesignNames(study, style).design(design);
 }
 
 std::string outputText(const DesignStudy& study, const Output& output, double value,

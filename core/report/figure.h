@@ -101,7 +101,7 @@ enum class SeriesPoints {
     diamonds,
     openDiamonds,
     squares,
-    here,
+    here
 };
 
 /// Effect of a click near a line: `parameter`, if there is one, becomes `value` [SI], besides that of the x
@@ -210,6 +210,9 @@ struct FigureField {
     bool hasRows = false;  ///< whether its points, row by row, are the rows of the study's table
 };
 
+/// Returns the smallest and the largest value so far, with room about a single value; 0 and 1 without values.
+std::pair<double, double> rangeOf(const MapGrid& grid);
+
 /// One plot of a figure. Panels in the same row share their y axis.
 struct StudyPanel {
     /// Row of the panel, counted from the top. Panels are listed row by row.
@@ -244,8 +247,8 @@ struct StudyFigure {
     std::vector<FigureText> caption = {};
     std::vector<StudyPanel> panels = {};
     std::vector<FigureLevel> levels = {};
-    bool isPreview = false;     ///< whether this is a preview that lacks what needs the whole result
-    Message summary = {};       ///< summary in words, if the caption says less
+    bool isPreview = false;  ///< whether this is a preview that lacks what needs the whole result
+    std::vector<FigureText> summary = {};  ///< summary in words, if the caption says less
     bool hasCrosshair = false;  ///< whether the present scenario is a crosshair that the reader can drag
     int paperHeight = 110;      ///< height on paper for a width of 180 mm [mm]
 };

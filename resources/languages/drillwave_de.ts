@@ -5891,45 +5891,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
-    <name>drillwave::MapPlot</name>
-    <message>
-        <source>nearest: %1</source>
-        <translation>am nächsten: %1</translation>
-    </message>
-    <message>
-        <source>No point could be solved.</source>
-        <translation>Kein Punkt konnte gelöst werden.</translation>
-    </message>
-    <message>
-        <source>The map follows.</source>
-        <translation>Das Kennfeld folgt.</translation>
-    </message>
-    <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 liegt zwischen %2 und %3</translation>
-    </message>
-    <message>
-        <source> · nowhere %1</source>
-        <translation> · nirgends %1</translation>
-    </message>
-    <message>
-        <source> · %1 of %2 points not solved (hatched)</source>
-        <translation> · %1 von %2 Punkten nicht gelöst (schraffiert)</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
-        <translation>%1 übersteigt %2 nur für %3 über %4, erreicht bei %5.</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
-        <translation>%1 übersteigt %2 nur für %3 unter %4, erreicht bei %5.</translation>
-    </message>
-    <message>
-        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
-        <translation>%1 erreicht %2 für %3 von %4, bei %5, bis %6, bei %7.</translation>
-    </message>
-</context>
-<context>
     <name>drillwave::MarchedNotice</name>
     <message>
         <source>Single blow</source>
@@ -12849,6 +12810,38 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>in the best %1 %</source>
         <translation>in den besten %1 %</translation>
+    </message>
+    <message>
+        <source>nearest: %1 = %2</source>
+        <translation>am nächsten: %1 = %2</translation>
+    </message>
+    <message>
+        <source>No point could be solved.</source>
+        <translation>Kein Punkt konnte gelöst werden.</translation>
+    </message>
+    <message>
+        <source>The map follows.</source>
+        <translation>Das Kennfeld folgt.</translation>
+    </message>
+    <message>
+        <source>nowhere %1</source>
+        <translation>nirgends %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points not solved (hatched)</source>
+        <translation>%1 von %2 Punkten nicht gelöst (schraffiert)</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 above %5, reached at %4 = %6.</source>
+        <translation>%1 übersteigt %2 nur für %3 über %5, erreicht bei %4 = %6.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 below %5, reached at %4 = %6.</source>
+        <translation>%1 übersteigt %2 nur für %3 unter %5, erreicht bei %4 = %6.</translation>
+    </message>
+    <message>
+        <source>%1 passes %2 for %3 from %5, at %4 = %6, to %7, at %4 = %8.</source>
+        <translation>%1 erreicht %2 für %3 von %5, bei %4 = %6, bis %7, bei %4 = %8.</translation>
     </message>
 </context>
 <context>

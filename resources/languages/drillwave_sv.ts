@@ -5891,45 +5891,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
 </context>
 <context>
-    <name>drillwave::MapPlot</name>
-    <message>
-        <source>nearest: %1</source>
-        <translation>närmast: %1</translation>
-    </message>
-    <message>
-        <source>No point could be solved.</source>
-        <translation>Ingen punkt kunde lösas.</translation>
-    </message>
-    <message>
-        <source>The map follows.</source>
-        <translation>Kartan följer.</translation>
-    </message>
-    <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 ligger mellan %2 och %3</translation>
-    </message>
-    <message>
-        <source> · nowhere %1</source>
-        <translation> · ingenstans %1</translation>
-    </message>
-    <message>
-        <source> · %1 of %2 points not solved (hatched)</source>
-        <translation> · %1 av %2 punkter inte lösta (skrafferade)</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only for %3 above %4, reached at %5.</source>
-        <translation>%1 överstiger %2 endast för %3 över %4, som nås vid %5.</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only for %3 below %4, reached at %5.</source>
-        <translation>%1 överstiger %2 endast för %3 under %4, som nås vid %5.</translation>
-    </message>
-    <message>
-        <source>%1 passes %2 for %3 from %4, at %5, to %6, at %7.</source>
-        <translation>%1 når %2 för %3 från %4, vid %5, till %6, vid %7.</translation>
-    </message>
-</context>
-<context>
     <name>drillwave::MarchedNotice</name>
     <message>
         <source>Single blow</source>
@@ -12849,6 +12810,38 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>in the best %1 %</source>
         <translation>i de bästa %1 %</translation>
+    </message>
+    <message>
+        <source>nearest: %1 = %2</source>
+        <translation>närmast: %1 = %2</translation>
+    </message>
+    <message>
+        <source>No point could be solved.</source>
+        <translation>Ingen punkt kunde lösas.</translation>
+    </message>
+    <message>
+        <source>The map follows.</source>
+        <translation>Kartan följer.</translation>
+    </message>
+    <message>
+        <source>nowhere %1</source>
+        <translation>ingenstans %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points not solved (hatched)</source>
+        <translation>%1 av %2 punkter inte lösta (skrafferade)</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 above %5, reached at %4 = %6.</source>
+        <translation>%1 överstiger %2 endast för %3 över %5, som nås vid %4 = %6.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only for %3 below %5, reached at %4 = %6.</source>
+        <translation>%1 överstiger %2 endast för %3 under %5, som nås vid %4 = %6.</translation>
+    </message>
+    <message>
+        <source>%1 passes %2 for %3 from %5, at %4 = %6, to %7, at %4 = %8.</source>
+        <translation>%1 når %2 för %3 från %5, vid %4 = %6, till %7, vid %4 = %8.</translation>
     </message>
 </context>
 <context>

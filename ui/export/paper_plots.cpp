@@ -113,12 +113,18 @@ PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader) {
     return paperPlot<WavePicturePlot>(SolvedBlowPtr(std::move(solved)), {180, 110}, reader.locale);
 }
 
-PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader) {
+PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader,
+                          const std::optional<FigurePoint>& here) {
     const FigureUnits units{reader.unitsFor(scenario), [&](const Parameter& parameter) -> const Unit& {
                                 return reader.unitFor(parameter);
                             }};
-    return paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, double(figure.paperHeight)},
-                                  reader.locale);
+    PaperPlot paper =
+        paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, double(figure.paperHeight)}, reader.locale);
+    FigureFrame& frame = frameOf(paper);
+    if (here)
+        frame.setHere(here->x * frame.xUnit().factor,
+                      here->y ? std::optional(*here->y * frame.yUnit().factor) : std::nullopt);
+    return paper;
 }
 
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
@@ -132,10 +138,10 @@ PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token&
 
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader) {
     const ShownScan shown{scan};
-    PaperPlot paper = figurePaperPlot(drillingFigure(nullptr, &shown), scan.base, reader);
+    const std::optional<double> value = valueIn(scan.base, *scan.axis.parameter);
+    PaperPlot paper = figurePaperPlot(drillingFigure(nullptr, &shown), scan.base, reader,
+                                      value ? std::optional(FigurePoint{*value}) : std::nullopt);
     FigureFrame& frame = frameOf(paper);
-    if (const std::optional<double> value = valueIn(scan.base, *scan.axis.parameter))
-        frame.setHere(*value * frame.xUnit().factor, {});
     if (frame.graph()->data()->isEmpty()) frame.showNothing(tr("No value has statistics."));
     return paper;
 }
@@ -144,9 +150,7 @@ PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader)
     const DesignUnits units(
         report.study, reader.unitsFor(report.study.base),
         [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
-    const LocalStyle style = units.style();
-    const ShownDesignNames names(report.study, units, style);
-    return figurePaperPlot(designFigure(report, names), report.study.base, reader);
+    return figurePaperPlot(designFigure(report, units), report.study.base, reader);
 }
 
 }  // namespace drillwave

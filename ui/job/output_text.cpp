@@ -39,10 +39,6 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
     return FigureUnits{units, {}}.of(figureQuantity({&output, OutputUnits::dimensionless}, size));
 }
 
-ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size) {
-    return FigureUnits{units, {}}.of(figureQuantity(column, size));
-}
-
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units) {
     if (areOfOneKind(one.scenario, other.scenario)) return true;
     return units != UnitSystem::dimensionless || output.measure == Measure::number || output.isOnlySi();

@@ -29,18 +29,6 @@ QCPColorGradient gradientOf(const FieldColours& colours) {
 
 }  // namespace
 
-FieldColours FieldColours::of(const FigureField& field) {
-    FieldColours colours;
-    const std::optional<MapGrid::Extent>& extent = field.grid->extent();
-    if (!extent) return colours;
-    colours = {extent->least, extent->largest, field.level};
-    if (colours.largest > colours.least) return colours;
-    const double room = std::max(std::abs(colours.least), 1.0) / 100;
-    colours.least -= room;
-    colours.largest += room;
-    return colours;
-}
-
 double FieldColours::share(double value) const {
     if (!level) return 2 * (value - least) / (largest - least) - 1;
     const double side = leastSide * (largest - least);
@@ -71,7 +59,8 @@ void FieldItem::present(const StudyPanel& panel, double xFactor, double yFactor,
     if (!m_field) return;
     m_xFactor = xFactor;
     m_yFactor = yFactor;
-    m_colours = FieldColours::of(*m_field);
+    const auto [least, largest] = rangeOf(*m_field->grid);
+    m_colours = {least, largest, m_field->level};
     m_bar->setGradient(gradientOf(m_colours));
     m_bar->setDataRange({m_colours.least * factor, m_colours.largest * factor});
     m_bar->setLabel(label);
@@ -109,17 +98,9 @@ void FieldItem::setStyle(const PlotStyle& style) {
 
 std::optional<std::size_t> FieldItem::nearest(QCPAxis::AxisType side, double coordinate) const {
     const bool isX = side == QCPAxis::atBottom;
-    const std::span<const double> values = isX ? m_field->grid->xs() : m_field->grid->ys();
-    if (values.empty()) return std::nullopt;
-    const double first = values.front(), last = values.back(),
-                 at = coordinate / (isX ? m_xFactor : m_yFactor);
-    if (first == last) return 0;
-    const double share = m_rect->axis(side)->scaleType() == QCPAxis::stLogarithmic
-                             ? std::log(at / first) / std::log(last / first)
-                             : (at - first) / (last - first);
-    const double index = std::round(share * double(values.size() - 1));
-    if (!(index >= 0 && index < double(values.size()))) return std::nullopt;  // NaN as well
-    return static_cast<std::size_t>(index);
+    return nearestIndex(isX ? m_field->grid->xs() : m_field->grid->ys(),
+                        m_rect->axis(side)->scaleType() == QCPAxis::stLogarithmic,
+                        coordinate / (isX ? m_xFactor : m_yFactor));
 }
 
 std::optional<MapGrid::Place> FieldItem::pointAt(QPointF place) const {

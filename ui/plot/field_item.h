@@ -18,8 +18,6 @@ struct FieldColours {
     double largest = 1;           ///< > least
     std::optional<double> level;  ///< in the units of the field, like the others
 
-    /// Returns the colours of the values of a field; see FigureField.
-    static FieldColours of(const FigureField& field);
     /// Maps a value to −1 … 1 for ColourScale::colour(); NaN stays NaN.
     double share(double value) const;
     const ColourScale& scale() const;

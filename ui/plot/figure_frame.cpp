@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/model/parameter.h"
+#include "ui/plot/crosshair.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/number_ticks.h"
@@ -22,42 +23,45 @@ constexpr double narrow = 0.5;  // a panel of that width has room for few number
 constexpr int leastPanel = 50;  // width and height [px]
 const QMargins panelMargins(4, 4, 14, 4);
 
+enum class Filling { none, paper, ink };
+
+/// Marks that are the same for all series of a kind.
+struct MarkLook {
+    SeriesPoints points;
+    QCPScatterStyle::ScatterShape shape;
+    double pen;  // [px]
+    Filling filling;
+    double size;  // [px]
+};
+constexpr MarkLook markLooks[] = {
+    {SeriesPoints::beads, QCPScatterStyle::ssDisc, 1, Filling::ink, 4},
+    {SeriesPoints::stars, QCPScatterStyle::ssStar, 2, Filling::none, 15},
+    {SeriesPoints::dots, QCPScatterStyle::ssDisc, 1, Filling::ink, 3},
+    {SeriesPoints::discs, QCPScatterStyle::ssDisc, 1, Filling::ink, 7},
+    {SeriesPoints::rings, QCPScatterStyle::ssCircle, 1, Filling::paper, 5},
+    {SeriesPoints::circles, QCPScatterStyle::ssCircle, 1.2, Filling::none, 12},
+    {SeriesPoints::diamonds, QCPScatterStyle::ssDiamond, 1.4, Filling::ink, 12},
+    {SeriesPoints::openDiamonds, QCPScatterStyle::ssDiamond, 1.4, Filling::paper, 12},
+    {SeriesPoints::squares, QCPScatterStyle::ssSquare, 1.5, Filling::paper, 7},
+    {SeriesPoints::here, QCPScatterStyle::ssCircle, 2, Filling::paper, 10}};
+
 QCPScatterStyle scatterOf(SeriesPoints points, std::size_t index, const QColor& colour,
                           const PlotStyle& style) {
     using Look = QCPScatterStyle;
+    // Shape, colour and filling of series differ, never only the colour.
     constexpr Look::ScatterShape shapes[] = {Look::ssDisc,    Look::ssSquare,          Look::ssTriangle,
                                              Look::ssDiamond, Look::ssCross,           Look::ssPlus,
                                              Look::ssCircle,  Look::ssTriangleInverted};
-    const QColor &text = style.text, &paper = style.background;
-    switch (points) {
-        case SeriesPoints::none:
-            return {};
-        case SeriesPoints::joined:
-        case SeriesPoints::apart:  // shape, colour and filling differ, never only the colour
-            return Look(shapes[index % std::size(shapes)], QPen(colour, 1.3), paper,
-                        points == SeriesPoints::joined ? 6 : 5);
-        case SeriesPoints::stars:
-            return Look(Look::ssStar, QPen(colour, 2), Qt::NoBrush, 15);
-        case SeriesPoints::dots:
-            return Look(Look::ssDisc, colour, colour, 3);
-        case SeriesPoints::beads:
-            return Look(Look::ssDisc, colour, colour, 4);
-        case SeriesPoints::discs:
-            return Look(Look::ssDisc, colour, colour, 7);
-        case SeriesPoints::rings:
-            return Look(Look::ssCircle, QPen(text, 1), paper, 5);
-        case SeriesPoints::circles:
-            return Look(Look::ssCircle, QPen(text, 1.2), Qt::NoBrush, 12);
-        case SeriesPoints::diamonds:
-            return Look(Look::ssDiamond, QPen(text, 1.4), text, 12);
-        case SeriesPoints::openDiamonds:
-            return Look(Look::ssDiamond, QPen(text, 1.4), paper, 12);
-        case SeriesPoints::squares:
-            return Look(Look::ssSquare, QPen(text, 1.5), paper, 7);
-        case SeriesPoints::here:
-            return Look(Look::ssCircle, QPen(text, 2), paper, 10);
-    }
-    return {};
+    if (points == SeriesPoints::none) return {};
+    const auto look = std::ranges::find(markLooks, points, &MarkLook::points);
+    if (look == std::end(markLooks))
+        return {shapes[index % std::size(shapes)], QPen(colour, 1.3), style.background,
+                points == SeriesPoints::joined ? 6.0 : 5.0};
+    const QColor& ink = points <= SeriesPoints::discs ? colour : style.text;
+    const QBrush filling = look->filling == Filling::ink     ? QBrush(ink)
+                           : look->filling == Filling::paper ? QBrush(style.background)
+                                                             : QBrush(Qt::NoBrush);
+    return {look->shape, QPen(ink, look->pen), filling, look->size};
 }
 
 QPen dashedPen(const QColor& colour, double width, const QList<qreal>& dashes) {
@@ -138,7 +142,7 @@ FigureFrame::FigureFrame(QCustomPlot* plot) : StudyFrame(plot), m_seriesDrag(new
     connect(plot, &QCustomPlot::afterLayout, this, &FigureFrame::placeTexts);
     connect(plot, &QCustomPlot::beforeReplot, this, [this] {
         if (isEmpty()) return;
-        wrapLegend(*m_legend, m_plot->viewport().width(), mostLegendColumns);
+        wrapLegend(*m_legend, m_plot->viewport().width() - m_legend->margins().left(), mostLegendColumns);
         breakCaption();
     });
     setStyle(PlotStyle::forPaper());
@@ -153,7 +157,10 @@ void FigureFrame::build() {
     connect(x(), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureFrame::followTopAxes);
     for (std::size_t i = 0; i < m_panels.size(); ++i) showSeries(i);
     showLevels();
-    addHere();
+    if (m_shown.figure.hasCrosshair)
+        addCrosshair();
+    else
+        addHere();
     addRunCurves();
     addRunMarks();
     setStyle(PlotStyle(m_style));
@@ -170,15 +177,15 @@ void FigureFrame::addPanels() {
     for (std::size_t i = begin; i < m_panels.size(); ++i) {
         const bool begins = i == 0 || panels[i].row != panels[i - 1].row;
         m_panels[i].first = begins || panels[i].hasOwnY ? i : m_panels[i - 1].first;
-        if (begins) {
+        if (begins) margins = new QCPMarginGroup(m_plot);
+        if (begins && !(panels[i].sharesX && panels[0].field)) {
             row = new QCPLayoutGrid;
             const int place = 1 + static_cast<int>(panels[i].row);
             m_plot->plotLayout()->addElement(place, 0, row);
             row->setColumnSpacing(0);
-            margins = new QCPMarginGroup(m_plot);
         }
         for (std::size_t k = m_panels[i].first; k <= i; ++k) m_panels[k].last = i;
-        addPanel(i, *row);
+        addPanel(i, *row, begins);
         m_panels[i].rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
         if (panelOf(i).sharesX) {
             if (!sides) sides = new QCPMarginGroup(m_plot);
@@ -206,17 +213,22 @@ void FigureFrame::showPanel(std::size_t index) {
     rect.setMinimumSize(least, least);
     rect.setMaximumSize(isShown || !isRowShown ? QWIDGETSIZE_MAX : 0, isRowShown ? QWIDGETSIZE_MAX : 0);
     rect.setMinimumMargins(isShown ? panelMargins : QMargins());
-    if (isShown && index > 0 && hasFirstY(index))
+    if (!isShown || index == 0 || !hasFirstY(index)) return;
+    auto* section = qobject_cast<QCPLayoutGrid*>(rect.layout());
+    if (section->rowCount() > 1)
+        section->setRowStretchFactor(section->rowCount() - 1, panelOf(index).height);
+    else
         m_plot->plotLayout()->setRowStretchFactor(1 + static_cast<int>(panelOf(index).row),
                                                   panelOf(index).height);
 }
 
-void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
+// Sections of a field are in the grid of its row, so that their sides are in line.
+void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row, bool begins) {
     Panel& panel = m_panels[index];
     QCPAxisRect* rect = panel.rect = newAxisRect(*m_plot, Sides::free);
     const StudyPanel& shown = m_shown.figure.panels[index];
-    const int column = row.columnCount();
-    row.addElement(0, column, rect);
+    const int column = begins ? 0 : row.columnCount();
+    row.addElement(begins ? row.rowCount() : 0, column, rect);
     row.setColumnStretchFactor(column, shown.width);
     rect->axis(QCPAxis::atTop)->setTickLabels(shown.top.has_value());
     rect->axis(QCPAxis::atTop)->setTicks(shown.top.has_value());
@@ -226,6 +238,18 @@ void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
     panel.bands = FigureBands(rect);
     panel.layers = new LayerItems(rect);
     if (shown.handle) addHandle(index);
+}
+
+void FigureFrame::addCrosshair() {
+    std::vector<QCPAxisRect*> below, beside;
+    for (std::size_t i = 1; i < m_panels.size(); ++i) {
+        if (panelOf(i).sharesX) below.push_back(m_panels[i].rect);
+        if (m_panels[i].first == 0) beside.push_back(m_panels[i].rect);
+    }
+    auto* crosshair = new Crosshair(m_rect, below, beside);
+    connect(crosshair, &Crosshair::held, this, &FigureFrame::crosshairHeld);
+    connect(crosshair, &Crosshair::dragged, this, &FigureFrame::crosshairDragged);
+    addHere(crosshair);
 }
 
 void FigureFrame::addHandle(std::size_t index) {
@@ -300,6 +324,14 @@ void FigureFrame::present(const ShownFigure& shown) {
     showTexts();
     finish(hasOther);
     followTopAxes();
+    if (!panelOf(0).field) return;
+    m_view->adjust([this] {  // the values of the sections, whatever part of the field is in view
+        for (std::size_t i = 1; i < m_panels.size(); ++i)
+            if (panelOf(i).sharesX)
+                setValueRange(i, QCPAxis::atLeft);
+            else if (!hasFirstY(i))
+                setKeyRange(i);
+    });
 }
 
 bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
@@ -403,6 +435,7 @@ void FigureFrame::showStrip(std::size_t index, std::size_t series) {
     }
     while (drawn.texts.size() < shown.texts.size()) {
         drawn.texts.push_back(addText(m_panels[index].rect, QMargins(6, 2, 6, 2), {}));
+        if (panelOf(index).field) drawn.texts.back()->setLayer(QStringLiteral("legend"));  // above the lines
         drawn.texts.back()->setFont(m_style.font);
         drawn.texts.back()->setColor(m_style.text);
     }
@@ -449,7 +482,8 @@ void FigureFrame::showAxes(std::size_t index) {
         drawn.setLabel(unit.axisLabel(titleOf(axis)));
     };
     show(panel.x, *rect.axis(QCPAxis::atBottom));
-    if (hasFirstY(index)) show(panel.y, *rect.axis(QCPAxis::atLeft));
+    show(panelOf(m_panels[index].first).y, *rect.axis(QCPAxis::atLeft));
+    if (!hasFirstY(index)) rect.axis(QCPAxis::atLeft)->setLabel({});
     QCPAxis& right = *rect.axis(QCPAxis::atRight);
     right.setTicks(panel.right.has_value());
     right.setTickLabels(panel.right.has_value());

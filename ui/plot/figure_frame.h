@@ -86,7 +86,15 @@ class FigureFrame : public StudyFrame {
     const StudyFigure& figure() const { return m_shown.figure; }
     int legendRows() const { return m_legend ? m_legend->rowCount() : 0; }
 
+    /// Returns the text in the language, number format and units of the plot.
+    QString textOf(const FigureText& text) const;
+
   signals:
+    /// Reports that the user begins to drag the crosshair of the figure.
+    void crosshairHeld();
+    /// Reports that the user has dragged the crosshair of the figure to a place (coordinates of the axes of
+    /// the first panel).
+    void crosshairDragged(QPointF place);
     /// Reports that the user is dragging the vertical line of the figure, which is now at x in the units of
     /// the figure.
     void handleMoved(double x);
@@ -132,8 +140,9 @@ class FigureFrame : public StudyFrame {
     void build();
     void addPanels();
     void showPanel(std::size_t index);
-    void addPanel(std::size_t index, QCPLayoutGrid& row);
+    void addPanel(std::size_t index, QCPLayoutGrid& row, bool begins);
     void addHandle(std::size_t index);
+    void addCrosshair();
     void linkAxes(std::size_t begin);
     void addZone(Panel& panel);
     void showSeries(std::size_t index);
@@ -149,7 +158,6 @@ class FigureFrame : public StudyFrame {
     void styleLine(const Drawn& drawn, std::size_t index, const FigureSeries& series, const QPen& pen) const;
     QString titleOf(const FigureAxis& axis) const;
     QString numberOf(const FigureNumber& number) const;
-    QString textOf(const FigureText& text) const;
     void showTexts();
     void placeTexts();
     void breakCaption();

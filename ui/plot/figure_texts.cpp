@@ -94,12 +94,19 @@ QString FigureFrame::textOf(const FigureText& text) const {
 
 void FigureFrame::showTexts() {
     if (isEmpty()) return;
-    QStringList parts;
-    for (const FigureText& text : m_shown.figure.caption) parts << textOf(text);
-    m_captionText = parts.join(betweenParts);
+    const auto joined = [this](const std::vector<FigureText>& texts) {
+        QStringList parts;
+        for (const FigureText& text : texts) parts << textOf(text);
+        return parts.join(betweenParts);
+    };
+    m_captionText = joined(m_shown.figure.caption);
     m_caption->setText(m_captionText);
-    const Message& summary = m_shown.figure.summary;
-    m_summary = summary.isEmpty() ? m_captionText : translated(summary);
+    m_caption->setVisible(!m_captionText.isEmpty());
+    // Without words it takes no room.
+    auto* header = qobject_cast<QCPLayoutGrid*>(m_legend->layout());
+    if (m_captionText.isEmpty() && m_caption->layout()) header->take(m_caption);
+    if (!m_captionText.isEmpty() && !m_caption->layout()) header->addElement(1, 0, m_caption);
+    m_summary = m_shown.figure.summary.empty() ? m_captionText : joined(m_shown.figure.summary);
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
         const StudyPanel& panel = panelOf(i);
         for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {

@@ -44,8 +44,8 @@ constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
 const QString drawsStem = QStringLiteral("_posterior");
 constexpr int plotLinesOfDesigns = 28;   // two rows of axes and readout
 constexpr int plotLinesOfOneRow = 15;    // one row of axes
-constexpr int plotLinesBesideBars = 20;  // the same without the inside of the row below
-constexpr double legendLines = 1.4;      // of a row of the legend
+constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
+constexpr double legendLines = 1.6;      // of a row of the legend
 
 }  // namespace
 
@@ -418,10 +418,8 @@ void DesignPage::draw(const DesignAnswer& answer) {
         answer.report.study, m_shownUnits,
         [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
         locale());
-    const LocalStyle style = units.style();
     const bool wasField = m_frame->field(), isFirst = m_frame->isEmpty();
-    m_frame->present({designFigure(answer.report, ShownDesignNames(answer.report.study, units, style)),
-                      figureUnits(m_shownUnits)});
+    m_frame->present({designFigure(answer.report, units), figureUnits(m_shownUnits)});
     const std::vector<StudyPanel>& panels = m_frame->figure().panels;
     const auto bars = static_cast<int>(panels[std::size_t(DesignPanel::causes)].y.names.size());
     m_plotLines = panels[1].isHidden && panels[2].isHidden

@@ -1,96 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/design/design_units.h"
 
-#include <cmath>
-
-#include "core/model/scales.h"
+#include "core/report/design_figure.h"
+#include "core/report/output_words.h"
 #include "ui/job/output_text.h"
 #include "ui/pages/design/aim_rows.h"
-#include "ui/pages/study/output_box.h"
-#include "ui/pages/study/parameter_names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
+namespace {
 
-AimedOutput DesignUnits::of(const Output& output, double size) const {
-    AimedOutput shown{&output, outputUnit(output, m_units, size), 1};
-    const bool isScaled = hasUnits(m_study->base) && !output.isOnlySi();
-    shown.factor = shown.unit.factor / (isScaled ? output.scale(scalesOf(m_study->base)) : 1);
-    return shown;
+QString withUnit(const QString& number, const QString& unit) {
+    return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
 }
 
-ShownUnit DesignUnits::of(const Parameter& parameter) const {
-    return shownUnit(m_fieldUnit(parameter));
+}  // namespace
+
+std::string DesignUnits::choiceValue(const SweepAxis& choice, double value) const {
+    if (choice.parameter) return text(*choice.parameter, value).toStdString();
+    const std::string word = DesignNames::choiceValue(choice, value);
+    return (choice.words ? coreName(word) : coreText(word)).toStdString();
+}
+
+Message DesignUnits::choice(const SweepAxis& choice) const {
+    return choice.parameter ? DesignNames::choice(choice) : Message(coreName(choice.key()).toStdString());
 }
 
 QString DesignUnits::text(const Parameter& parameter, double si) const {
-    const ShownUnit unit = of(parameter);
-    QString text = numberText(si * unit.factor, 4, m_locale);
-    if (!unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + unit.unit;
-    return text;
+    const ShownUnit unit = shownUnit(m_fieldUnit(parameter));
+    return withUnit(numberText(si * unit.factor, 4, m_locale), unit.unit);
 }
 
-QString DesignUnits::text(const SweepAxis& choice, double value) const {
-    if (choice.parameter) return text(*choice.parameter, value);
-    std::string word;
-    choice.column().appendText(word, value);
-    return choice.words ? coreName(word) : coreText(word);
+QString DesignUnits::text(const Output& output, double value, int digits, std::optional<double> error) const {
+    const ShownUnit unit = outputUnit(output, m_units, std::abs(value));
+    const auto number = [&](double of, int significant) {
+        return numberText(designOrdinate(m_study, output, of) * unit.factor, significant, m_locale);
+    };
+    const QString text = number(value, digits);
+    return withUnit(error ? text + QStringLiteral(" ± ") + number(*error, 1) : text, unit.unit);
 }
 
-QString DesignUnits::text(const AimedOutput& output, double value, int digits) const {
-    QString text = numberText(value * output.factor, digits, m_locale);
-    if (!output.unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + output.unit.unit;
-    return text;
+QString DesignUnits::aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design) const {
+    const SampledValue& value = aimedValue(report, aim, design);
+    return text(*aim.output, value.value, 4,
+                aim.statistic.hasError() ? std::optional(value.error()) : std::nullopt);
 }
 
 QString DesignUnits::designName(std::uint64_t design) const {
-    QStringList names;
-    const std::vector<double> values = m_study->choice(design);
-    for (std::size_t i = 0; i < values.size(); ++i) names << text(m_study->choices[i], values[i]);
-    return names.isEmpty() ? drillwave::tr("this scenario") : names.join(QStringLiteral(", "));
+    const std::string name = DesignNames::design(design);
+    return m_study.choices.empty() ? drillwave::tr("this scenario") : QString::fromStdString(name);
 }
 
 QString aimName(const DesignAim& aim) {
-    return outputName(*aim.output) + QLatin1Char(' ') +
-           translated(statisticMessage(aim.statistic, aim.sense));
-}
-
-QString choiceName(const SweepAxis& choice) {
-    return choice.parameter ? parameterName(*choice.parameter) : coreName(choice.key());
+    return translated({"%1 %2", {outputMessage(*aim.output), statisticMessage(aim.statistic, aim.sense)}});
 }
 
 QString aimWords(const DesignAim& aim) {
     return (aim.sense == Sense::largest ? AimRow::tr("largest %1") : AimRow::tr("least %1"))
         .arg(aimName(aim));
-}
-
-QString valueText(const DesignReport& report, const DesignAim& aim, std::size_t design,
-                  const DesignUnits& units) {
-    const SampledValue& value = aimedValue(report, aim, design);
-    const AimedOutput shown = units.of(*aim.output, std::abs(value.value));
-    QString text = numberText(value.value * shown.factor, 4, units.locale());
-    if (aim.statistic.hasError())
-        text += QStringLiteral(" ± ") + numberText(value.error() * shown.factor, 1, units.locale());
-    if (!shown.unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + shown.unit.unit;
-    return text;
-}
-
-std::string ShownDesignNames::design(std::uint64_t design) const {
-    return m_units.designName(design).toStdString();
-}
-
-std::string ShownDesignNames::choiceValue(const SweepAxis& choice, double value) const {
-    return m_units.text(choice, value).toStdString();
-}
-
-std::string ShownDesignNames::value(const Output& output, double number, int significant) const {
-    return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();
-}
-
-std::string ShownDesignNames::aimed(const DesignReport& report, const DesignAim& aim,
-                                    std::size_t design) const {
-    return valueText(report, aim, design, m_units).toStdString();
 }
 
 }  // namespace drillwave
