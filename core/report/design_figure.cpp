@@ -25,26 +25,11 @@ FigureAxis axisOf(const DesignReport& report, const DesignAim& aim, Message titl
     return {.title = std::move(title), .quantity = figureQuantity({aim.output}, largest)};
 }
 
-/// Returns all values of a design variable, with room at both ends: a share of the range.
-std::pair<double, double> rangeOf(const SweepAxis& axis, double room) {
-    double low = axis.value(0), high = low;
-    for (std::uint64_t i = 1; i < axis.count; ++i) {
-        low = std::min(low, axis.value(i));
-        high = std::max(high, axis.value(i));
-    }
-    const double alone = low == 0 ? 1 : std::abs(low) / 20;
-    if (low == high) return {low - alone, high + alone};
-    if (axis.kind != SweepAxis::Kind::logarithmic)
-        return {low - room * (high - low), high + room * (high - low)};
-    const double ratio = std::pow(high / low, room);
-    return {low / ratio, high * ratio};
-}
-
 FigureAxis axisOf(const SweepAxis& choice, const DesignNames& names, double room) {
     if (choice.parameter)
         return {.quantity = choice.parameter,
-                .isLogarithmic = choice.kind == SweepAxis::Kind::logarithmic,
-                .range = rangeOf(choice, room)};
+                .isLogarithmic = choice.isLogarithmic(),
+                .range = choice.range(room)};
     FigureAxis axis{.title = names.choice(choice), .range = std::pair(-0.5, double(choice.count) - 0.5)};
     for (std::uint64_t i = 0; i < choice.count; ++i)
         axis.names.push_back({"%1", {{.words = names.choiceValue(choice, choice.value(i))}}});

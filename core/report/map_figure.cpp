@@ -27,11 +27,7 @@ std::optional<double> decisiveLevel(const Output& output) {
 }
 
 FigureAxis axisOf(const SweepAxis& axis) {
-    auto [low, high] = std::minmax(axis.start, axis.stop);
-    const double room = low < high ? 0 : low == 0 ? 1 : std::abs(low) / 20;  // a map of one value
-    return {.quantity = axis.parameter,
-            .isLogarithmic = axis.kind == SweepAxis::Kind::logarithmic,
-            .range = std::pair(low - room, high + room)};
+    return {.quantity = axis.parameter, .isLogarithmic = axis.isLogarithmic(), .range = axis.range()};
 }
 
 FigureNumber named(const Parameter& parameter) {
@@ -134,7 +130,7 @@ MapSection mapSectionAt(const MapReport& report, const std::optional<FigurePoint
     MapSection section{{grid.columns() / 2, grid.rows() / 2}};
     if (!here) return section;
     const auto nearest = [](std::span<const double> values, const SweepAxis& axis, double at) {
-        return nearestIndex(values, axis.kind == SweepAxis::Kind::logarithmic, at);
+        return nearestIndex(values, axis.isLogarithmic(), at);
     };
     const auto column = nearest(grid.xs(), report.study.x, here->x);
     const auto row = nearest(grid.ys(), report.study.y, *here->y);

@@ -11,29 +11,11 @@ struct Visitor : Each... {
     using Each::operator()...;
 };
 
-const ShownUnit& unitOf(BlowScale scale, const ShownUnits& units) {
-    switch (scale) {
-        case BlowScale::time:
-            return units.time;
-        case BlowScale::force:
-            return units.force;
-        case BlowScale::impulse:
-            return units.impulse;
-        case BlowScale::penetration:
-            return units.penetration;
-        case BlowScale::stiffness:
-            return units.stiffness;
-        case BlowScale::energy:
-            return units.energy;
-        case BlowScale::stress:
-            return units.stress;
-        case BlowScale::length:
-            return units.length;
-        case BlowScale::velocity:
-            break;
-    }
-    return units.velocity;
-}
+/// Units of multiples of the scales of a blow, in the order of BlowScale.
+constexpr ShownUnit ShownUnits::*scaleUnits[] = {
+    &ShownUnits::time,        &ShownUnits::force,     &ShownUnits::impulse,
+    &ShownUnits::penetration, &ShownUnits::stiffness, &ShownUnits::energy,
+    &ShownUnits::stress,      &ShownUnits::length,    &ShownUnits::velocity};
 
 }  // namespace
 
@@ -42,7 +24,7 @@ ShownUnit FigureUnits::of(const FigureQuantity& quantity) const {
         Visitor{[](PlainNumber plain) {
                     return plain == PlainNumber::percent ? ShownUnit{1, QStringLiteral("%")} : ShownUnit{};
                 },
-                [&](BlowScale scale) { return unitOf(scale, units); },
+                [&](BlowScale scale) { return units.*scaleUnits[static_cast<std::size_t>(scale)]; },
                 [&](const SiValues& si) {
                     const auto row = std::ranges::find_if(unitKinds(), [&](const UnitKindRow& each) {
                         return each.quantity == si.quantity && (si.kind.empty() || each.name == si.kind);
