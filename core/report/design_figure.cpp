@@ -58,13 +58,11 @@ class ObjectivePanel {
     StudyPanel panel() {
         const FigureAxis values = axisOf(m_report, m_aim, outputMessage(*m_aim.output));
         constexpr double room = 0.03;
-        if (m_isField)
-            addField(values.quantity);
-        else if (m_study.choices.empty())
-            m_panel.x = {.range = std::pair(-0.5, 0.5), .names = {{translatable("this scenario")}}};
-        else
-            m_panel.x = axisOf(m_study.choices.back(), m_names, room);
-        if (!m_isField) m_panel.y = values;
+        m_panel.y = values;
+        m_panel.x = m_study.choices.empty() ? FigureAxis{.range = std::pair(-0.5, 0.5),
+                                                         .names = {{translatable("this scenario")}}}
+                                            : axisOf(m_study.choices.back(), m_names, room);
+        if (m_isField) addField(values.quantity);
         addBand();
         addMarks();
         addObjectives();
@@ -184,11 +182,8 @@ class ObjectivePanel {
             else if (!reason.isEmpty())
                 grid->fail(d % m_each, d / m_each, reason);
         }
-        const auto halfStep = [](const SweepAxis& axis) {
-            return 0.5 / double(std::max<std::uint64_t>(axis.count, 2) - 1);
-        };
-        m_panel.x = axisOf(x, m_names, halfStep(x));
-        m_panel.y = axisOf(y, m_names, halfStep(y));
+        m_panel.x = axisOf(x, m_names, 0.5 / double(x.count - 1));  // half a step
+        m_panel.y = axisOf(y, m_names, 0.5 / double(y.count - 1));
         m_panel.field = FigureField{.grid = std::move(grid),
                                     .scale = {.title = m_names.aim(m_aim), .quantity = quantity},
                                     .hasRows = true};
@@ -261,19 +256,16 @@ StudyPanel causesPanel(const DesignReport& report) {
         for (std::size_t i = indices.size(); i-- > 0;) {
             addBar(total, double(names.size()), indices[i].total.value);
             addBar(first, double(names.size()), indices[i].first.value);
-            if (i < study.uncertain.size()) {
-                const Parameter& parameter = *study.uncertain[i].parameter;
-                names.push_back({"%1", {{.words = titleMessage(parameter, printedWords(parameter.symbol))}}});
-            } else {
-                names.push_back({translatable("draws")});
-            }
+            names.push_back({translatable("draws")});
+            if (i >= study.uncertain.size()) continue;
+            const Parameter& parameter = *study.uncertain[i].parameter;
+            names.back() = {"%1", {{.words = titleMessage(parameter, printedWords(parameter.symbol))}}};
         }
-        const Message output = outputMessage(*report.findings.aimed[o]);
         FigureSeries& titles = panel.series.front();
         titles.x.push_back(0);
         titles.y.push_back(double(names.size()) - barHalfWidth);
-        titles.texts.push_back(
-            {indices.empty() ? translatable("%1: no scatter") : "%1", {{.words = output}}});
+        titles.texts.push_back({indices.empty() ? translatable("%1: no scatter") : "%1",
+                                {{.words = outputMessage(*report.findings.aimed[o])}}});
         names.emplace_back();
         panel.series.push_back(std::move(total));
         panel.series.push_back(std::move(first));
