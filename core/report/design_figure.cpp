@@ -129,7 +129,7 @@ class ObjectivePanel {
         };
         FigureSeries present{.points = SeriesPoints::here};  // only for the legend: the window draws it
         if (const auto design = presentDesign(m_study); design && m_report.findings.designs.size() > 1)
-            present.legend = named(translatable("present design"), *design);
+            present.legend = {translatable("present design: %1"), {m_names.design(*design)}};
         FigureSeries robust{.legend = named(translatable("best for uncertain rock"), *best.robust),
                             .points = SeriesPoints::diamonds};
         addMark(robust, *best.robust, objective(*best.robust));

@@ -12843,6 +12843,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>%1 passes %2 for %3 from %5, at %4 = %6, to %7, at %4 = %8.</source>
         <translation>%1 erreicht %2 für %3 von %5, bei %4 = %6, bis %7, bei %4 = %8.</translation>
     </message>
+    <message>
+        <source>present design: %1</source>
+        <translation>jetzige Auslegung: %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

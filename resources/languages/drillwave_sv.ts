@@ -12843,6 +12843,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1 passes %2 for %3 from %5, at %4 = %6, to %7, at %4 = %8.</source>
         <translation>%1 når %2 för %3 från %5, vid %4 = %6, till %7, vid %4 = %8.</translation>
     </message>
+    <message>
+        <source>present design: %1</source>
+        <translation>nuvarande konstruktion: %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
