@@ -19,6 +19,8 @@ namespace {
 /// Maximum number of places named in a sentence.
 constexpr std::size_t maxNamedPlaces = 6;
 
+constexpr double roomOfCurves = 0.02;  // at both ends of the axis, of its range
+
 enum class CurveKind { curve, reference, closedForm };
 
 bool hasAnswer(const CurveLine& line) {
@@ -161,13 +163,6 @@ void addBands(StudyPanel& panel, const CurveQuestion& question, std::span<const 
     }
 }
 
-std::pair<double, double> withRoom(const SweepAxis& along) {
-    constexpr double room = 0.02;
-    const double ratio = std::pow(along.stop / along.start, room), span = room * (along.stop - along.start);
-    return along.kind == SweepAxis::Kind::logarithmic ? std::pair(along.start / ratio, along.stop * ratio)
-                                                      : std::pair(along.start - span, along.stop + span);
-}
-
 /// Returns "29.98 ± 0.01 MN/m".
 std::string placeText(const SweepAxis& along, const Estimate& place, const ReadingStyle& style) {
     const ReadUnit read = style.unitFor(place.value, along.parameter->quantity);
@@ -278,8 +273,8 @@ StudyFigure curveFigure(const ComparedCurve& study, std::optional<double> here,
     figure.paperHeight = 120;
     StudyPanel& panel = figure.panels.emplace_back();
     panel.x = {.quantity = question.along.parameter,
-               .isLogarithmic = question.along.kind == SweepAxis::Kind::logarithmic,
-               .range = withRoom(question.along),
+               .isLogarithmic = question.along.isLogarithmic(),
+               .range = question.along.range(roomOfCurves),
                .target = AxisTarget{question.along.parameter}};
     panel.y = valueAxis(study.curve);
     addGroupAxis(panel, question);

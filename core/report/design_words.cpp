@@ -297,7 +297,18 @@ Message designWarning(const DesignReport& report, const DesignNames& names) {
 }
 
 std::string DesignNames::design(std::uint64_t design) const {
-    return designName(m_study, design, m_style);
+    std::string text;
+    const std::vector<double> values = m_study.choice(design);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += (text.empty() ? "" : ", ") + choiceValue(m_study.choices[i], values[i]);
+    return text.empty() ? "FILE" : text;
+}
+
+std::string DesignNames::choiceValue(const SweepAxis& choice, double value) const {
+    if (choice.parameter) return m_style.quantity(value, choice.parameter->quantity);
+    std::string text;
+    choice.column().appendText(text, value);
+    return text;
 }
 
 Message DesignNames::aim(const DesignAim& aim) const {
@@ -406,22 +417,31 @@ std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std
     return text;
 }
 
+Message statisticMessage(const Statistic& statistic, Sense sense) {
+    switch (statistic.kind) {
+        case Statistic::Kind::mean:
+            return translatable("on average");
+        case Statistic::Kind::least:
+            return translatable("in the smallest sample");
+        case Statistic::Kind::largest:
+            return translatable("in the largest sample");
+        case Statistic::Kind::nominal:
+            return translatable("for the values entered");
+        case Statistic::Kind::quantile:
+            break;
+    }
+    if (statistic.percent == 50) return translatable("in the middle (median)");
+    const int bad = sense == Sense::largest ? statistic.percent : 100 - statistic.percent;
+    if (bad < 50) return {translatable("in the worst %1 %"), {std::to_string(bad)}};
+    return {translatable("in the best %1 %"), {std::to_string(100 - bad)}};
+}
+
 std::string aimedName(const DesignAim& aim) {
     return std::string(aim.output->name) + " " + aim.statistic.name();
 }
 
 std::string designName(const DesignStudy& study, std::uint64_t design, const ReadingStyle& style) {
-    std::string text;
-    const std::vector<double> values = study.choice(design);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        text += text.empty() ? "" : ", ";
-        const SweepAxis& axis = study.choices[i];
-        if (axis.parameter)
-            text += style.quantity(values[i], axis.parameter->quantity);
-        else
-            axis.column().appendText(text, values[i]);
-    }
-    return text.empty() ? "FILE" : text;
+    return DesignNames(study, style).design(design);
 }
 
 std::string outputText(const DesignStudy& study, const Output& output, double value,

@@ -30,6 +30,8 @@ class DesignNames {
     /// Returns the name of a design (index from 0): the values of its design variables, such as "240 us, 3.05
     /// m".
     virtual std::string design(std::uint64_t design) const;
+    /// Returns the name of one value of a design variable, such as "240 us".
+    virtual std::string choiceValue(const SweepAxis& choice, double value) const;
     /// Returns the name of an objective, such as "efficiency q05".
     virtual Message aim(const DesignAim& aim) const;
     /// Returns the name of a design variable within a sentence: its key for the command line, or its label in
@@ -96,6 +98,9 @@ const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim,
 /// 0.001".
 std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
                            const ReadingStyle& style = plainStyle());
+
+/// Returns a statistic of an objective in words, such as "in the worst 5 %". The bad side depends on `sense`.
+Message statisticMessage(const Statistic& statistic, Sense sense);
 
 /// Returns the name of an objective for tables, such as "thrust q95".
 std::string aimedName(const DesignAim& aim);

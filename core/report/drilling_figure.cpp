@@ -226,7 +226,7 @@ StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan,
         place = std::move(panel);
     };
     const auto summarise = [&](Message sentence) {
-        figure.summary = joined(std::move(figure.summary), "%1 %2", std::move(sentence));
+        figure.summary.push_back({"%1", {{.words = std::move(sentence)}}});
     };
     if (sequence) {
         show(DrillingPanel::penetration, blowPanel(*sequence, translatable("penetration"),

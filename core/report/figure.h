@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "core/model/parameter.h"
+#include "core/study/map/map_grid.h"
 #include "core/text/message.h"
 #include "core/text/units.h"
 
@@ -31,6 +33,7 @@ struct SiValues {
     Quantity quantity = Quantity::ratio;
     double size = 1;
     std::string_view kind = {};  ///< "rate": key of the kind of units, of a quantity with several
+    bool operator==(const SiValues&) const = default;
 };
 
 /// Quantity of the numbers of a figure. Values of a parameter (KeptParameter) are in SI units.
@@ -65,8 +68,9 @@ struct FigureAxis {
     /// Parameter that a click on the axis sets; empty if a click has no effect.
     std::optional<AxisTarget> target = {};
     bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
-    std::vector<FigureText> names =
-        {};  ///< names of the values 0, 1, 2, … instead of numbers; empty for numbers
+    /// Names of the values 0, 1, 2, … instead of numbers; empty for numbers. Between the names of an x axis,
+    /// lines have no values.
+    std::vector<FigureText> names = {};
 };
 
 /// Kind of a series. `line` is y over ascending x, or marked points in any order. `path` joins the points in
@@ -76,13 +80,29 @@ enum class SeriesKind { line, path, area };
 /// Colour and dashes of a series. Numbers beyond those named here give further pens.
 enum class SeriesRole { result, second, third, fourth };
 
-/// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes)
-/// and `strong` (a thick line) have the text colour.
-enum class SeriesStroke { usual, wide, dotted, dashed, strong };
+/// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes),
+/// `strong` (a thick line) and `shortDashed` have the text colour; `none` draws no line. An area is filled
+/// with its colour if it is `strong`, else shaded.
+enum class SeriesStroke { usual, wide, dotted, dashed, strong, shortDashed, none };
 
-/// Marks at the points of a line: none, marks with the line, or marks, stars, dots or small rings without the
-/// line.
-enum class SeriesPoints { none, joined, apart, stars, dots, rings };
+/// Marks at the points of a line: none; marks or small discs (`beads`) with the line; or marks without the
+/// line. `apart`, `stars`, `dots` and `discs` have the colour of the role, all others the text colour; `here`
+/// is the mark of the present scenario.
+enum class SeriesPoints {
+    none,
+    joined,
+    beads,
+    apart,
+    stars,
+    dots,
+    discs,
+    rings,
+    circles,
+    diamonds,
+    openDiamonds,
+    squares,
+    here
+};
 
 /// Effect of a click near a line: `parameter`, if there is one, becomes `value` [SI], besides that of the x
 /// axis.
@@ -90,6 +110,9 @@ struct SeriesTarget {
     KeptParameter parameter = {};
     double value = 0;
 };
+
+/// Place of the texts beside the points of a series: to the upper right, to the lower left, or over them.
+enum class TextSide { above, below, over };
 
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
@@ -108,8 +131,7 @@ struct FigureSeries {
     SeriesPoints points = SeriesPoints::none;
     /// Texts beside the first points; empty texts for points without one.
     std::vector<FigureText> texts = {};
-    /// Whether texts are placed to the lower left of their points, otherwise to the upper right.
-    bool isTextBelow = false;
+    TextSide textSide = TextSide::above;
     std::vector<std::size_t> rows = {};  ///< row of the study's table for each point
     /// Effect of a click near the line; empty if only the place of the click counts.
     std::optional<SeriesTarget> target = {};
@@ -177,6 +199,20 @@ struct FigurePoint {
     std::optional<double> y = {};
 };
 
+/// Values over x and y of a panel as colours, with their scale at the right of the row. The values of the
+/// grid are along the axes of the panel, evenly spaced or, on a logarithmic axis, in equal ratios.
+struct FigureField {
+    std::shared_ptr<const MapGrid> grid;
+    double perValue = 1;  ///< number of the figure for 1 in the grid
+    FigureAxis scale = {};
+    /// Value in the grid on whose two sides the colours differ; empty if they only rise.
+    std::optional<double> level = {};
+    bool hasRows = false;  ///< whether its points, row by row, are the rows of the study's table
+};
+
+/// Returns the smallest and the largest value so far, with room about a single value; 0 and 1 without values.
+std::pair<double, double> rangeOf(const MapGrid& grid);
+
 /// One plot of a figure. Panels in the same row share their y axis.
 struct StudyPanel {
     /// Row of the panel, counted from the top. Panels are listed row by row.
@@ -200,6 +236,9 @@ struct StudyPanel {
     std::optional<FigureAxis> right = {};  ///< a second y axis
     bool hasOwnY = false;                  ///< its y axis is not that of its row
     bool isHidden = false;                 ///< leaves its room to the others
+    std::optional<FigureField> field = {};
+    FigureText title = {};       ///< text above the panel; empty for none
+    bool hasRowsAlongX = false;  ///< whether a click takes the row that is nearest along x, at any height
 };
 
 /// Figure of panels in rows, with a caption above them. From one result to the next, series, marks and levels
@@ -209,8 +248,9 @@ struct StudyFigure {
     std::vector<StudyPanel> panels = {};
     std::vector<FigureLevel> levels = {};
     bool isPreview = false;  ///< whether this is a preview that lacks what needs the whole result
-    Message summary = {};    ///< summary in words, if the caption says less
-    int paperHeight = 110;   ///< height on paper for a width of 180 mm [mm]
+    std::vector<FigureText> summary = {};  ///< summary in words, if the caption says less
+    bool hasCrosshair = false;  ///< whether the present scenario is a crosshair that the reader can drag
+    int paperHeight = 110;      ///< height on paper for a width of 180 mm [mm]
 };
 
 }  // namespace drillwave

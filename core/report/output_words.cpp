@@ -42,7 +42,7 @@ FigureQuantity figureQuantity(const OutputColumn& column, double size) {
         case Measure::watt:
             return SiValues{Quantity::power, size};
         case Measure::speed:
-            return SiValues{Quantity::velocity, size};
+            return SiValues{Quantity::velocity, size, "rate"};
     }
     return PlainNumber::number;
 }

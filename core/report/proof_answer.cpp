@@ -123,7 +123,7 @@ StudyFigure figureOf(const Accuracy& accuracy) {
     add({.role = SeriesRole::third,
          .legend = translatable("lattice, ring buffer"),
          .points = SeriesPoints::joined,
-         .isTextBelow = true},
+         .textSide = TextSide::below},
         [](const AccuracyRow& row) { return isLattice(row, LatticeWaves::ring); });
     add({.role = SeriesRole::fourth, .legend = translatable("closed form"), .points = SeriesPoints::apart},
         [](const AccuracyRow& row) { return row.choice.method == Method::closedForm; });
@@ -174,10 +174,11 @@ StudyFigure figureOf(const StringAccuracy& accuracy) {
         const StringAccuracyRow& row = accuracy.rows[i];
         if (!(row.time.median > 0)) continue;
         if (panel.series.empty() || panel.series.back().legend != rowName(row))
-            panel.series.push_back({.role = static_cast<SeriesRole>(row.method),
-                                    .legend = rowName(row),
-                                    .points = SeriesPoints::joined,
-                                    .isTextBelow = row.method != StringMethod::sure});
+            panel.series.push_back(
+                {.role = static_cast<SeriesRole>(row.method),
+                 .legend = rowName(row),
+                 .points = SeriesPoints::joined,
+                 .textSide = row.method == StringMethod::sure ? TextSide::above : TextSide::below});
         FigureSeries& series = panel.series.back();
         addPoint(series, row.time.median, std::max(row.error, leastError), i);
         // Only the finest: the table shows the others.

@@ -237,10 +237,10 @@ StudyFigure thrustFigure(const ThrustReport& report) {
     panel.series.push_back(std::move(feed));
     return {.caption = {{translatable("each strip: from the required feed to that of return in time")}},
             .panels = {panel},
-            .summary = {translatable(
-                            "Feed force over %1, for %2: each strip from the required feed to that of return "
-                            "in time; behind them what the feed does by the rebound of this blow."),
-                        {labelMessage(*axis.parameter), inOneLine(std::move(cases))}},
+            .summary = {{translatable("Feed force over %1, for %2: each strip from the required feed to that "
+                                      "of return in time; behind them what the feed does by the rebound of "
+                                      "this blow."),
+                         {{.words = labelMessage(*axis.parameter)}, {.words = inOneLine(std::move(cases))}}}},
             .paperHeight = 120};
 }
 

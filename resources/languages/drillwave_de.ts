@@ -2650,10 +2650,6 @@ Trotzdem löschen?</translation>
         <translation>unter dem Erforderlichen</translation>
     </message>
     <message>
-        <source>enough for this gap</source>
-        <translation>reicht für diesen Spalt</translation>
-    </message>
-    <message>
         <source>elastic rock, worst gap</source>
         <translation>elastisches Gestein, schlechtester Spalt</translation>
     </message>
@@ -2690,10 +2686,6 @@ Trotzdem löschen?</translation>
         <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Man beachte den Wirkungsgrad: 0,56, wo drei T38-Stangen in weicherem Gestein 0,32 haben. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht, und ein Strang aus einer Stange hat wenige davon; ohne diese Verluste blieben 0,67 im Gestein, und 8&#xa0;% gingen mit dem Hammer zurück, nicht 0,7&#xa0;%.</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
-        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % bei festem, 6 bis 10 % bei verschlissenem Gewinde (Fachtexte, nicht gemessen)</translation>
-    </message>
-    <message>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
         <translation>angenommen: einsatzgehärteter Cr-Ni-Mo-Stahl; Ermüdung: die 400 MPa eines glatten Stabs durch eine Kerbwirkungszahl von 1,6 für Gewinde und Verzahnung</translation>
     </message>
@@ -2728,6 +2720,14 @@ Trotzdem löschen?</translation>
     <message>
         <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
         <translation>Welcher Schlag für Gestein, das niemand gemessen hat? Die Seite Auslegung ansehen: der Schlag, der in diesem Gestein am besten ist, verliert viel in weicherem und stärker federndem Gestein, ein längerer mit derselben Energie weniger. Der Befehl ist `drillwave design piston_for_unknown_rock`; der Block design enthält die Einstellungen dazu.</translation>
+    </message>
+    <message>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
+        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % bei festem, 6 bis 10 % bei verschlissenem Gewinde (Fachtexte, nicht gemessen)</translation>
+    </message>
+    <message>
+        <source>enough for this gap</source>
+        <translation>reicht für diesen Spalt</translation>
     </message>
     <message>
         <source>rock</source>
@@ -2883,14 +2883,6 @@ Trotzdem löschen?</translation>
     <message>
         <source>this scenario</source>
         <translation>dieses Szenario</translation>
-    </message>
-    <message>
-        <source>draws</source>
-        <translation>Ziehungen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 designs, best for uncertain rock %3</source>
-        <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
     </message>
     <message>
         <source>COR e</source>
@@ -3505,34 +3497,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
 <context>
     <name>drillwave::AimRow</name>
     <message>
-        <source>on average</source>
-        <translation>im Mittel</translation>
-    </message>
-    <message>
-        <source>in the smallest sample</source>
-        <translation>bei der kleinsten Stichprobe</translation>
-    </message>
-    <message>
-        <source>in the largest sample</source>
-        <translation>bei der größten Stichprobe</translation>
-    </message>
-    <message>
-        <source>for the values entered</source>
-        <translation>für die eingegebenen Werte</translation>
-    </message>
-    <message>
-        <source>in the middle (median)</source>
-        <translation>in der Mitte (Median)</translation>
-    </message>
-    <message>
-        <source>in the worst %1 %</source>
-        <translation>in den schlechtesten %1 %</translation>
-    </message>
-    <message>
-        <source>in the best %1 %</source>
-        <translation>in den besten %1 %</translation>
-    </message>
-    <message>
         <source>Maximise or minimise</source>
         <translation>Maximum oder Minimum</translation>
     </message>
@@ -3553,12 +3517,12 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>max. %1</translation>
     </message>
     <message>
-        <source>smallest %1</source>
+        <source>least %1</source>
         <translation>min. %1</translation>
     </message>
     <message>
         <source>smallest</source>
-        <translation>min.</translation>
+        <translation>kleinster Wert</translation>
     </message>
 </context>
 <context>
@@ -4287,51 +4251,6 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Objectives: %1</source>
         <translation>Ziele: %1</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::DesignPlot</name>
-    <message>
-        <source>5 % to 95 %</source>
-        <translation>5 % bis 95 %</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>values entered</source>
-        <translation>eingegebene Werte</translation>
-    </message>
-    <message>
-        <source>equally good</source>
-        <translation>gleich gut</translation>
-    </message>
-    <message>
-        <source>best for the values entered</source>
-        <translation>beste für die eingegebenen Werte</translation>
-    </message>
-    <message>
-        <source>best for uncertain rock</source>
-        <translation>beste für unsicheres Gestein</translation>
-    </message>
-    <message>
-        <source>share of the scatter
-(filled: by itself)</source>
-        <translation>Anteil an der Streuung
-(gefüllt: allein)</translation>
-    </message>
-    <message>
-        <source>this scenario</source>
-        <translation>dieses Szenario</translation>
-    </message>
-    <message>
-        <source>%1: no scatter</source>
-        <translation>%1: streut nicht</translation>
-    </message>
-    <message>
-        <source>present design</source>
-        <translation>jetzige Auslegung</translation>
     </message>
 </context>
 <context>
@@ -5990,45 +5909,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
-    <name>drillwave::MapPlot</name>
-    <message>
-        <source>computed at %1</source>
-        <translation>berechnet bei %1</translation>
-    </message>
-    <message>
-        <source>No point could be solved.</source>
-        <translation>Kein Punkt konnte gelöst werden.</translation>
-    </message>
-    <message>
-        <source>The map follows.</source>
-        <translation>Das Kennfeld folgt.</translation>
-    </message>
-    <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 liegt zwischen %2 und %3</translation>
-    </message>
-    <message>
-        <source> · nowhere %1</source>
-        <translation> · nirgends %1</translation>
-    </message>
-    <message>
-        <source> · %1 of %2 points not solved (hatched)</source>
-        <translation> · %1 von %2 Punkten nicht gelöst (schraffiert)</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.</source>
-        <translation>%1 übersteigt %2 nur, wo %3 über %4 liegt. Dieser kleinste Wert liegt bei %5.</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only where %3 is below %4. This highest value is at %5.</source>
-        <translation>%1 übersteigt %2 nur, wo %3 unter %4 liegt. Dieser größte Wert liegt bei %5.</translation>
-    </message>
-    <message>
-        <source>The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.</source>
-        <translation>Die Linie %1 = %2 läuft von %3 = %4, bei %5, bis %6, bei %7.</translation>
-    </message>
-</context>
-<context>
     <name>drillwave::MarchedNotice</name>
     <message>
         <source>Single blow</source>
@@ -6166,10 +6046,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Effective feed force over the required one, less 1</source>
         <translation>Wirksamer Andruck geteilt durch den erforderlichen, minus 1</translation>
-    </message>
-    <message>
-        <source>Up to this blow frequency the effective feed force is at least the required one</source>
-        <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
     <message>
         <source>could not be solved: %1</source>
@@ -7728,10 +7604,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
     </message>
     <message>
-        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
-        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke, als eine schnelle Studie erlaubt</translation>
-    </message>
-    <message>
         <source>it has no such output</source>
         <translation>es hat kein solches Ergebnis</translation>
     </message>
@@ -7764,20 +7636,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>die Reihenfolge zweier Ereignisse hängt an der Rundung</translation>
     </message>
     <message>
-        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
-    </message>
-    <message>
-        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>seine Wellen haben mehr Polynomstücke, als die Aufwandsgrenze erlaubt, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
-    </message>
-    <message>
         <source>its numbers are beyond the range of double precision</source>
         <translation>die Zahlen liegen jenseits der doppelten Genauigkeit</translation>
-    </message>
-    <message>
-        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes Gestein braucht weniger</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -7798,10 +7658,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, no bit mass or a shorter end_time</source>
         <translation>Bohrkrone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Masse der Bohrkrone schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Masse der Bohrkrone oder eine frühere end_time braucht weniger</translation>
-    </message>
-    <message>
-        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
-        <translation>der Schlag braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
     </message>
     <message>
         <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
@@ -9552,10 +9408,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--histories %1 muss A:B sein, Schläge von 1 bis %2</translation>
     </message>
     <message>
-        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>es kostet %1 Rechenschritte, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
-    </message>
-    <message>
         <source>end_time applies only to single blows, not here</source>
         <translation>end_time zählt bei einzelnen Schlägen, nicht hier</translation>
     </message>
@@ -10050,10 +9902,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>am nächsten kommt %2 mit %1</translation>
     </message>
     <message>
-        <source>its sequence of blows takes more computing steps than the work limit permits</source>
-        <translation>seine Schlagfolge braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt</translation>
-    </message>
-    <message>
         <source>%1; did you mean the example %2?</source>
         <translation>%1; war das Beispiel %2 gemeint?</translation>
     </message>
@@ -10394,10 +10242,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 muss zwischen %2 und %3 liegen, nicht bei %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
-        <translation>seine Schläge brauchten %1 Rechenschritte, mehr als die Aufwandsgrenze von %2, weil der Kontakt sehr oft wechselt; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
-    </message>
-    <message>
         <source>there is no blow %1 of %2</source>
         <translation>es gibt keinen Schlag %1 von %2</translation>
     </message>
@@ -10464,10 +10308,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>This report was written with --no-plots, so it has no plots. Write it again without that option to get them.</source>
         <translation>Die Diagramme fehlen, weil dieser Bericht mit --no-plots geschrieben wurde. Ohne diese Option noch einmal geschrieben, enthält er sie.</translation>
-    </message>
-    <message>
-        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
-        <translation>seine Wellen liegen in %1 Zellen, mehr als die erlaubten %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
     </message>
     <message>
         <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
@@ -10596,14 +10436,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Auslegung %1 nehmen: ihre Zielgröße %2 ist %3.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
-        <translation>Die Auslegung von %1 auf %2 wechseln: das verbessert %3 von %5 auf %4.</translation>
-    </message>
-    <message>
-        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
-        <translation>%1 von %2 auf %3 ändern: das verbessert %4 von %6 auf %5.</translation>
-    </message>
-    <message>
         <source>feed required</source>
         <translation>Andruck erforderlich</translation>
     </message>
@@ -10622,46 +10454,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>A feed force of %1 is below the %2 that this blow requires: penetration will probably be lost.</source>
         <translation>Ein Andruck von %1 liegt unter den %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
-        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag (%2 erforderlich).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
-    </message>
-    <message>
-        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
-        <translation>Für diesen Schlag muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
-    </message>
-    <message>
-        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
-    </message>
-    <message>
-        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
-        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 reicht schon das Gewicht von Maschine und Stange längs des Bohrlochs für diesen Schlag und für starres Gestein.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
@@ -10790,14 +10582,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>return in time</source>
         <translation>rechtzeitige Rückkehr</translation>
-    </message>
-    <message>
-        <source>enough up to</source>
-        <translation>reicht bis</translation>
-    </message>
-    <message>
-        <source>It is enough for %1 of all gaps in this rock.</source>
-        <translation>Er reicht für %1 aller Spalte in diesem Gestein.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
@@ -12404,22 +12188,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass die Stoßzahl e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
-    </message>
-    <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
-    </message>
-    <message>
-        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
-    </message>
-    <message>
-        <source>An additional feed force of %1 is enough for rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für starres Gestein.</translation>
-    </message>
-    <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
         <translation>Entweder folgt das Gestein einem anderen Gesetz, oder in der Szenariodatei ist ein Abschnitt zwischen Messstelle und Bohrkrone oder der Abstand der Messstellen voneinander falsch: zuerst den Kronenkopf und diesen Abstand prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
@@ -12646,10 +12414,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>feed force</source>
         <translation>Andruck</translation>
-    </message>
-    <message>
-        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
-        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung; um nur einen davon zu setzen, in FILE die Abschnitte ohne Wiederholung einzeln aufschreiben</translation>
     </message>
     <message>
         <source>each strip: from the required feed to that of return in time</source>
@@ -12896,8 +12660,178 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Durchlauf eines früheren Szenarios: neu durchlaufen</translation>
     </message>
     <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % bis 95 %</translation>
+    </message>
+    <message>
+        <source>values entered</source>
+        <translation>eingegebene Werte</translation>
+    </message>
+    <message>
+        <source>share of the scatter
+(filled: by itself)</source>
+        <translation>Anteil an der Streuung
+(gefüllt: allein)</translation>
+    </message>
+    <message>
+        <source>%1: no scatter</source>
+        <translation>%1: streut nicht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 designs, best for uncertain rock %3</source>
+        <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
+    </message>
+    <message>
+        <source>on average</source>
+        <translation>im Mittel</translation>
+    </message>
+    <message>
+        <source>in the smallest sample</source>
+        <translation>bei der kleinsten Stichprobe</translation>
+    </message>
+    <message>
+        <source>in the largest sample</source>
+        <translation>bei der größten Stichprobe</translation>
+    </message>
+    <message>
+        <source>for the values entered</source>
+        <translation>für die eingegebenen Werte</translation>
+    </message>
+    <message>
+        <source>in the middle (median)</source>
+        <translation>in der Mitte (Median)</translation>
+    </message>
+    <message>
+        <source>in the worst %1 %</source>
+        <translation>in den schlechtesten %1 %</translation>
+    </message>
+    <message>
+        <source>in the best %1 %</source>
+        <translation>in den besten %1 %</translation>
+    </message>
+    <message>
+        <source>computed at %1 = %2</source>
+        <translation>berechnet bei %1 = %2</translation>
+    </message>
+    <message>
+        <source>No point could be solved.</source>
+        <translation>Kein Punkt konnte gelöst werden.</translation>
+    </message>
+    <message>
+        <source>The map follows.</source>
+        <translation>Das Kennfeld folgt.</translation>
+    </message>
+    <message>
+        <source>nowhere %1</source>
+        <translation>nirgends %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points not solved (hatched)</source>
+        <translation>%1 von %2 Punkten nicht gelöst (schraffiert)</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 über %5 liegt. Dieser kleinste Wert liegt bei %4 = %6.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 unter %5 liegt. Dieser größte Wert liegt bei %4 = %6.</translation>
+    </message>
+    <message>
+        <source>The line %1 = %2 runs from %3 = %5, at %4 = %6, up to %3 = %7, at %4 = %8.</source>
+        <translation>Die Linie %1 = %2 läuft von %3 = %5, bei %4 = %6, bis %3 = %7, bei %4 = %8.</translation>
+    </message>
+    <message>
+        <source>present design: %1</source>
+        <translation>jetzige Auslegung: %1</translation>
+    </message>
+    <message>
+        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>es kostet %1 Rechenschritte, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
+    </message>
+    <message>
+        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
+        <translation>Hinweis: %1 setzt %2, einen Abschnitt mit Wiederholung; um nur einen davon zu setzen, in FILE die Abschnitte ohne Wiederholung einzeln aufschreiben</translation>
+    </message>
+    <message>
+        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
+        <translation>%1 von %2 auf %3 ändern: das verbessert %4 von %6 auf %5.</translation>
+    </message>
+    <message>
+        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
+        <translation>Die Auslegung von %1 auf %2 wechseln: das verbessert %3 von %5 auf %4.</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag (%2 erforderlich).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+    </message>
+    <message>
+        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>Für diesen Schlag muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
+    </message>
+    <message>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for rigid rock.</source>
+        <translation>Ein zusätzlicher Andruck von %1 reicht für starres Gestein.</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für jeden Spalt zwischen Bohrkrone und Gestein (bis %3 erforderlich).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+    </message>
+    <message>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
+        <translation>Es ist kein Andruck angegeben. Bei einer Schlagfrequenz von %1 reicht schon das Gewicht von Maschine und Stange längs des Bohrlochs für diesen Schlag und für starres Gestein.</translation>
+    </message>
+    <message>
         <source>required feed</source>
-        <translation>nötiger Andruck</translation>
+        <translation>erforderlicher Andruck</translation>
+    </message>
+    <message>
+        <source>enough up to</source>
+        <translation>reicht bis</translation>
+    </message>
+    <message>
+        <source>Up to this blow frequency the effective feed force is at least the required one</source>
+        <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
+    </message>
+    <message>
+        <source>It is enough for %1 of all gaps in this rock.</source>
+        <translation>Er reicht für %1 aller Spalte in diesem Gestein.</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>
@@ -12908,8 +12842,40 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>eine Auslegung wählt ihr Gestein nicht; das Gestein mit --uncertain variieren, etwa bit_rock.stiffness=50MN/m:250MN/m</translation>
     </message>
     <message>
+        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
+        <translation>seine Wellen liegen in %1 Zellen, mehr als die erlaubten %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
+    </message>
+    <message>
+        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
+        <translation>die Wellen seiner Schläge bei allen Spalten haben mehr Polynomstücke, als eine schnelle Studie erlaubt</translation>
+    </message>
+    <message>
         <source>`%1` names presets, not a parameter; `sweep --vary %1=all` compares them</source>
         <translation>`%1` benennt Voreinstellungen, keinen Parameter; `sweep --vary %1=all` vergleicht sie</translation>
+    </message>
+    <message>
+        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+    </message>
+    <message>
+        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>seine Verläufe haben mehr als 4 Millionen Polynomstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes Gestein braucht weniger</translation>
+    </message>
+    <message>
+        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Wellen haben mehr Polynomstücke, als die Aufwandsgrenze erlaubt, wegen sehr vieler Reflexionen; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+    </message>
+    <message>
+        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
+        <translation>der Schlag braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
+    </message>
+    <message>
+        <source>its sequence of blows takes more computing steps than the work limit permits</source>
+        <translation>seine Schlagfolge braucht mehr Rechenschritte, als die Aufwandsgrenze erlaubt</translation>
+    </message>
+    <message>
+        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>seine Schläge brauchten %1 Rechenschritte, mehr als die Aufwandsgrenze von %2, weil der Kontakt sehr oft wechselt; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
     </message>
 </context>
 <context>
@@ -14017,10 +13983,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>keine Energie bleibt im Gestein</translation>
     </message>
     <message>
-        <source>energy left in the rock: %1 (%2 of the blow)</source>
-        <translation>Energie im Gestein: %1 (%2 des Schlags)</translation>
-    </message>
-    <message>
         <source>impact force F</source>
         <translation>Stoßkraft F</translation>
     </message>
@@ -14059,6 +14021,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source> Above its corners it loads along %1.</source>
         <translation> Hinter ihren Ecken belastet es entlang %1.</translation>
+    </message>
+    <message>
+        <source>energy left in the rock: %1 (%2 of the blow)</source>
+        <translation>Energie im Gestein: %1 (%2 des Schlags)</translation>
     </message>
 </context>
 <context>
@@ -14157,10 +14123,6 @@ in %4</translation>
         <translation>Kraft N (Zug positiv)</translation>
     </message>
     <message>
-        <source>without local stresses at threads and changes of diameter</source>
-        <translation>ohne örtliche Spannungen an Gewinden und Absätzen</translation>
-    </message>
-    <message>
         <source>many waves: between peaks the curve may be too low by %1</source>
         <translation>so viele Wellen, dass eine Kurve zwischen den Spitzen um %1 zu niedrig sein kann</translation>
     </message>
@@ -14171,6 +14133,10 @@ in %4</translation>
     <message>
         <source>Largest stresses along the rod, tension positive: %1.</source>
         <translation>Größte Spannungen entlang der Stange, Zug positiv: %1.</translation>
+    </message>
+    <message>
+        <source>without local stresses at threads and changes of diameter</source>
+        <translation>ohne örtliche Spannungen an Gewinden und Absätzen</translation>
     </message>
     <message>
         <source>without local stresses at threads; residual waves undamped</source>
@@ -14345,10 +14311,6 @@ in %4</translation>
         <translation>Wird gelöst</translation>
     </message>
     <message>
-        <source>Not kept when the window closes</source>
-        <translation>Mit dem Fenster weg</translation>
-    </message>
-    <message>
         <source>Difference from the reference</source>
         <translation>Abweichung vom Bezug</translation>
     </message>
@@ -14359,6 +14321,10 @@ in %4</translation>
     <message>
         <source>COR e</source>
         <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>Not kept when the window closes</source>
+        <translation>Mit dem Fenster weg</translation>
     </message>
     <message>
         <source>File ▸ Keep runs beside the file keeps them</source>
@@ -16587,40 +16553,6 @@ Abschnitte, maßstäblich gezeichnet, mit ihren größten Spannungen.</translati
         <translation>Andruck, den einzelne Schläge erfordern, und ob der angegebene ausreicht</translation>
     </message>
     <message>
-        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
-this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
-(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
-I0 the impulse of a blow and e the coefficient of restitution:
-  required        f I0 (1 + e), the feed force that balances the blows
-  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
-                  before the next blow
-  margin          effective over required feed force, less 1
-  enough up to    highest blow frequency at which the effective feed force is not below the
-                  required one
-If the feed force is below f I0, the blows push the machine back. The effective feed force is the
-installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
-hole is added. For consecutive blows, use `drillwave drill`; its --scan
-drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
-and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
-I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
-        <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: dieser
-Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der Spalt
-auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten der Tabelle (theory
-§10) ist f die Schlagfrequenz, I0 der Kraftstoß eines Schlags und e die Stoßzahl:
-  erforderlich   f I0 (1 + e), der Andruck, der die Schläge ausgleicht
-  Rückkehr       f I0 (1 + 2e), der Andruck, der eine ungedämpfte starre Stange vor dem nächsten
-                 Schlag zum Gestein zurückbringt
-  Reserve        wirksamer durch erforderlichen Andruck, weniger 1
-  reicht bis     höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
-                 erforderlichen liegt
-Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist
-der angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und
-drill.machine_mass längs des Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill`
-verwenden; dessen --scan drill.thrust=START:STOP:COUNT zeigt, was mehr Andruck bringt. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
-drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, den der Hammer
-überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
-    </message>
-    <message>
         <source>with -o, also write the strain that a gauge at this distance from the bit face would record; COLUMN names it</source>
         <translation>mit -o auch die Dehnung schreiben, die eine Messstelle in diesem Abstand von der Kronenstirn aufzeichnen würde; COLUMN benennt sie</translation>
     </message>
@@ -16800,6 +16732,40 @@ nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</tr
     <message>
         <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names</source>
         <translation>diesen Parameter variieren; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C; Voreinstellungen vergleichen: rock=all, oder rock=, hammer=, rod= oder bit= mit ihren Namen</translation>
+    </message>
+    <message>
+        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
+this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
+(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
+I0 the impulse of a blow and e the coefficient of restitution:
+  required        f I0 (1 + e), the feed force that balances the blows
+  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
+                  before the next blow
+  margin          effective over required feed force, less 1
+  enough up to    highest blow frequency at which the effective feed force is not below the
+                  required one
+If the feed force is below f I0, the blows push the machine back. The effective feed force is the
+installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
+hole is added. For consecutive blows, use `drillwave drill`; its --scan
+drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
+I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+        <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: dieser
+Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der Spalt
+auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten der Tabelle (theory
+§10) ist f die Schlagfrequenz, I0 der Kraftstoß eines Schlags und e die Stoßzahl:
+  erforderlich   f I0 (1 + e), der Andruck, der die Schläge ausgleicht
+  Rückkehr       f I0 (1 + 2e), der Andruck, der eine ungedämpfte starre Stange vor dem nächsten
+                 Schlag zum Gestein zurückbringt
+  Reserve        wirksamer durch erforderlichen Andruck, weniger 1
+  reicht bis     höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
+                 erforderlichen liegt
+Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist
+der angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und
+drill.machine_mass längs des Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill`
+verwenden; dessen --scan drill.thrust=START:STOP:COUNT zeigt, was mehr Andruck bringt. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
+drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, den der Hammer
+überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
     </message>
     <message>
         <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>

@@ -2650,10 +2650,6 @@ Ta bort ändå?</translation>
         <translation>under kravet</translation>
     </message>
     <message>
-        <source>enough for this gap</source>
-        <translation>räcker för denna spalt</translation>
-    </message>
-    <message>
         <source>elastic rock, worst gap</source>
         <translation>elastiskt berg, sämsta spalten</translation>
     </message>
@@ -2690,10 +2686,6 @@ Ta bort ändå?</translation>
         <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på verkningsgraden: 0,56, där tre T38-stänger i mjukare berg har 0,32. Varje skarv antas förlora 5&#xa0;% av energin som passerar, och en sträng av en stång har få av dem; utan dessa förluster skulle 0,67 stanna i berget, och 8&#xa0;% gå tillbaka med hammaren, inte 0,7&#xa0;%.</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
-        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % med åtdragna gängor, 6 till 10 % med slitna gängor (facktexter, inte uppmätt)</translation>
-    </message>
-    <message>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
         <translation>antaget: sätthärdat Cr-Ni-Mo-stål; utmattning: de 400 MPa hos en slät stång delat med en anvisningsfaktor på 1,6 för gängor och splines</translation>
     </message>
@@ -2728,6 +2720,14 @@ Ta bort ändå?</translation>
     <message>
         <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock`; the block design holds its set-up.</source>
         <translation>Vilket slag för berg som ingen har mätt? Se på sidan Konstruktion: det slag som är bäst i detta berg förlorar mycket i mjukare och mer fjädrande berg, ett längre med samma energi mindre. Kommandot är `drillwave design piston_for_unknown_rock`; blocket design innehåller dess inställningar.</translation>
+    </message>
+    <message>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % with tight threads, 6 to 10 % with worn threads (trade texts, not measured)</source>
+        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % med åtdragna gängor, 6 till 10 % med slitna gängor (facktexter, inte uppmätt)</translation>
+    </message>
+    <message>
+        <source>enough for this gap</source>
+        <translation>räcker för denna spalt</translation>
     </message>
     <message>
         <source>rock</source>
@@ -2883,14 +2883,6 @@ Ta bort ändå?</translation>
     <message>
         <source>this scenario</source>
         <translation>detta scenario</translation>
-    </message>
-    <message>
-        <source>draws</source>
-        <translation>dragningar</translation>
-    </message>
-    <message>
-        <source>%1 of %2 designs, best for uncertain rock %3</source>
-        <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
     </message>
     <message>
         <source>COR e</source>
@@ -3505,34 +3497,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
 <context>
     <name>drillwave::AimRow</name>
     <message>
-        <source>on average</source>
-        <translation>i medeltal</translation>
-    </message>
-    <message>
-        <source>in the smallest sample</source>
-        <translation>för det minsta stickprovet</translation>
-    </message>
-    <message>
-        <source>in the largest sample</source>
-        <translation>för det största stickprovet</translation>
-    </message>
-    <message>
-        <source>for the values entered</source>
-        <translation>för de angivna värdena</translation>
-    </message>
-    <message>
-        <source>in the middle (median)</source>
-        <translation>i mitten (median)</translation>
-    </message>
-    <message>
-        <source>in the worst %1 %</source>
-        <translation>i de sämsta %1 %</translation>
-    </message>
-    <message>
-        <source>in the best %1 %</source>
-        <translation>i de bästa %1 %</translation>
-    </message>
-    <message>
         <source>Maximise or minimise</source>
         <translation>Störst eller minst</translation>
     </message>
@@ -3553,7 +3517,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>störst %1</translation>
     </message>
     <message>
-        <source>smallest %1</source>
+        <source>least %1</source>
         <translation>minst %1</translation>
     </message>
     <message>
@@ -4287,51 +4251,6 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Objectives: %1</source>
         <translation>Mål: %1</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::DesignPlot</name>
-    <message>
-        <source>5 % to 95 %</source>
-        <translation>5 % till 95 %</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>medel</translation>
-    </message>
-    <message>
-        <source>values entered</source>
-        <translation>angivna värden</translation>
-    </message>
-    <message>
-        <source>equally good</source>
-        <translation>likvärdiga</translation>
-    </message>
-    <message>
-        <source>best for the values entered</source>
-        <translation>bäst för de angivna värdena</translation>
-    </message>
-    <message>
-        <source>best for uncertain rock</source>
-        <translation>bäst för osäkert berg</translation>
-    </message>
-    <message>
-        <source>share of the scatter
-(filled: by itself)</source>
-        <translation>andel av spridningen
-(fylld: ensam)</translation>
-    </message>
-    <message>
-        <source>this scenario</source>
-        <translation>detta scenario</translation>
-    </message>
-    <message>
-        <source>%1: no scatter</source>
-        <translation>%1: sprider inte</translation>
-    </message>
-    <message>
-        <source>present design</source>
-        <translation>nuvarande konstruktion</translation>
     </message>
 </context>
 <context>
@@ -5990,45 +5909,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
 </context>
 <context>
-    <name>drillwave::MapPlot</name>
-    <message>
-        <source>computed at %1</source>
-        <translation>beräknad vid %1</translation>
-    </message>
-    <message>
-        <source>No point could be solved.</source>
-        <translation>Ingen punkt kunde lösas.</translation>
-    </message>
-    <message>
-        <source>The map follows.</source>
-        <translation>Kartan följer.</translation>
-    </message>
-    <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 ligger mellan %2 och %3</translation>
-    </message>
-    <message>
-        <source> · nowhere %1</source>
-        <translation> · ingenstans %1</translation>
-    </message>
-    <message>
-        <source> · %1 of %2 points not solved (hatched)</source>
-        <translation> · %1 av %2 punkter inte lösta (skrafferade)</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only where %3 is above %4. This lowest value is at %5.</source>
-        <translation>%1 överstiger %2 bara där %3 är över %4. Detta lägsta värde ligger vid %5.</translation>
-    </message>
-    <message>
-        <source>%1 exceeds %2 only where %3 is below %4. This highest value is at %5.</source>
-        <translation>%1 överstiger %2 bara där %3 är under %4. Detta högsta värde ligger vid %5.</translation>
-    </message>
-    <message>
-        <source>The line %1 = %2 runs from %3 = %4, at %5, up to %6, at %7.</source>
-        <translation>Linjen %1 = %2 går från %3 = %4, vid %5, upp till %6, vid %7.</translation>
-    </message>
-</context>
-<context>
     <name>drillwave::MarchedNotice</name>
     <message>
         <source>Single blow</source>
@@ -6166,10 +6046,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>Effective feed force over the required one, less 1</source>
         <translation>Verksam matningskraft delad med den som krävs, minus 1</translation>
-    </message>
-    <message>
-        <source>Up to this blow frequency the effective feed force is at least the required one</source>
-        <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
     <message>
         <source>could not be solved: %1</source>
@@ -7728,10 +7604,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
     </message>
     <message>
-        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
-        <translation>vågorna i dess slag vid alla spalter har fler polynombitar än en snabb studie tillåter</translation>
-    </message>
-    <message>
         <source>it has no such output</source>
         <translation>det har inget sådant resultat</translation>
     </message>
@@ -7764,20 +7636,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>ordningen mellan två händelser hänger på avrundningen</translation>
     </message>
     <message>
-        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>dess förlopp har mer än 4 miljoner polynombitar, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
-    </message>
-    <message>
-        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>dess vågor har fler polynombitar än arbetsgränsen tillåter, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
-    </message>
-    <message>
         <source>its numbers are beyond the range of double precision</source>
         <translation>dess tal ligger utanför talområdet för dubbel precision</translation>
-    </message>
-    <message>
-        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>dess förlopp har mer än 4 miljoner polynombitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg kräver färre</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -7798,10 +7658,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, no bit mass or a shorter end_time</source>
         <translation>krona och berg, eller hammare och sträng, möts och skiljs för ofta, eller en kronmassa svänger för fort, för att följas: ett mjukare berg, ett större gamma, ingen kronmassa eller ett tidigare end_time behöver mindre</translation>
-    </message>
-    <message>
-        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
-        <translation>det tar fler beräkningssteg än arbetsgränsen tillåter: färre sektioner, längder med en gemensam delare eller ett tidigare end_time kräver färre</translation>
     </message>
     <message>
         <source>polynomial cells need a force or a hammer; this rod arrives without waves</source>
@@ -9552,10 +9408,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--histories %1 måste vara A:B, slag från 1 till %2</translation>
     </message>
     <message>
-        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>det krävs %1 beräkningssteg, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
-    </message>
-    <message>
         <source>end_time applies only to single blows, not here</source>
         <translation>end_time gäller enstaka slag, inte här</translation>
     </message>
@@ -10050,10 +9902,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>närmast kommer %1 för %2</translation>
     </message>
     <message>
-        <source>its sequence of blows takes more computing steps than the work limit permits</source>
-        <translation>dess slagföljd tar fler beräkningssteg än arbetsgränsen tillåter</translation>
-    </message>
-    <message>
         <source>%1; did you mean the example %2?</source>
         <translation>%1; menade du exemplet %2?</translation>
     </message>
@@ -10394,10 +10242,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 måste vara från %2 till %3, inte %4</translation>
     </message>
     <message>
-        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
-        <translation>dess slag skulle ta %1 beräkningssteg, mer än arbetsgränsen på %2, eftersom kontakten växlar mycket ofta; ett större gamma, färre slag eller en högre frekvens kräver mindre</translation>
-    </message>
-    <message>
         <source>there is no blow %1 of %2</source>
         <translation>det finns inget slag %1 av %2</translation>
     </message>
@@ -10464,10 +10308,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>This report was written with --no-plots, so it has no plots. Write it again without that option to get them.</source>
         <translation>Diagrammen är utelämnade eftersom rapporten skrevs med --no-plots. Skriv den igen utan flaggan för att få dem.</translation>
-    </message>
-    <message>
-        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
-        <translation>dess vågor lagras i %1 celler, mer än de %2 som är tillåtna; ett längre slag, en kortare sträng eller färre --cells kräver mindre</translation>
     </message>
     <message>
         <source>%1 is true or false, so it cannot be an axis; give it with --set</source>
@@ -10596,14 +10436,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ta konstruktionen %1: dess målstorhet %2 är %3.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
-        <translation>Byt konstruktion från %1 till %2: det förbättrar %3 från %5 till %4.</translation>
-    </message>
-    <message>
-        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
-        <translation>Ändra %1 från %2 till %3: det förbättrar %4 från %6 till %5.</translation>
-    </message>
-    <message>
         <source>feed required</source>
         <translation>matningskraft som krävs</translation>
     </message>
@@ -10622,46 +10454,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>A feed force of %1 is below the %2 that this blow requires: penetration will probably be lost.</source>
         <translation>En matningskraft på %1 är lägre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
-        <translation>En matningskraft på %1 räcker för varje enskilt slag (%2 krävs).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>En matningskraft på %1 räcker för varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
-    </message>
-    <message>
-        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
-        <translation>För detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
-    </message>
-    <message>
-        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
-        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
-        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs).</translation>
-    </message>
-    <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
-    </message>
-    <message>
-        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
-        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 räcker redan tyngden av maskin och stång längs hålet för detta slag och för stelt berg.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %2, this blow requires at least %1.</source>
@@ -10790,14 +10582,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>return in time</source>
         <translation>återkomst i tid</translation>
-    </message>
-    <message>
-        <source>enough up to</source>
-        <translation>räcker till</translation>
-    </message>
-    <message>
-        <source>It is enough for %1 of all gaps in this rock.</source>
-        <translation>Den räcker för %1 av alla spalter i detta berg.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
@@ -12404,22 +12188,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Borrkronan skallrar mot berget (%1 kontakter), så att studstalet e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
-    </message>
-    <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
-    </message>
-    <message>
-        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för varje spalt mellan borrkrona och berg.</translation>
-    </message>
-    <message>
-        <source>An additional feed force of %1 is enough for rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för stelt berg.</translation>
-    </message>
-    <message>
         <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
         <translation>Antingen följer berget en annan lag, eller så är en sektion mellan givare och borrkrona eller avståndet mellan givarna fel i scenariofilen: kontrollera först kronhuvudet och detta avstånd, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
@@ -12646,10 +12414,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>feed force</source>
         <translation>matningskraft</translation>
-    </message>
-    <message>
-        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
-        <translation>anmärkning: %1 sätter %2, en sektion som upprepas; skriv ut sektionerna utan upprepning i FILE för att sätta bara en av dem</translation>
     </message>
     <message>
         <source>each strip: from the required feed to that of return in time</source>
@@ -12896,8 +12660,178 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>svep för ett tidigare scenario: svep igen</translation>
     </message>
     <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % till 95 %</translation>
+    </message>
+    <message>
+        <source>values entered</source>
+        <translation>angivna värden</translation>
+    </message>
+    <message>
+        <source>share of the scatter
+(filled: by itself)</source>
+        <translation>andel av spridningen
+(fylld: ensam)</translation>
+    </message>
+    <message>
+        <source>%1: no scatter</source>
+        <translation>%1: sprider inte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 designs, best for uncertain rock %3</source>
+        <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
+    </message>
+    <message>
+        <source>on average</source>
+        <translation>i medeltal</translation>
+    </message>
+    <message>
+        <source>in the smallest sample</source>
+        <translation>för det minsta stickprovet</translation>
+    </message>
+    <message>
+        <source>in the largest sample</source>
+        <translation>för det största stickprovet</translation>
+    </message>
+    <message>
+        <source>for the values entered</source>
+        <translation>för de angivna värdena</translation>
+    </message>
+    <message>
+        <source>in the middle (median)</source>
+        <translation>i mitten (median)</translation>
+    </message>
+    <message>
+        <source>in the worst %1 %</source>
+        <translation>i de sämsta %1 %</translation>
+    </message>
+    <message>
+        <source>in the best %1 %</source>
+        <translation>i de bästa %1 %</translation>
+    </message>
+    <message>
+        <source>computed at %1 = %2</source>
+        <translation>beräknad vid %1 = %2</translation>
+    </message>
+    <message>
+        <source>No point could be solved.</source>
+        <translation>Ingen punkt kunde lösas.</translation>
+    </message>
+    <message>
+        <source>The map follows.</source>
+        <translation>Kartan följer.</translation>
+    </message>
+    <message>
+        <source>nowhere %1</source>
+        <translation>ingenstans %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points not solved (hatched)</source>
+        <translation>%1 av %2 punkter inte lösta (skrafferade)</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6.</source>
+        <translation>%1 överstiger %2 bara där %3 är över %5. Detta lägsta värde ligger vid %4 = %6.</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6.</source>
+        <translation>%1 överstiger %2 bara där %3 är under %5. Detta högsta värde ligger vid %4 = %6.</translation>
+    </message>
+    <message>
+        <source>The line %1 = %2 runs from %3 = %5, at %4 = %6, up to %3 = %7, at %4 = %8.</source>
+        <translation>Linjen %1 = %2 går från %3 = %5, vid %4 = %6, till %3 = %7, vid %4 = %8.</translation>
+    </message>
+    <message>
+        <source>present design: %1</source>
+        <translation>nuvarande konstruktion: %1</translation>
+    </message>
+    <message>
+        <source>it takes %1 computing steps, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>det krävs %1 beräkningssteg, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
+    </message>
+    <message>
+        <source>note: %1 sets %2, which is one section with a repeat; to set only one of them, write the sections out in FILE without the repeat</source>
+        <translation>anmärkning: %1 sätter %2, en sektion som upprepas; skriv ut sektionerna utan upprepning i FILE för att sätta bara en av dem</translation>
+    </message>
+    <message>
+        <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
+        <translation>Ändra %1 från %2 till %3: det förbättrar %4 från %6 till %5.</translation>
+    </message>
+    <message>
+        <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
+        <translation>Byt konstruktion från %1 till %2: det förbättrar %3 från %5 till %4.</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för varje enskilt slag (%2 krävs).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+    </message>
+    <message>
+        <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
+    </message>
+    <message>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för varje spalt mellan borrkrona och berg.</translation>
+    </message>
+    <message>
+        <source>An additional feed force of %1 is enough for rigid rock.</source>
+        <translation>En ytterligare matningskraft på %1 räcker för stelt berg.</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för varje spalt mellan borrkrona och berg (upp till %3 krävs).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required).</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs).</translation>
+    </message>
+    <message>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+    </message>
+    <message>
+        <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
+        <translation>Ingen matningskraft är angiven. Vid en slagfrekvens på %1 räcker redan tyngden av maskin och stång längs hålet för detta slag och för stelt berg.</translation>
+    </message>
+    <message>
         <source>required feed</source>
-        <translation>nödvändig matning</translation>
+        <translation>matningskraft som krävs</translation>
+    </message>
+    <message>
+        <source>enough up to</source>
+        <translation>räcker till</translation>
+    </message>
+    <message>
+        <source>Up to this blow frequency the effective feed force is at least the required one</source>
+        <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
+    </message>
+    <message>
+        <source>It is enough for %1 of all gaps in this rock.</source>
+        <translation>Den räcker för %1 av alla spalter i detta berg.</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>
@@ -12908,8 +12842,40 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en konstruktion väljer inte sitt berg; variera berget med --uncertain, till exempel bit_rock.stiffness=50MN/m:250MN/m</translation>
     </message>
     <message>
+        <source>its waves are kept in %1 cells, more than the %2 permitted; a longer blow, a shorter string or fewer --cells need less</source>
+        <translation>dess vågor lagras i %1 celler, mer än de %2 som är tillåtna; ett längre slag, en kortare sträng eller färre --cells kräver mindre</translation>
+    </message>
+    <message>
+        <source>the waves of its blows at all gaps have more polynomial pieces than a quick study permits</source>
+        <translation>vågorna i dess slag vid alla spalter har fler polynombitar än en snabb studie tillåter</translation>
+    </message>
+    <message>
         <source>`%1` names presets, not a parameter; `sweep --vary %1=all` compares them</source>
         <translation>`%1` anger förval, ingen parameter; `sweep --vary %1=all` jämför dem</translation>
+    </message>
+    <message>
+        <source>its histories have more than 4 million polynomial pieces, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess förlopp har mer än 4 miljoner polynombitar, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
+    </message>
+    <message>
+        <source>its histories have more than 4 million polynomial pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>dess förlopp har mer än 4 miljoner polynombitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg kräver färre</translation>
+    </message>
+    <message>
+        <source>its waves have more polynomial pieces than the work limit permits, because of very many reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess vågor har fler polynombitar än arbetsgränsen tillåter, på grund av mycket många reflexioner; ett styvare berg, ett större gamma eller ett kortare slag kräver färre</translation>
+    </message>
+    <message>
+        <source>it takes more computing steps than the work limit permits: try fewer sections, lengths with a common divisor or a shorter end_time</source>
+        <translation>det tar fler beräkningssteg än arbetsgränsen tillåter: färre sektioner, längder med en gemensam delare eller ett tidigare end_time kräver färre</translation>
+    </message>
+    <message>
+        <source>its sequence of blows takes more computing steps than the work limit permits</source>
+        <translation>dess slagföljd tar fler beräkningssteg än arbetsgränsen tillåter</translation>
+    </message>
+    <message>
+        <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>dess slag skulle ta %1 beräkningssteg, mer än arbetsgränsen på %2, eftersom kontakten växlar mycket ofta; ett större gamma, färre slag eller en högre frekvens kräver mindre</translation>
     </message>
 </context>
 <context>
@@ -14017,10 +13983,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>ingen energi kvar i berget</translation>
     </message>
     <message>
-        <source>energy left in the rock: %1 (%2 of the blow)</source>
-        <translation>energi kvar i berget: %1 (%2 av slaget)</translation>
-    </message>
-    <message>
         <source>impact force F</source>
         <translation>stötkraft F</translation>
     </message>
@@ -14059,6 +14021,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source> Above its corners it loads along %1.</source>
         <translation> Bakom sina hörn belastas det längs %1.</translation>
+    </message>
+    <message>
+        <source>energy left in the rock: %1 (%2 of the blow)</source>
+        <translation>energi kvar i berget: %1 (%2 av slaget)</translation>
     </message>
 </context>
 <context>
@@ -14157,10 +14123,6 @@ i %4</translation>
         <translation>kraft N (drag positivt)</translation>
     </message>
     <message>
-        <source>without local stresses at threads and changes of diameter</source>
-        <translation>utan lokala spänningar vid gängor och ansatser</translation>
-    </message>
-    <message>
         <source>many waves: between peaks the curve may be too low by %1</source>
         <translation>så många vågor att en kurva mellan topparna kan vara %1 för låg</translation>
     </message>
@@ -14171,6 +14133,10 @@ i %4</translation>
     <message>
         <source>Largest stresses along the rod, tension positive: %1.</source>
         <translation>Största spänningar längs stången, drag positivt: %1.</translation>
+    </message>
+    <message>
+        <source>without local stresses at threads and changes of diameter</source>
+        <translation>utan lokala spänningar vid gängor och ansatser</translation>
     </message>
     <message>
         <source>without local stresses at threads; residual waves undamped</source>
@@ -14345,10 +14311,6 @@ i %4</translation>
         <translation>Löses</translation>
     </message>
     <message>
-        <source>Not kept when the window closes</source>
-        <translation>Försvinner med fönstret</translation>
-    </message>
-    <message>
         <source>Difference from the reference</source>
         <translation>Skillnad mot referensen</translation>
     </message>
@@ -14359,6 +14321,10 @@ i %4</translation>
     <message>
         <source>COR e</source>
         <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>Not kept when the window closes</source>
+        <translation>Försvinner med fönstret</translation>
     </message>
     <message>
         <source>File ▸ Keep runs beside the file keeps them</source>
@@ -16579,40 +16545,6 @@ borrsträng visar rapporten även sektionerna, skalenligt ritade, med sina stör
         <translation>matningskraft som enstaka slag kräver, och om den angivna räcker</translation>
     </message>
     <message>
-        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
-this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
-(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
-I0 the impulse of a blow and e the coefficient of restitution:
-  required        f I0 (1 + e), the feed force that balances the blows
-  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
-                  before the next blow
-  margin          effective over required feed force, less 1
-  enough up to    highest blow frequency at which the effective feed force is not below the
-                  required one
-If the feed force is below f I0, the blows push the machine back. The effective feed force is the
-installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
-hole is added. For consecutive blows, use `drillwave drill`; its --scan
-drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
-and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
-I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
-        <translation>Uppskattar från enstaka slag om den angivna matningskraften räcker. Skriver ut fyra fall: detta
-slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den spalt på
-elastiskt berg (gamma = 1) som kräver mest. I tabellens kolumner (theory §10) är f slagfrekvensen,
-I0 ett slags impuls och e studstalet:
-  krävs           f I0 (1 + e), den matningskraft som balanserar slagen
-  retur i tid     f I0 (1 + 2e), den matningskraft som för en odämpad stel stång tillbaka till
-                  berget före nästa slag
-  marginal        effektiv genom krävd matningskraft, minus 1
-  räcker till     högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
-                  den krävda
-Om matningskraften är lägre än f I0 trycker slagen tillbaka maskinen. Den effektiva
-matningskraften är den angivna; om drill.inclination anges tillkommer tyngden av stång och
-drill.machine_mass längs hålet. För slag i följd, använd `drillwave drill`. FILE måste ha
-fysikaliska enheter och drill.blow_frequency; marginaler kräver drill.thrust, den angivna
-matningskraften. För borrsträngar är I0 den impuls som hammaren överför, och bara detta slag och
-stelt berg skrivs ut.</translation>
-    </message>
-    <message>
         <source>with -o, also write the strain that a gauge at this distance from the bit face would record; COLUMN names it</source>
         <translation>med -o: skriv även den töjning som en givare på detta avstånd från kronans front skulle registrera; COLUMN ger den namn</translation>
     </message>
@@ -16786,6 +16718,40 @@ med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv t
     <message>
         <source>vary this parameter; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: rock=all, or rock=, hammer=, rod= or bit= with their names</source>
         <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C; jämför förval: rock=all, eller rock=, hammer=, rod= eller bit= med deras namn</translation>
+    </message>
+    <message>
+        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
+this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
+(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
+I0 the impulse of a blow and e the coefficient of restitution:
+  required        f I0 (1 + e), the feed force that balances the blows
+  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
+                  before the next blow
+  margin          effective over required feed force, less 1
+  enough up to    highest blow frequency at which the effective feed force is not below the
+                  required one
+If the feed force is below f I0, the blows push the machine back. The effective feed force is the
+installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
+hole is added. For consecutive blows, use `drillwave drill`; its --scan
+drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
+I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
+        <translation>Uppskattar från enstaka slag om den angivna matningskraften räcker. Skriver ut fyra fall: detta
+slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den spalt på
+elastiskt berg (gamma = 1) som kräver mest. I tabellens kolumner (theory §10) är f slagfrekvensen,
+I0 ett slags impuls och e studstalet:
+  krävs           f I0 (1 + e), den matningskraft som balanserar slagen
+  retur i tid     f I0 (1 + 2e), den matningskraft som för en odämpad stel stång tillbaka till
+                  berget före nästa slag
+  marginal        effektiv genom krävd matningskraft, minus 1
+  räcker till     högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
+                  den krävda
+Om matningskraften är lägre än f I0 trycker slagen tillbaka maskinen. Den effektiva
+matningskraften är den angivna; om drill.inclination anges tillkommer tyngden av stång och
+drill.machine_mass längs hålet. För slag i följd, använd `drillwave drill`. FILE måste ha
+fysikaliska enheter och drill.blow_frequency; marginaler kräver drill.thrust, den angivna
+matningskraften. För borrsträngar är I0 den impuls som hammaren överför, och bara detta slag och
+stelt berg skrivs ut.</translation>
     </message>
     <message>
         <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>

@@ -29,9 +29,9 @@
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/identify/identify_page.h"
 #include "ui/pages/map/map_page.h"
-#include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
 #include "ui/pages/study/figure_page.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/window/page_tabs.h"
 
@@ -175,10 +175,10 @@ void measureDragOnMap(MainWindow& window, PulseShape shape, int repeats) {
     window.document().setShape(shape);
     measureDrag(window, page, QStringLiteral("Map, %1").arg(QLatin1StringView(drillwave::name(shape))),
                 repeats, repeats, [&] {
-                    const std::optional<MapPicture>& picture = page.map()->picture();
-                    if (!picture) return OnShow{};
-                    return OnShow{picture->report->study.base == window.document().scenario(),
-                                  picture->grid().isComplete()};
+                    const FieldItem* field = page.figureFrame().field();
+                    if (!field || !page.report()) return OnShow{};
+                    return OnShow{page.report()->study.base == window.document().scenario(),
+                                  field->field()->grid->isComplete()};
                 });
 }
 

@@ -6,12 +6,13 @@
 #include <algorithm>
 
 #include "core/model/assignments.h"
+#include "core/report/design_figure.h"
 #include "core/report/drilling_figure.h"
 #include "core/report/sequence_words.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/blow/measured_force.h"
-#include "ui/pages/design/design_plot.h"
+#include "ui/pages/design/design_units.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/string/string_sketch.h"
@@ -112,12 +113,18 @@ PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader) {
     return paperPlot<WavePicturePlot>(SolvedBlowPtr(std::move(solved)), {180, 110}, reader.locale);
 }
 
-PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader) {
+PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader,
+                          const std::optional<FigurePoint>& here) {
     const FigureUnits units{reader.unitsFor(scenario), [&](const Parameter& parameter) -> const Unit& {
                                 return reader.unitFor(parameter);
                             }};
-    return paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, double(figure.paperHeight)},
-                                  reader.locale);
+    PaperPlot paper =
+        paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, double(figure.paperHeight)}, reader.locale);
+    FigureFrame& frame = frameOf(paper);
+    if (here)
+        frame.setHere(here->x * frame.xUnit().factor,
+                      here->y ? std::optional(*here->y * frame.yUnit().factor) : std::nullopt);
+    return paper;
 }
 
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
@@ -131,10 +138,10 @@ PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token&
 
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader) {
     const ShownScan shown{scan};
-    PaperPlot paper = figurePaperPlot(drillingFigure(nullptr, &shown), scan.base, reader);
+    const std::optional<double> value = valueIn(scan.base, *scan.axis.parameter);
+    PaperPlot paper = figurePaperPlot(drillingFigure(nullptr, &shown), scan.base, reader,
+                                      value ? std::optional(FigurePoint{*value}) : std::nullopt);
     FigureFrame& frame = frameOf(paper);
-    if (const std::optional<double> value = valueIn(scan.base, *scan.axis.parameter))
-        frame.setHere(*value * frame.xUnit().factor, {});
     if (frame.graph()->data()->isEmpty()) frame.showNothing(tr("No value has statistics."));
     return paper;
 }
@@ -143,7 +150,7 @@ PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader)
     const DesignUnits units(
         report.study, reader.unitsFor(report.study.base),
         [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
-    return paperPlot<DesignPlot>(designPicture(report, units), {180, 180}, reader.locale);
+    return figurePaperPlot(designFigure(report, units), report.study.base, reader);
 }
 
 }  // namespace drillwave

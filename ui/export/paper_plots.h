@@ -83,9 +83,9 @@ PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const Pape
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
 /// Returns the picture of the force in the rod over position and time.
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// Returns the plot of a figure that a study has made for a scenario.
-PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario,
-                          const PaperReader& reader = {});
+/// Returns the plot of a figure that a study has made for a scenario, with a mark at `here`.
+PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader = {},
+                          const std::optional<FigurePoint>& here = {});
 /// Returns the plot of many blows in sequence, or of the reason why there is nothing to show. A stop leaves
 /// out one curve.
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,

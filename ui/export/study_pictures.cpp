@@ -2,10 +2,10 @@
 #include "ui/export/study_pictures.h"
 
 #include "core/report/curve_figure.h"
+#include "core/report/map_figure.h"
 #include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
-#include "ui/pages/map/map_plot.h"
 #include "ui/text/language.h"
 
 namespace drillwave {
@@ -55,9 +55,10 @@ Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, cons
 // The report outlives the picture.
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader) {
     const std::shared_ptr<const MapReport> shared(std::shared_ptr<const MapReport>(), &report);
-    return drawn(
-        paperPlot<MapPlot>(mapPicture(shared, reader.unitsFor(report.study.base)), {180, 140}, reader.locale),
-        report.study.base.title, order);
+    const Scenario& base = report.study.base;
+    const std::optional<FigurePoint> here = mapPlaceOf(report.study, base);
+    const StudyFigure figure = mapFigure(shared, mapSectionAt(report, here), builtInPresets());
+    return drawn(figurePaperPlot(figure, base, reader, here), base.title, order);
 }
 
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order, const PaperReader& reader) {

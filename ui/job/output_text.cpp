@@ -7,6 +7,8 @@
 #include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
 #include "core/model/chain_words.h"
+#include "core/report/output_words.h"
+#include "ui/plot/figure_units.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -34,37 +36,7 @@ std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& bl
 }  // namespace
 
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size) {
-    switch (output.measure) {
-        case Measure::number:
-        case Measure::error:
-        case Measure::work:
-        case Measure::share:
-        case Measure::energy:
-            return {};
-        case Measure::time:
-            return units.time;
-        case Measure::impulse:
-            return units.impulse;
-        case Measure::force:
-            return units.force;
-        case Measure::penetration:
-            return units.penetration;
-        case Measure::stress:
-            return units.stress;
-        case Measure::velocity:
-            return units.velocity;
-        case Measure::newton:
-            return units.of(UnitKind::force, size);
-        case Measure::watt:
-            return units.of(UnitKind::power, size);
-        case Measure::speed:
-            return units.of(UnitKind::rate, size);
-    }
-    return {};
-}
-
-ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size) {
-    return column.quantity() == Quantity::energy ? units.energy : outputUnit(*column.output, units, size);
+    return FigureUnits{units, {}}.of(figureQuantity({&output, OutputUnits::dimensionless}, size));
 }
 
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units) {

@@ -5,7 +5,6 @@
 #include <QString>
 
 #include "core/blow/outputs.h"
-#include "core/study/rows/output_column.h"
 #include "ui/job/solved_blow.h"
 #include "ui/text/shown_units.h"
 
@@ -17,9 +16,6 @@ namespace drillwave {
 /// typical value in SI (N, W or m/s), which sets the prefix of units that do not depend on the scenario's
 /// scales.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
-
-/// Returns the unit of a column in a table; energies in SI have the unit of energies.
-ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size);
 
 /// Returns true if an output of two blows can be compared. Dimensionless multiples of scales cannot be
 /// compared between a rod and a drill string, whose scales differ.

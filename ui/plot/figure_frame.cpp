@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/model/parameter.h"
+#include "ui/plot/crosshair.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/number_ticks.h"
@@ -17,63 +18,50 @@
 namespace drillwave {
 namespace {
 
-const QString betweenParts = QStringLiteral(" · ");  // parts of a caption
 constexpr int mostLegendColumns = 3;
 constexpr double narrow = 0.5;  // a panel of that width has room for few numbers
 constexpr int leastPanel = 50;  // width and height [px]
 const QMargins panelMargins(4, 4, 14, 4);
 
-template <class... Each>
-struct Visitor : Each... {
-    using Each::operator()...;
+enum class Filling { none, paper, ink };
+
+/// Marks that are the same for all series of a kind.
+struct MarkLook {
+    SeriesPoints points;
+    QCPScatterStyle::ScatterShape shape;
+    double pen;  // [px]
+    Filling filling;
+    double size;  // [px]
 };
+constexpr MarkLook markLooks[] = {
+    {SeriesPoints::beads, QCPScatterStyle::ssDisc, 1, Filling::ink, 4},
+    {SeriesPoints::stars, QCPScatterStyle::ssStar, 2, Filling::none, 15},
+    {SeriesPoints::dots, QCPScatterStyle::ssDisc, 1, Filling::ink, 3},
+    {SeriesPoints::discs, QCPScatterStyle::ssDisc, 1, Filling::ink, 7},
+    {SeriesPoints::rings, QCPScatterStyle::ssCircle, 1, Filling::paper, 5},
+    {SeriesPoints::circles, QCPScatterStyle::ssCircle, 1.2, Filling::none, 12},
+    {SeriesPoints::diamonds, QCPScatterStyle::ssDiamond, 1.4, Filling::ink, 12},
+    {SeriesPoints::openDiamonds, QCPScatterStyle::ssDiamond, 1.4, Filling::paper, 12},
+    {SeriesPoints::squares, QCPScatterStyle::ssSquare, 1.5, Filling::paper, 7},
+    {SeriesPoints::here, QCPScatterStyle::ssCircle, 2, Filling::paper, 10}};
 
-const ShownUnit& unitOf(BlowScale scale, const ShownUnits& units) {
-    switch (scale) {
-        case BlowScale::time:
-            return units.time;
-        case BlowScale::force:
-            return units.force;
-        case BlowScale::impulse:
-            return units.impulse;
-        case BlowScale::penetration:
-            return units.penetration;
-        case BlowScale::stiffness:
-            return units.stiffness;
-        case BlowScale::energy:
-            return units.energy;
-        case BlowScale::stress:
-            return units.stress;
-        case BlowScale::length:
-            return units.length;
-        case BlowScale::velocity:
-            break;
-    }
-    return units.velocity;
-}
-
-bool isPlain(const FigureQuantity& quantity, PlainNumber kind) {
-    const auto* plain = std::get_if<PlainNumber>(&quantity);
-    return plain && *plain == kind;
-}
-
-// Shape, colour and filling differ, never only the colour.
 QCPScatterStyle scatterOf(SeriesPoints points, std::size_t index, const QColor& colour,
                           const PlotStyle& style) {
-    using Shape = QCPScatterStyle::ScatterShape;
-    constexpr Shape shapes[] = {QCPScatterStyle::ssDisc,     QCPScatterStyle::ssSquare,
-                                QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
-                                QCPScatterStyle::ssCross,    QCPScatterStyle::ssPlus,
-                                QCPScatterStyle::ssCircle,   QCPScatterStyle::ssTriangleInverted};
+    using Look = QCPScatterStyle;
+    // Shape, colour and filling of series differ, never only the colour.
+    constexpr Look::ScatterShape shapes[] = {Look::ssDisc,    Look::ssSquare,          Look::ssTriangle,
+                                             Look::ssDiamond, Look::ssCross,           Look::ssPlus,
+                                             Look::ssCircle,  Look::ssTriangleInverted};
     if (points == SeriesPoints::none) return {};
-    if (points == SeriesPoints::stars)
-        return QCPScatterStyle(QCPScatterStyle::ssStar, QPen(colour, 2), Qt::NoBrush, 15);
-    if (points == SeriesPoints::dots) return QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, 3);
-    const double size = points == SeriesPoints::joined ? 6 : 5;
-    if (points == SeriesPoints::rings)
-        return QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 1), style.background, size);
-    return QCPScatterStyle(shapes[index % std::size(shapes)], QPen(colour, 1.3), QBrush(style.background),
-                           size);
+    const auto look = std::ranges::find(markLooks, points, &MarkLook::points);
+    if (look == std::end(markLooks))
+        return {shapes[index % std::size(shapes)], QPen(colour, 1.3), style.background,
+                points == SeriesPoints::joined ? 6.0 : 5.0};
+    const QColor& ink = points <= SeriesPoints::discs ? colour : style.text;
+    const QBrush filling = look->filling == Filling::ink     ? QBrush(ink)
+                           : look->filling == Filling::paper ? QBrush(style.background)
+                                                             : QBrush(Qt::NoBrush);
+    return {look->shape, QPen(ink, look->pen), filling, look->size};
 }
 
 QPen dashedPen(const QColor& colour, double width, const QList<qreal>& dashes) {
@@ -81,6 +69,54 @@ QPen dashedPen(const QColor& colour, double width, const QList<qreal>& dashes) {
     pen.setDashPattern(dashes);
     pen.setCapStyle(Qt::FlatCap);
     return pen;
+}
+
+QPen penOf(const FigureSeries& series, const PlotStyle& style) {
+    const auto role = static_cast<int>(series.role);
+    QPen pen = series.isFaint ? style.ghostPen(role) : style.linePen(role);
+    switch (series.stroke) {
+        case SeriesStroke::usual:
+            break;
+        case SeriesStroke::wide:
+            pen.setWidthF(1.6 * pen.widthF());
+            break;
+        case SeriesStroke::dotted:
+            return dashedPen(pen.color(), 0.6 * pen.widthF(), {2, 3});
+        case SeriesStroke::dashed:
+            return dashedPen(style.text, pen.widthF(), {7, 5});
+        case SeriesStroke::strong:
+            return {style.text, 2.4};
+        case SeriesStroke::shortDashed:
+            return dashedPen(style.text, pen.widthF(), {2, 2});
+        case SeriesStroke::none:
+            pen.setStyle(Qt::NoPen);
+    }
+    return pen;
+}
+
+bool isLine(const FigureSeries& series) {
+    const bool hasLine = series.points == SeriesPoints::none || series.points == SeriesPoints::joined ||
+                         series.points == SeriesPoints::beads;
+    return hasLine && (series.stroke != SeriesStroke::none || !series.upper.empty());
+}
+
+/// Returns the points of a line. At the names of an axis, each is a short level stroke.
+GraphData pointsOf(const StudyPanel& panel, const FigureSeries& series, const std::vector<double>& values,
+                   double xFactor, double yFactor) {
+    constexpr double ofPoint = 1e-3;  // the pointer finds the point as a part of a curve
+    const double half =
+        series.points == SeriesPoints::none ? (panel.x.names.size() > 1 ? 0.3 : 0.4) : ofPoint;
+    QVector<QCPGraphData> points;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x = series.x[i] * xFactor, y = values[i] * yFactor;
+        const bool isStroke = !panel.x.names.empty() && isLine(series);
+        if (isStroke && !points.isEmpty()) points.append({x - 0.5, std::nan("")});
+        if (isStroke) appendFinite(points, x - half, y);
+        appendFinite(points, x, y);
+        if (isStroke) appendFinite(points, x + half, y);
+    }
+    if (series.points != SeriesPoints::none) std::ranges::stable_sort(points, {}, &QCPGraphData::key);
+    return graphData(points);
 }
 
 QSharedPointer<QCPAxisTicker> ticker(bool isLogarithmic, int count) {
@@ -93,31 +129,7 @@ QSharedPointer<QCPAxisTicker> ticker(bool isLogarithmic, int count) {
     return ticks;
 }
 
-/// The last panel of a row.
-std::size_t lastOfRow(const StudyFigure& figure, std::size_t row) {
-    std::size_t last = 0;
-    for (std::size_t i = 0; i < figure.panels.size(); ++i)
-        if (figure.panels[i].row == row) last = i;
-    return last;
-}
-
 }  // namespace
-
-ShownUnit FigureUnits::of(const FigureQuantity& quantity) const {
-    return std::visit(
-        Visitor{[](PlainNumber plain) {
-                    return plain == PlainNumber::percent ? ShownUnit{1, QStringLiteral("%")} : ShownUnit{};
-                },
-                [&](BlowScale scale) { return unitOf(scale, units); },
-                [&](const SiValues& si) {
-                    const auto row = std::ranges::find_if(unitKinds(), [&](const UnitKindRow& each) {
-                        return each.quantity == si.quantity && (si.kind.empty() || each.name == si.kind);
-                    });
-                    return row == unitKinds().end() ? ShownUnit{} : units.of(row->kind, si.size);
-                },
-                [&](const KeptParameter& parameter) { return shownUnit(unitFor(*parameter)); }},
-        quantity);
-}
 
 FigureFrame::FigureFrame(QCustomPlot* plot) : StudyFrame(plot), m_seriesDrag(new SeriesDrag(*plot)) {
     setAxesVisible(false);
@@ -130,7 +142,7 @@ FigureFrame::FigureFrame(QCustomPlot* plot) : StudyFrame(plot), m_seriesDrag(new
     connect(plot, &QCustomPlot::afterLayout, this, &FigureFrame::placeTexts);
     connect(plot, &QCustomPlot::beforeReplot, this, [this] {
         if (isEmpty()) return;
-        wrapLegend(*m_legend, m_plot->viewport().width(), mostLegendColumns);
+        wrapLegend(*m_legend, m_plot->viewport().width() - m_legend->margins().left(), mostLegendColumns);
         breakCaption();
     });
     setStyle(PlotStyle::forPaper());
@@ -145,7 +157,10 @@ void FigureFrame::build() {
     connect(x(), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureFrame::followTopAxes);
     for (std::size_t i = 0; i < m_panels.size(); ++i) showSeries(i);
     showLevels();
-    addHere();
+    if (m_shown.figure.hasCrosshair)
+        addCrosshair();
+    else
+        addHere();
     addRunCurves();
     addRunMarks();
     setStyle(PlotStyle(m_style));
@@ -162,15 +177,15 @@ void FigureFrame::addPanels() {
     for (std::size_t i = begin; i < m_panels.size(); ++i) {
         const bool begins = i == 0 || panels[i].row != panels[i - 1].row;
         m_panels[i].first = begins || panels[i].hasOwnY ? i : m_panels[i - 1].first;
-        if (begins) {
+        if (begins) margins = new QCPMarginGroup(m_plot);
+        if (begins && !(panels[i].sharesX && panels[0].field)) {
             row = new QCPLayoutGrid;
             const int place = 1 + static_cast<int>(panels[i].row);
             m_plot->plotLayout()->addElement(place, 0, row);
             row->setColumnSpacing(0);
-            margins = new QCPMarginGroup(m_plot);
         }
         for (std::size_t k = m_panels[i].first; k <= i; ++k) m_panels[k].last = i;
-        addPanel(i, *row);
+        addPanel(i, *row, begins);
         m_panels[i].rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
         if (panelOf(i).sharesX) {
             if (!sides) sides = new QCPMarginGroup(m_plot);
@@ -198,17 +213,22 @@ void FigureFrame::showPanel(std::size_t index) {
     rect.setMinimumSize(least, least);
     rect.setMaximumSize(isShown || !isRowShown ? QWIDGETSIZE_MAX : 0, isRowShown ? QWIDGETSIZE_MAX : 0);
     rect.setMinimumMargins(isShown ? panelMargins : QMargins());
-    if (isShown && index > 0 && hasFirstY(index))
+    if (!isShown || index == 0 || !hasFirstY(index)) return;
+    auto* section = qobject_cast<QCPLayoutGrid*>(rect.layout());
+    if (section->rowCount() > 1)
+        section->setRowStretchFactor(section->rowCount() - 1, panelOf(index).height);
+    else
         m_plot->plotLayout()->setRowStretchFactor(1 + static_cast<int>(panelOf(index).row),
                                                   panelOf(index).height);
 }
 
-void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
+// Sections of a field are in the grid of its row, so that their sides are in line.
+void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row, bool begins) {
     Panel& panel = m_panels[index];
     QCPAxisRect* rect = panel.rect = newAxisRect(*m_plot, Sides::free);
     const StudyPanel& shown = m_shown.figure.panels[index];
-    const int column = row.columnCount();
-    row.addElement(0, column, rect);
+    const int column = begins ? 0 : row.columnCount();
+    row.addElement(begins ? row.rowCount() : 0, column, rect);
     row.setColumnStretchFactor(column, shown.width);
     rect->axis(QCPAxis::atTop)->setTickLabels(shown.top.has_value());
     rect->axis(QCPAxis::atTop)->setTicks(shown.top.has_value());
@@ -218,6 +238,18 @@ void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row) {
     panel.bands = FigureBands(rect);
     panel.layers = new LayerItems(rect);
     if (shown.handle) addHandle(index);
+}
+
+void FigureFrame::addCrosshair() {
+    std::vector<QCPAxisRect*> below, beside;
+    for (std::size_t i = 1; i < m_panels.size(); ++i) {
+        if (panelOf(i).sharesX) below.push_back(m_panels[i].rect);
+        if (m_panels[i].first == 0) beside.push_back(m_panels[i].rect);
+    }
+    auto* crosshair = new Crosshair(m_rect, below, beside);
+    connect(crosshair, &Crosshair::held, this, &FigureFrame::crosshairHeld);
+    connect(crosshair, &Crosshair::dragged, this, &FigureFrame::crosshairDragged);
+    addHere(crosshair);
 }
 
 void FigureFrame::addHandle(std::size_t index) {
@@ -292,11 +324,20 @@ void FigureFrame::present(const ShownFigure& shown) {
     showTexts();
     finish(hasOther);
     followTopAxes();
+    if (!panelOf(0).field) return;
+    m_view->adjust([this] {  // the values of the sections, whatever part of the field is in view
+        for (std::size_t i = 1; i < m_panels.size(); ++i)
+            if (panelOf(i).sharesX)
+                setValueRange(i, QCPAxis::atLeft);
+            else if (!hasFirstY(i))
+                setKeyRange(i);
+    });
 }
 
 bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
-    const auto same = [&](const FigureAxis& a, const FigureAxis& b, std::size_t row) {
-        return a.title == b.title && a.isLogarithmic == b.isLogarithmic && (row > 0 || a.range == b.range) &&
+    const auto same = [&](const FigureAxis& a, const FigureAxis& b, std::size_t panel) {
+        return a.title == b.title && a.isLogarithmic == b.isLogarithmic &&
+               (panel > 0 || a.range == b.range) &&
                m_shown.units.of(a.quantity).unit == shown.units.of(b.quantity).unit;
     };
     const auto ends = [](const StudyPanel& panel) {
@@ -308,7 +349,7 @@ bool FigureFrame::hasOtherAxes(const ShownFigure& shown) const {
     if (shown.figure.panels.size() != m_shown.figure.panels.size()) return true;
     for (std::size_t i = 0; i < shown.figure.panels.size(); ++i) {
         const StudyPanel &before = m_shown.figure.panels[i], &now = shown.figure.panels[i];
-        if (!same(before.x, now.x, now.row) || !same(before.y, now.y, now.row)) return true;
+        if (!same(before.x, now.x, i) || !same(before.y, now.y, i)) return true;
     }
     return ends(m_shown.figure.panels.front()) != ends(shown.figure.panels.front());
 }
@@ -347,7 +388,7 @@ void FigureFrame::showSeries(std::size_t index) {
                 drawn.line = addCurve(keys, values);
                 drawn.line->setAdaptiveSampling(false);
             } else {
-                drawn.path = new QCPCurve(keys, values);
+                drawn.path = new HaloPath(keys, values);
             }
             panel.series.push_back(drawn);
         }
@@ -368,12 +409,7 @@ void FigureFrame::showSeries(std::size_t index) {
         const double xFactor = m_shown.units.of(each.isOnTop ? of.top->quantity : of.x.quantity).factor;
         const double yFactor = each.isOnRight ? rightFactorOf(index) : yFactorOf(index);
         if (drawn.line) {
-            QVector<QCPGraphData> points;
-            for (std::size_t point = 0; point < each.x.size(); ++point)
-                appendFinite(points, each.x[point] * xFactor, each.y[point] * yFactor);
-            if (each.points != SeriesPoints::none)
-                std::ranges::stable_sort(points, {}, [](const QCPGraphData& point) { return point.key; });
-            drawn.line->setData(graphData(points));
+            drawn.line->setData(pointsOf(of, each, each.y, xFactor, yFactor));
             showStrip(index, i);
         } else {
             QVector<QCPCurveData> points;
@@ -394,13 +430,12 @@ void FigureFrame::showStrip(std::size_t index, std::size_t series) {
         drawn.upper = addCurve(drawn.line->keyAxis(), drawn.line->valueAxis());
     if (drawn.upper) {
         drawn.upper->setSelectable(QCP::stNone);
-        QVector<QCPGraphData> points;
-        for (std::size_t point = 0; point < shown.upper.size(); ++point)
-            appendFinite(points, shown.x[point] * xFactorOf(index), shown.upper[point] * yFactorOf(index));
-        drawn.upper->setData(graphData(points));
+        drawn.upper->setData(
+            pointsOf(panelOf(index), shown, shown.upper, xFactorOf(index), yFactorOf(index)));
     }
     while (drawn.texts.size() < shown.texts.size()) {
         drawn.texts.push_back(addText(m_panels[index].rect, QMargins(6, 2, 6, 2), {}));
+        if (panelOf(index).field) drawn.texts.back()->setLayer(QStringLiteral("legend"));  // above the lines
         drawn.texts.back()->setFont(m_style.font);
         drawn.texts.back()->setColor(m_style.text);
     }
@@ -440,16 +475,15 @@ void FigureFrame::showAxes(std::size_t index) {
         drawn.setScaleType(axis.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
         const bool hasFew = panel.width < narrow || (isCrowded && drawn.orientation() == Qt::Horizontal);
         drawn.setTicker(ticker(axis.isLogarithmic, hasFew ? 2 : 5));
-        if (isPlain(axis.quantity, PlainNumber::magnitude)) {
+        if (axis.quantity == FigureQuantity(PlainNumber::magnitude)) {
             drawn.setNumberFormat(QStringLiteral("eb"));
             drawn.setNumberPrecision(0);
         }
-        const auto* parameter = std::get_if<KeptParameter>(&axis.quantity);
-        const bool isUntitled = parameter && axis.title.isEmpty();
-        drawn.setLabel(unit.axisLabel(isUntitled ? parameterTitle(**parameter) : translated(axis.title)));
+        drawn.setLabel(unit.axisLabel(titleOf(axis)));
     };
     show(panel.x, *rect.axis(QCPAxis::atBottom));
-    if (hasFirstY(index)) show(panel.y, *rect.axis(QCPAxis::atLeft));
+    show(panelOf(m_panels[index].first).y, *rect.axis(QCPAxis::atLeft));
+    if (!hasFirstY(index)) rect.axis(QCPAxis::atLeft)->setLabel({});
     QCPAxis& right = *rect.axis(QCPAxis::atRight);
     right.setTicks(panel.right.has_value());
     right.setTickLabels(panel.right.has_value());
@@ -478,6 +512,16 @@ void FigureFrame::showBands(std::size_t index) {
                          band.at ? std::optional(*band.at * factor) : std::nullopt});
     m_panels[index].bands.present(std::move(bands));
     m_panels[index].layers->present(panelOf(index).layers, factor, yFactorOf(index));
+    if (panelOf(index).field && !m_panels[index].field) {
+        m_panels[index].field = new FieldItem(m_panels[index].rect);
+        m_panels[index].field->setStyle(m_style);
+    }
+    if (FieldItem* field = m_panels[index].field) {
+        const FigureField& shown = panelOf(index).field.value_or(FigureField());
+        const ShownUnit unit = m_shown.units.of(shown.scale.quantity);
+        field->present(panelOf(index), factor, yFactorOf(index), shown.perValue * unit.factor,
+                       unit.axisLabel(translated(shown.scale.title)));
+    }
     if (!m_panels[index].handle) return;
     const std::optional<FigureHandle>& handle = panelOf(index).handle;
     if (handle)
@@ -485,132 +529,6 @@ void FigureFrame::showBands(std::size_t index) {
                                         handle->snap ? std::optional(*handle->snap * factor) : std::nullopt);
     else
         m_panels[index].handle->hide();
-}
-
-void FigureFrame::showLevels() {
-    const std::vector<FigureLevel>& levels = m_shown.figure.levels;
-    for (Panel& panel : m_panels)
-        while (panel.levels.size() < levels.size())
-            panel.levels.push_back(addLevel(panel.rect, QStringLiteral("grid")));
-    while (m_levelNames.size() < levels.size()) {
-        const std::size_t last = lastOfRow(m_shown.figure, levels[m_levelNames.size()].row);
-        QCPItemText* name =
-            addText(m_panels[last].rect, QMargins(4, 1, 4, 1), Qt::AlignRight | Qt::AlignVCenter);
-        name->setLayer(QStringLiteral("legend"));  // above the curves
-        setAcross(*name->position);
-        name->setFont(m_style.font);
-        name->setColor(m_style.text);
-        m_levelNames.push_back(name);
-    }
-    for (std::size_t i = 0; i < m_levelNames.size(); ++i) {
-        const bool isShown = i < levels.size() && !m_isCleared;
-        for (std::size_t k = 0; k < m_panels.size(); ++k) {
-            const bool isThere = isShown && panelOf(k).row == levels[i].row;
-            setLevel(*m_panels[k].levels[i],
-                     isThere ? std::optional(levels[i].y * yFactorOf(k)) : std::nullopt);
-        }
-        m_levelNames[i]->setVisible(isShown && !levels[i].name.isEmpty());
-        if (!isShown) continue;
-        m_levelNames[i]->setText(translated(levels[i].name));
-        m_levelNames[i]->position->setCoords(
-            1, levels[i].y * yFactorOf(lastOfRow(m_shown.figure, levels[i].row)));
-    }
-}
-
-// As the plot writes it, which in files is another way.
-QString FigureFrame::numberOf(const FigureNumber& number) const {
-    if (!number.words.isEmpty()) return translated(number.words);
-    if (isPlain(number.quantity, PlainNumber::magnitude))
-        return magnitudeText(number.value, m_plot->locale());
-    if (isPlain(number.quantity, PlainNumber::runTime)) return runTimeText(number.value, m_plot->locale());
-    const ShownUnit unit = m_shown.units.of(number.quantity);
-    const QString value = numberText(number.value * unit.factor, number.digits, m_plot->locale());
-    return unit.unit.isEmpty() ? value : value + QChar(QChar::Nbsp) + unit.unit;
-}
-
-QString FigureFrame::textOf(const FigureText& text) const {
-    QString words = translated(text.pattern);
-    for (std::size_t i = 0; i < text.numbers.size(); ++i)
-        words.replace(QLatin1Char('%') + QString::number(i + 1), numberOf(text.numbers[i]));
-    return words;
-}
-
-void FigureFrame::showTexts() {
-    if (isEmpty()) return;
-    QStringList parts;
-    for (const FigureText& text : m_shown.figure.caption) parts << textOf(text);
-    m_captionText = parts.join(betweenParts);
-    m_caption->setText(m_captionText);
-    const Message& summary = m_shown.figure.summary;
-    m_summary = summary.isEmpty() ? m_captionText : translated(summary);
-    for (std::size_t i = 0; i < m_panels.size(); ++i) {
-        const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
-        for (const FigureText& name : panelOf(i).y.names)
-            names->addTick(double(names->ticks().size()), textOf(name));
-        axisOf(i, QCPAxis::atLeft)->grid()->setVisible(names->ticks().isEmpty());
-        if (!names->ticks().isEmpty()) axisOf(i, QCPAxis::atLeft)->setTicker(names);
-        for (std::size_t each = 0; each < panelOf(i).series.size(); ++each) {
-            const FigureSeries& series = panelOf(i).series[each];
-            const std::vector<QCPItemText*>& texts = m_panels[i].series[each].texts;
-            for (std::size_t point = 0; point < texts.size(); ++point) {
-                const bool isShown = point < series.texts.size() && point < series.x.size();
-                texts[point]->setText(isShown ? textOf(series.texts[point]) : QString());
-                if (isShown)
-                    texts[point]->position->setCoords(series.x[point] * xFactorOf(i),
-                                                      series.y[point] * yFactorOf(i));
-            }
-        }
-    }
-}
-
-// On the other side of its point where a text would end beyond the axes.
-void FigureFrame::placeTexts() {
-    constexpr auto above = Qt::AlignLeft | Qt::AlignBottom, below = Qt::AlignRight | Qt::AlignTop;
-    for (std::size_t i = 0; i < m_panels.size(); ++i)
-        for (std::size_t each = 0; each < panelOf(i).series.size(); ++each)
-            for (QCPItemText* text : m_panels[i].series[each].texts) {
-                const double at = text->position->pixelPosition().x();
-                const double before = at - m_panels[i].rect->left(), behind = m_panels[i].rect->right() - at;
-                const double width = QFontMetricsF(text->font()).horizontalAdvance(text->text()) +
-                                     text->padding().left() + text->padding().right();
-                const bool isAbove = panelOf(i).series[each].isTextBelow ? width > before && behind > before
-                                                                         : width < behind || behind > before;
-                text->setPositionAlignment(isAbove ? above : below);
-            }
-}
-
-// One part below the other where they are too long for one line, and in as many lines as a part needs.
-void FigureFrame::breakCaption() {
-    const double room = m_plot->viewport().width() - 20;
-    const auto fits = [&, metrics = QFontMetricsF(m_caption->font())](const QString& text) {
-        return metrics.horizontalAdvance(text) <= room;
-    };
-    QStringList lines = fits(m_captionText) ? QStringList(m_captionText) : m_captionText.split(betweenParts);
-    for (int i = 0; i < lines.size(); ++i)
-        for (qsizetype end = lines[i].size(); !fits(lines[i]) && end > 0;) {
-            end = lines[i].lastIndexOf(QLatin1Char(' '), end - 1);
-            if (end <= 0 || !fits(lines[i].left(end))) continue;
-            lines.insert(i + 1, lines[i].mid(end + 1));
-            lines[i].truncate(end);
-        }
-    m_caption->setText(lines.join(QLatin1Char('\n')));
-}
-
-// As far as they are in view: files do not clip.
-void FigureFrame::placeZones() {
-    for (std::size_t i = 0; i < m_panels.size(); ++i) {
-        if (!m_isCleared) m_panels[i].bands.place();
-        const QCPRange range = axisOf(i, QCPAxis::atLeft)->range();
-        const std::optional<FigureZone>& zone = panelOf(i).zone;
-        const double from = zone ? zone->from * yFactorOf(i) : 0;
-        const bool isShown = !m_isCleared && zone && range.upper > from;
-        m_panels[i].zone->setVisible(isShown);
-        m_panels[i].zoneName->setVisible(isShown);
-        if (!isShown) continue;
-        m_panels[i].zone->topLeft->setCoords(0, range.upper);
-        m_panels[i].zone->bottomRight->setCoords(1, std::max(from, range.lower));
-        m_panels[i].zoneName->setText(translated(zone->name));
-    }
 }
 
 void FigureFrame::Drawn::clear() const {
@@ -626,6 +544,7 @@ void FigureFrame::clear() {
         if (panel.marks) panel.marks->clear();
         panel.bands.present({});
         panel.layers->present({}, 1, 1);
+        if (panel.field) panel.field->present({}, 1, 1, 1, {});
         if (panel.handle) panel.handle->hide();
         if (panel.runs) panel.runs->present({});
     }
@@ -647,16 +566,20 @@ void FigureFrame::restyle() {
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
         const Panel& panel = m_panels[i];
         for (std::size_t each = 0; each < panelOf(i).series.size(); ++each) {
-            const auto role = static_cast<int>(panelOf(i).series[each].role);
+            const FigureSeries& series = panelOf(i).series[each];
             const Drawn& drawn = panel.series[each];
-            const QPen pen = panelOf(i).series[each].isFaint ? m_style.ghostPen(role) : m_style.linePen(role);
-            if (drawn.line) drawn.line->setPen(pen);
-            if (drawn.line) styleLine(panel, each, panelOf(i).series[each]);
+            const QPen pen = penOf(series, m_style);
+            if (drawn.line) styleLine(drawn, each, series, pen);
             if (!drawn.path) continue;
-            const bool isArea = panelOf(i).series[each].kind == SeriesKind::area;
-            const bool isFaint = panelOf(i).series[each].isFaint;
-            drawn.path->setPen(isArea && isFaint ? Qt::NoPen : isArea ? QPen(m_style.lines[role], 1) : pen);
-            drawn.path->setBrush(isArea ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
+            const auto role = static_cast<int>(series.role);
+            const QColor& colour = m_style.lines[role % PlotStyle::lineKinds];
+            const bool isArea = series.kind == SeriesKind::area;
+            drawn.path->setPen(isArea && series.isFaint ? Qt::NoPen : isArea ? QPen(colour, 1) : pen);
+            drawn.path->setBrush(!isArea                                 ? QBrush(Qt::NoBrush)
+                                 : series.stroke == SeriesStroke::strong ? QBrush(colour)
+                                                                         : m_style.areaBrush(role));
+            drawn.path->setHalo(panelOf(i).field ? QPen(m_style.behindWords().color(), pen.widthF() + 2.2)
+                                                 : QPen(Qt::NoPen));
         }
         for (std::size_t level = 0; level < m_shown.figure.levels.size(); ++level)
             panel.levels[level]->setPen(m_shown.figure.levels[level].isMain
@@ -668,6 +591,10 @@ void FigureFrame::restyle() {
         panel.zone->setBrush(m_style.areaBrush(2));
         m_panels[i].bands.setStyle(m_style);
         panel.layers->setStyle(m_style);
+        if (panel.field) panel.field->setStyle(m_style);
+        if (const std::size_t names = panelOf(i).y.names.size(); names > 0)
+            panel.rect->setMinimumSize(
+                leastPanel, std::max(leastPanel, int(double(names) * QFontMetricsF(m_style.font).height())));
         if (panel.handle) panel.handle->setStyle(m_style);
         if (panel.runs) panel.runs->setStyle(m_style);
         if (!panel.marks || m_isCleared) continue;
@@ -683,23 +610,16 @@ void FigureFrame::restyle() {
     showTexts();  // files have another locale
 }
 
-void FigureFrame::styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const {
+void FigureFrame::styleLine(const Drawn& drawn, std::size_t index, const FigureSeries& series,
+                            const QPen& pen) const {
     const auto role = static_cast<int>(series.role);
-    const Drawn& drawn = panel.series[index];
-    QPen pen = drawn.line->pen();
-    const QColor colour = series.stroke >= SeriesStroke::dashed ? m_style.text : pen.color();
-    if (series.stroke == SeriesStroke::wide) pen.setWidthF(1.6 * pen.widthF());
-    if (series.stroke == SeriesStroke::dotted) pen = dashedPen(colour, 0.6 * pen.widthF(), {2, 3});
-    if (series.stroke == SeriesStroke::dashed) pen = dashedPen(colour, pen.widthF(), {7, 5});
-    if (series.stroke == SeriesStroke::strong) pen = QPen(colour, 2.4);
     drawn.line->setPen(pen);
-    const bool isLine = series.points == SeriesPoints::none || series.points == SeriesPoints::joined;
-    drawn.line->setLineStyle(isLine ? QCPGraph::lsLine : QCPGraph::lsNone);
-    drawn.line->setScatterStyle(scatterOf(series.points, index, drawn.line->pen().color(), m_style));
+    drawn.line->setLineStyle(isLine(series) ? QCPGraph::lsLine : QCPGraph::lsNone);
+    drawn.line->setScatterStyle(scatterOf(series.points, index, pen.color(), m_style));
     drawn.line->setBrush(series.isFilled ? m_style.areaBrush(role) : QBrush(Qt::NoBrush));
     drawn.line->setChannelFillGraph(series.isFilled ? drawn.upper : nullptr);
     if (!drawn.upper) return;
-    QPen thin = m_style.linePen(role);
+    QPen thin = series.stroke == SeriesStroke::none ? pen : m_style.linePen(role);
     thin.setWidthF(0.8);
     drawn.upper->setPen(thin);
 }
@@ -722,101 +642,6 @@ void FigureFrame::setRunsIn(std::size_t panel, const QVector<RunMark>& marks) {
     if (!runs->present(marks)) return;
     fitUnlessZoomed();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-const AxisTarget* FigureFrame::targetIn(const QCPAxisRect* rect) const {
-    const std::optional<std::size_t> panel = panelIn(rect);
-    return panel && panelOf(*panel).x.target ? &*panelOf(*panel).x.target : nullptr;
-}
-
-void FigureFrame::giveMeanings(PlotWidget& plot) const {
-    if (isEmpty()) return;
-    CurveMeaning meaning{.xUnit = m_xUnit.dimensionless ? QString() : m_xUnit.unit, .yUnit = m_yUnit.unit};
-    if (std::holds_alternative<KeptParameter>(panelOf(0).x.quantity))
-        meaning = CurveMeaning::overParameter(meaning.xUnit, meaning.yUnit);
-    for (const QCPGraph* run : runCurves()) plot.setMeaning(run, meaning);
-    for (std::size_t i = 1; i < m_panels.size(); ++i) {
-        if (!panelOf(i).sharesX) continue;
-        CurveMeaning other = meaning;
-        other.yUnit = m_shown.units.of(panelOf(m_panels[i].first).y.quantity).unit;
-        for (const Drawn& drawn : m_panels[i].series)
-            if (drawn.line) plot.setMeaning(drawn.line, other);
-    }
-    for (std::size_t i = 0; i < panelOf(0).series.size(); ++i) {
-        CurveMeaning exact = meaning;
-        if (panelOf(0).series[i].isOnRight) exact.yUnit = m_shown.units.of(panelOf(0).right->quantity).unit;
-        if (const auto& value = panelOf(0).series[i].value)
-            exact.value = [value, x = m_xUnit.factor, y = m_yUnit.factor](double shown) {
-                return value(shown / x) * y;
-            };
-        if (const QCPGraph* line = m_panels.front().series[i].line) plot.setMeaning(line, exact);
-    }
-}
-
-std::optional<std::size_t> FigureFrame::rowAt(QPointF place) const {
-    constexpr double nearby = 10;  // [px]
-    double least = nearby;
-    std::optional<std::size_t> found;
-    for (const FigureSeries& series : panelOf(0).series)
-        for (std::size_t i = 0; i < series.rows.size(); ++i) {
-            const QPointF way =
-                pixelOf({series.x[i] * m_xUnit.factor, series.y[i] * m_yUnit.factor}) - pixelOf(place);
-            const double distance = std::hypot(way.x(), way.y());
-            if (distance > least) continue;
-            least = distance;
-            found = series.rows[i];
-        }
-    return found;
-}
-
-FigureFrame::Target FigureFrame::targetAt(QPointF place) const {
-    constexpr double nearby = 9;  // [px]
-    Target target{.x = place.x()};
-    if (isEmpty()) return target;
-    double least = nearby;
-    const auto isNearer = [&](QPointF other) {
-        const QPointF way = pixelOf(other) - pixelOf(place);
-        const double distance = std::hypot(way.x(), way.y());
-        if (!(distance < least)) return false;
-        least = distance;
-        return true;
-    };
-    for (const FigureMark& mark : panelOf(0).marks) {
-        const QPointF at(mark.x * m_xUnit.factor, mark.y * m_yUnit.factor);
-        if (isNearer(at)) target = {at.x(), panelOf(0).series[panelOf(0).marked].target, true};
-    }
-    if (target.isMark) return target;
-    for (std::size_t i = 0; i < panelOf(0).series.size(); ++i) {
-        const FigureSeries& series = panelOf(0).series[i];
-        if (!series.target || !graph(0, i)->realVisibility()) continue;
-        const auto data = graph(0, i)->data();
-        const auto after = data->findBegin(place.x(), false);
-        if (after == data->constEnd()) continue;
-        const auto before = after == data->constBegin() ? after : std::prev(after);
-        const double width = after->key - before->key;
-        const double share = width > 0 ? (place.x() - before->key) / width : 0;
-        if (isNearer({place.x(), before->value + share * (after->value - before->value)}))
-            target.series = series.target;
-    }
-    return target;
-}
-
-KeyPlaces FigureFrame::keyPlaces() const {
-    KeyPlaces places;
-    places.rect = m_rect;
-    if (hasPoints(panelOf(0))) places.on = KeyPlaces::On::points;
-    places.start = [this] {
-        return here().x() ? std::optional(QPointF(*here().x(), here().y().value_or(y()->range().center())))
-                          : std::nullopt;
-    };
-    places.marks = [this] {
-        QVector<QPointF> marks;
-        if (!isEmpty() && !panelOf(0).series.empty() && graph(0, panelOf(0).marked)->visible())
-            for (const FigureMark& mark : panelOf(0).marks)
-                marks.append({mark.x * m_xUnit.factor, mark.y * m_yUnit.factor});
-        return marks;
-    };
-    return places;
 }
 
 }  // namespace drillwave

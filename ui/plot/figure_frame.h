@@ -2,31 +2,21 @@
 // Draws a figure given as data, in the same way on screen and in files.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/report/figure.h"
 #include "ui/plot/curve_marks.h"
 #include "ui/plot/drag_line.h"
+#include "ui/plot/field_item.h"
 #include "ui/plot/figure_bands.h"
+#include "ui/plot/figure_units.h"
 #include "ui/plot/layer_items.h"
 #include "ui/plot/series_drag.h"
 #include "ui/plot/study_frame.h"
-#include "ui/text/shown_units.h"
 
 namespace drillwave {
 
 class PlotWidget;
-
-/// Units in which one user reads figures. `units` is for multiples of the blow's scales and for SI values;
-/// `unitFor` is for parameters.
-struct FigureUnits {
-    ShownUnits units;
-    std::function<const Unit&(const Parameter&)> unitFor;
-
-    /// Returns the unit of a quantity: shown value = value of the figure · factor.
-    ShownUnit of(const FigureQuantity& quantity) const;
-};
 
 /// Figure with the units in which it is shown.
 struct ShownFigure {
@@ -83,11 +73,28 @@ class FigureFrame : public StudyFrame {
     /// Returns the places for the keyboard in the first panel: along its lines, with the marks as targets. If
     /// the panel has marked points, the keys go from point to point.
     KeyPlaces keyPlaces() const override;
-    /// Returns the row index of the study's table whose point is nearest to `place` (coordinates of the first
+    /// Returns the row index of the study's table whose point is nearest to `place` (coordinates of the
     /// panel). Nothing if no point is within a few pixels.
-    std::optional<std::size_t> rowAt(QPointF place) const;
+    std::optional<std::size_t> rowAt(QPointF place, std::size_t panel = 0) const;
+    /// Returns the field of the first panel; nullptr if it shows none.
+    const FieldItem* field() const {
+        return !isEmpty() && panelOf(0).field ? m_panels.front().field : nullptr;
+    }
+    /// Returns a description of a place of the field: x, y, and the value or the reason why there is none.
+    /// Empty without a field, and outside it.
+    QString fieldWords(QPointF place) const;
+    const StudyFigure& figure() const { return m_shown.figure; }
+    int legendRows() const { return m_legend ? m_legend->rowCount() : 0; }
+
+    /// Returns the text in the language, number format and units of the plot.
+    QString textOf(const FigureText& text) const;
 
   signals:
+    /// Reports that the user begins to drag the crosshair of the figure.
+    void crosshairHeld();
+    /// Reports that the user has dragged the crosshair of the figure to a place (coordinates of the axes of
+    /// the first panel).
+    void crosshairDragged(QPointF place);
     /// Reports that the user is dragging the vertical line of the figure, which is now at x in the units of
     /// the figure.
     void handleMoved(double x);
@@ -103,7 +110,7 @@ class FigureFrame : public StudyFrame {
     /// Series as drawn: either a line or a path.
     struct Drawn {
         QCPGraph* line = nullptr;
-        QCPCurve* path = nullptr;
+        HaloPath* path = nullptr;
         QCPGraph* upper = nullptr;          // second edge of a shaded strip
         std::vector<QCPItemText*> texts{};  // beside the points
         QCPAbstractPlottable* plottable() const {
@@ -120,6 +127,7 @@ class FigureFrame : public StudyFrame {
         std::vector<QCPItemStraightLine*> levels;
         FigureBands bands{rect};
         LayerItems* layers = nullptr;
+        FieldItem* field = nullptr;
         DragLine* handle = nullptr;
         RunMarks* runs = nullptr;
         std::size_t first = 0;  // index of the panel with the y axis of this panel
@@ -132,8 +140,9 @@ class FigureFrame : public StudyFrame {
     void build();
     void addPanels();
     void showPanel(std::size_t index);
-    void addPanel(std::size_t index, QCPLayoutGrid& row);
+    void addPanel(std::size_t index, QCPLayoutGrid& row, bool begins);
     void addHandle(std::size_t index);
+    void addCrosshair();
     void linkAxes(std::size_t begin);
     void addZone(Panel& panel);
     void showSeries(std::size_t index);
@@ -146,9 +155,9 @@ class FigureFrame : public StudyFrame {
     void setKeyRange(std::size_t index);
     std::optional<QCPRange> valuesOf(std::size_t first, bool isRight) const;
     void setValueRange(std::size_t first, QCPAxis::AxisType side);
-    void styleLine(const Panel& panel, std::size_t index, const FigureSeries& series) const;
+    void styleLine(const Drawn& drawn, std::size_t index, const FigureSeries& series, const QPen& pen) const;
+    QString titleOf(const FigureAxis& axis) const;
     QString numberOf(const FigureNumber& number) const;
-    QString textOf(const FigureText& text) const;
     void showTexts();
     void placeTexts();
     void breakCaption();
@@ -181,5 +190,8 @@ class FigureFrame : public StudyFrame {
     QString m_captionText;
     bool m_isCleared = true;
 };
+
+/// Returns a name broken into lines, so that `count` names fit side by side below an axis.
+QString inLines(const QString& name, std::size_t count);
 
 }  // namespace drillwave

@@ -21,8 +21,8 @@ class HereMark : public QObject {
 
     /// Moves the mark to x and y, in the units of the axes. Without y only the line is shown, without x
     /// nothing. Replots the overlay layer if the place has changed.
-    void setPlace(std::optional<double> x, std::optional<double> y);
-    void setStyle(const PlotStyle& style);
+    virtual void setPlace(std::optional<double> x, std::optional<double> y);
+    virtual void setStyle(const PlotStyle& style);
     /// Returns the x of the mark, in the unit of the axis; nothing while the mark is hidden.
     std::optional<double> x() const { return m_x; }
     /// Returns the y of the mark, in the unit of the axis; nothing without a ring.
@@ -31,6 +31,9 @@ class HereMark : public QObject {
     std::optional<QPointF> place() const {
         return m_x && m_y ? std::optional(QPointF(*m_x, *m_y)) : std::nullopt;
     }
+
+  protected:
+    QCPItemTracer* ring() const { return m_ring; }
 
   private:
     std::optional<double> m_x;

@@ -118,6 +118,11 @@ void paintPlot(QCustomPlot& plot, QCPPainter& painter, Millimetres size) {
 
 QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
                       double dpi, const QString& creator) {
+    // Legends and captions break for the width of the file, as they do for that of a window before a replot.
+    const QRect shown = plot.viewport();
+    plot.setViewport(QRect(QPoint(), pixelsOf(size)));
+    emit plot.beforeReplot();
+    plot.setViewport(shown);
     if (format == QLatin1String("png")) return png(plot, size, dpi, creator);
     return format == QLatin1String("svg") ? svg(plot, size, title, creator) : pdf(plot, size, title, creator);
 }

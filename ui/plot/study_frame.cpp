@@ -92,8 +92,8 @@ QCPLayoutGrid* StudyFrame::addHeader(int spaceBelow) {
     return header;
 }
 
-void StudyFrame::addHere() {
-    m_here = new HereMark(m_plot, x(), y());
+void StudyFrame::addHere(HereMark* mark) {
+    m_here = mark ? mark : new HereMark(m_plot, x(), y());
 }
 
 void StudyFrame::addRunMarks() {

@@ -83,8 +83,9 @@ class StudyFrame : public QObject {
     /// Adds a row with legend and (still empty) caption above the axes, where they cannot hide a curve, with
     /// `spaceBelow` [px]. Returns the layout of that row.
     QCPLayoutGrid* addHeader(int spaceBelow);
-    /// Adds the mark of the present scenario over the axes of the fitted rect.
-    void addHere();
+    /// Adds the mark of the present scenario over the axes of the fitted rect: `mark`, or a new one for
+    /// nullptr.
+    void addHere(HereMark* mark = nullptr);
     const HereMark& here() const { return *m_here; }
     /// Adds the marks of pinned runs, which need the axes of the fitted rect.
     void addRunMarks();

@@ -16,6 +16,17 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+std::optional<std::size_t> nearestIndex(std::span<const double> values, bool isLogarithmic, double at) {
+    if (values.empty()) return std::nullopt;
+    const double first = values.front(), last = values.back();
+    if (first == last) return 0;
+    const double share =
+        isLogarithmic ? std::log(at / first) / std::log(last / first) : (at - first) / (last - first);
+    const double index = std::round(share * static_cast<double>(values.size() - 1));
+    if (!(index >= 0 && index < static_cast<double>(values.size()))) return std::nullopt;  // NaN as well
+    return static_cast<std::size_t>(index);
+}
+
 MapGrid::MapGrid(std::vector<double> xs, std::vector<double> ys)
     : m_xs(std::move(xs)),
       m_ys(std::move(ys)),

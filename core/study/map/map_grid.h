@@ -21,6 +21,10 @@ inline constexpr std::size_t maximumMapReasons = 100;
 /// 40 ms.
 inline constexpr std::size_t coarsestMapPoints = 1024;
 
+/// Returns the index of the value nearest to `at`, among values with equal steps or (`isLogarithmic`) equal
+/// ratios; empty more than half a step outside.
+std::optional<std::size_t> nearestIndex(std::span<const double> values, bool isLogarithmic, double at);
+
 /// Values of an output over two axes. Point (column, row) has value number `column` of x and value number
 /// `row` of y, both from 0.
 class MapGrid {

@@ -237,6 +237,14 @@ double SweepAxis::value(std::uint64_t i) const {
     return unit->toSi(std::pow(10.0, between(std::log10(a), std::log10(b), position, last)));
 }
 
+std::pair<double, double> SweepAxis::range(double room) const {
+    const auto [low, high] = std::ranges::minmax(list.empty() ? std::vector{start, stop} : list);
+    const double alone = low == 0 ? 1 : std::abs(low) / 20, step = room * (high - low);
+    if (low == high) return {low - alone, high + alone};
+    const double ratio = isLogarithmic() ? std::pow(high / low, room) : 1;
+    return isLogarithmic() ? std::pair(low / ratio, high * ratio) : std::pair(low - step, high + step);
+}
+
 Message SweepAxis::assign(Scenario& scenario, double value) const {
     if (presets) {
         const Message problem =

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/model/parameter.h"
@@ -38,6 +39,10 @@ struct SweepAxis {
     /// Returns value number i (from 0) in SI units, or the index of a word. The ends of a range are exactly
     /// as typed; its steps are even in `unit`.
     double value(std::uint64_t i) const;
+    /// Returns the range of all values, with room at both ends: a share of the range, in the logarithm of a
+    /// logarithmic axis. Around a single value it has a twentieth of the value on both sides.
+    std::pair<double, double> range(double room = 0) const;
+    bool isLogarithmic() const { return kind == Kind::logarithmic; }
     /// Sets a value (SI) in a scenario. Returns why the scenario cannot have it, such as "rod.bore has no
     /// meaning here: …"; empty if it was set.
     Message assign(Scenario& scenario, double value) const;

@@ -12,7 +12,6 @@
 #include "tests/support/window.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/map/map_page.h"
-#include "ui/pages/map/map_plot.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/study/figure_page.h"
@@ -146,14 +145,13 @@ void TestPageKeys::onTheGapThePointIsPinned() {
 void TestPageKeys::onTheMapThePresetIsTaken() {
     MapPage page(*m_document);
     show(page);
-    const std::vector<PresetPoint>& presets = page.map()->picture()->presets;
-    QVERIFY(!presets.empty());
+    QVERIFY(!page.figureFrame().keyPlaces().marks().isEmpty());
     press(page, Qt::Key_Return);
     QVERIFY(!page.plot()->keyPoint().text().isEmpty());
     press(page, Qt::Key_N);
-    const auto wanted = page.map()->pointAt(place(page));
+    const auto wanted = page.figureFrame().field()->pointAt(place(page));
     QVERIFY(wanted);
-    const MapGrid& grid = page.map()->picture()->grid();
+    const MapGrid& grid = page.report()->grid;
     const double stiffness = grid.xs()[wanted->column], gamma = grid.ys()[wanted->row];
     press(page, Qt::Key_Return);
     QCOMPARE(history().count(), 1);

@@ -15,7 +15,6 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/map/map_page.h"
-#include "ui/pages/map/map_plot.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_page.h"
@@ -632,13 +631,13 @@ void TestRunOverlays::theMapHasThemByName() {
     MapPage page(*m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.map()->runMarks().size(), 2, patience);
-    QCOMPARE(page.map()->runMarks()[0].title, run(0).title());
-    QVERIFY(isNear(page.map()->runMarks()[0].at.x(), 300));  // MN/m
-    QVERIFY(isNear(page.map()->runMarks()[0].at.y(), 0.1));
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runMarks().size(), 2, patience);
+    QCOMPARE(page.figureFrame().runMarks()[0].title, run(0).title());
+    QVERIFY(isNear(page.figureFrame().runMarks()[0].at.x(), 300));  // MN/m
+    QVERIFY(isNear(page.figureFrame().runMarks()[0].at.y(), 0.1));
     m_runs->setShown(0, false);
     page.setRuns(m_runs->list());
-    QCOMPARE(page.map()->runMarks().size(), 1);
+    QCOMPARE(page.figureFrame().runMarks().size(), 1);
 }
 
 void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {

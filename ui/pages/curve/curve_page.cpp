@@ -274,10 +274,7 @@ CurvePage::Shown CurvePage::wanted() const {
     Shown shown;
     shown.study = m_study.job().value();
     const CurveQuestion& asked = shown.study->question.curve;
-    const Scales scales = scalesOf(asked.base);
-    shown.units = hasUnits(asked.base)
-                      ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
-                      : shownUnits(naturalUnits(asked.base), scales);
+    shown.units = unitsFor(asked.base);
     shown.xUnit = &document().units().fieldUnit(*asked.along.parameter);
     if (asked.family) shown.here = hereOf(asked.family->parameter);
     for (const PresetSource& source : m_presets.sources())
@@ -302,7 +299,7 @@ void CurvePage::draw() {
     const LocalStyle style = LocalStyle::of(document().units());
     m_figure = curveFigure(*m_shown.study, m_shown.here, m_shown.presets, style);
     const std::vector<Message> sentences = curveSentences(*m_shown.study, m_shown.here, style);
-    m_figure->summary = sentences.front();
+    m_figure->summary = {{"%1", {{.words = sentences.front()}}}};
     const bool isFirst = m_frame->isEmpty();
     m_frame->present({*m_figure, {m_shown.units, [xUnit = m_shown.xUnit](const Parameter&) -> const Unit& {
                                       return *xUnit;

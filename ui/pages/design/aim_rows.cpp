@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 
+#include "core/report/design_words.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/output_box.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -23,26 +25,6 @@ Statistic statisticNamed(const char* name) {
 }
 
 }  // namespace
-
-QString statisticWords(const Statistic& statistic, Sense sense) {
-    using enum Statistic::Kind;
-    switch (statistic.kind) {
-        case mean:
-            return AimRow::tr("on average");
-        case least:
-            return AimRow::tr("in the smallest sample");
-        case Statistic::Kind::largest:
-            return AimRow::tr("in the largest sample");
-        case nominal:
-            return AimRow::tr("for the values entered");
-        case quantile:
-            break;
-    }
-    if (statistic.percent == 50) return AimRow::tr("in the middle (median)");
-    const int bad = sense == Sense::largest ? statistic.percent : 100 - statistic.percent;
-    return bad < 50 ? AimRow::tr("in the worst %1 %").arg(bad)
-                    : AimRow::tr("in the best %1 %").arg(100 - bad);
-}
 
 AimRow::AimRow(const QString& words, QWidget* parent)
     : QWidget(parent),
@@ -85,7 +67,8 @@ AimRow::AimRow(const QString& words, QWidget* parent)
 void AimRow::nameStatistics() {
     const Sense sense = m_sense->currentIndex() == 0 ? Sense::largest : Sense::least;
     for (int i = 0; i < m_statistic->count(); ++i)
-        m_statistic->setItemText(i, statisticWords(statisticNamed(offeredStatistics[std::size_t(i)]), sense));
+        m_statistic->setItemText(
+            i, translated(statisticMessage(statisticNamed(offeredStatistics[std::size_t(i)]), sense)));
     m_statistic->updateGeometry();
 }
 

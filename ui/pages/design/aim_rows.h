@@ -13,10 +13,6 @@ namespace drillwave {
 class ChoiceBox;
 class OutputBox;
 
-/// Returns the words for a statistic of an output that is maximised or minimised, such as "in the worst 5 %"
-/// or "on average".
-QString statisticWords(const Statistic& statistic, Sense sense);
-
 /// Row for one objective: largest or smallest value of a result, by a statistic.
 class AimRow : public QWidget {
     Q_OBJECT

@@ -16,39 +16,6 @@
 namespace drillwave {
 namespace {
 
-QString valueText(const DesignReport& report, const DesignAim& aim, std::size_t design,
-                  const DesignUnits& units) {
-    const SampledValue& value = aimedValue(report, aim, design);
-    const AimedOutput shown = units.of(*aim.output, std::abs(value.value));
-    QString text = numberText(value.value * shown.factor, 4, units.locale());
-    if (aim.statistic.hasError())
-        text += QStringLiteral(" ± ") + numberText(value.error() * shown.factor, 1, units.locale());
-    if (!shown.unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + shown.unit.unit;
-    return text;
-}
-
-/// The words of the rows, axes and fields of the page.
-class CardNames : public DesignNames {
-  public:
-    CardNames(const DesignStudy& study, const DesignUnits& units, const ReadingStyle& style)
-        : DesignNames(study, style), m_units(units) {}
-
-    std::string design(std::uint64_t design) const override {
-        return m_units.designName(design).toStdString();
-    }
-    Message aim(const DesignAim& aim) const override { return aimName(aim).toStdString(); }
-    Message choice(const SweepAxis& choice) const override { return choiceName(choice).toStdString(); }
-    std::string value(const Output& output, double number, int significant) const override {
-        return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();
-    }
-    std::string aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const override {
-        return valueText(report, aim, design, m_units).toStdString();
-    }
-
-  private:
-    const DesignUnits& m_units;
-};
-
 /// Returns the difference of `value` from `of`, in percent of the second.
 QString percentBetween(double value, double of, const DesignUnits& units) {
     return numberText(100 * std::abs(value / of - 1), 2, units.locale());
@@ -114,7 +81,7 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const std::size_t shown = shownDesign(report);
     QString text = designTitle(report, units);
     for (const DesignAim& aim : study.aims)
-        text += QStringLiteral(" · %1 %2").arg(aimName(aim), valueText(report, aim, shown, units));
+        text += QStringLiteral(" · %1 %2").arg(aimName(aim), units.aimedText(report, aim, shown));
     text += markLines(report, units);
     if (headlineOf(report) == DesignHeadline::noDifference) return text;
     if (!best.ties.empty() && !isToStay(report) && shown == *best.robust) {
@@ -129,13 +96,13 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
         if (best.nextBest)
             text += QLatin1Char(' ') + DesignCard::tr("Among them, %1 has the %2: %3.")
                                            .arg(units.designName(*best.nextBest), aimWords(study.aims[1]),
-                                                valueText(report, study.aims[1], *best.nextBest, units));
+                                                units.aimedText(report, study.aims[1], *best.nextBest));
     }
     const bool namesRobust = !isToStay(report) || shown == *best.robust;
     if (!best.nominal || *best.nominal == *best.robust || !namesRobust) return text;
     const double robust = aimedValue(report, first, *best.robust).value;
     const double other = aimedValue(report, first, *best.nominal).value;
-    const QString where = statisticWords(first.statistic, first.sense);
+    const QString where = translated(statisticMessage(first.statistic, first.sense));
     text +=
         QStringLiteral("<p>") +
         (first.sense == Sense::largest
@@ -179,11 +146,10 @@ QString measureSentence(const DesignReport& report, const DesignUnits& units) {
 QString worstSentence(const DesignReport& report, std::size_t a, const DesignUnits& units) {
     const DesignAim& aim = report.study.aims[a];
     const WorstCase& worst = *report.findings.worst[a];
-    const AimedOutput shown = units.of(*aim.output, std::abs(worst.value));
     QStringList places;
     for (const auto& [parameter, si] : worstInputs(report.study, worst))
         places << parameterName(*parameter) + QLatin1Char(' ') + units.text(*parameter, si);
-    const QString words[]{outputName(*aim.output), units.text(shown, worst.value),
+    const QString words[]{outputName(*aim.output), units.text(*aim.output, worst.value),
                           places.join(QStringLiteral(", "))};
     const std::size_t robust = *report.findings.best.robust;
     if (!report.study.choices.empty() && shownDesign(report) != robust)
@@ -230,8 +196,6 @@ DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
 void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
-    const LocalStyle style = units.style();
-    const CardNames names(report.study, units, style);
     QStringList paragraphs;
     paragraphs << bestSentences(answer, units);
     const std::size_t shown = shownDesign(report);
@@ -249,7 +213,7 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
         if (report.findings.worst[a])
             paragraphs << worstSentence(report, a, units) + QLatin1Char(' ') +
                               loadLink(linkToWorst(a), tr("Load"));
-    for (const DesignRemark& remark : remarksOn(report, names))
+    for (const DesignRemark& remark : remarksOn(report, units))
         if (const QString text = remarkText(remark); !text.isEmpty()) paragraphs << text;
     const QString samples = QString::number(report.study.samples);
     paragraphs << (answer.isRefined()
@@ -261,17 +225,13 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
 }
 
 QString DesignCard::headline(const DesignReport& report, const DesignUnits& units) {
-    const LocalStyle style = units.style();
-    const CardNames names(report.study, units, style);
-    const Message answer = designAnswerMessage(report, names);
-    return translated(answer.isEmpty() ? designWarning(report, names) : answer);
+    const Message answer = designAnswerMessage(report, units);
+    return translated(answer.isEmpty() ? designWarning(report, units) : answer);
 }
 
 QStringList DesignCard::besideHeadline(const DesignReport& report, const DesignUnits& units) {
-    const LocalStyle style = units.style();
-    const CardNames names(report.study, units, style);
     QStringList sentences;
-    if (!designAnswerMessage(report, names).isEmpty()) sentences << translated(designWarning(report, names));
+    if (!designAnswerMessage(report, units).isEmpty()) sentences << translated(designWarning(report, units));
     const std::size_t robust = *report.findings.best.robust;
     if (headlineOf(report) == DesignHeadline::keep && robust != shownDesign(report))
         sentences << tr("%1 is equally good, within the error.").arg(units.designName(robust));

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ui/pages/design/design_answer.h"
-#include "ui/pages/design/design_picture.h"
+#include "ui/pages/design/design_units.h"
 
 namespace drillwave {
 

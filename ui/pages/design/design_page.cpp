@@ -11,10 +11,12 @@
 #include <QToolButton>
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <sstream>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/scales.h"
+#include "core/report/design_figure.h"
 #include "core/report/design_report.h"
 #include "core/report/design_words.h"
 #include "core/report/report_studies.h"
@@ -26,11 +28,11 @@
 #include "ui/job/study_status.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
-#include "ui/pages/design/design_plot.h"
 #include "ui/pages/design/preset_ticks.h"
 #include "ui/pages/design/range_rows.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/labelled_control.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/shown_text.h"
 
@@ -40,14 +42,18 @@ namespace {
 constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
 const QString drawsStem = QStringLiteral("_posterior");
-constexpr int plotLinesOfDesigns = 30;   // two rows of axes, legend and readout
-constexpr int plotLinesOfOneRow = 17;    // one row of axes
+constexpr int plotLinesOfDesigns = 28;   // two rows of axes and readout
+constexpr int plotLinesOfOneRow = 15;    // one row of axes
 constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
+constexpr double legendLines = 1.6;      // of a row of the legend
 
 }  // namespace
 
 DesignPage::DesignPage(Document& document, QWidget* parent)
-    : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
+    : StudyPage(document, parent),
+      m_card(new DesignCard),
+      m_plotLines(plotLinesOfDesigns),
+      m_study(answerDesign) {
     m_drawsLine = makeDrawsLine();
     QWidget* questions = makeQuestions();
     m_refine = new QPushButton(this);
@@ -73,13 +79,14 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     (new QVBoxLayout(details->content()))->addWidget(m_card);
     details->rememberAs(QStringLiteral("design/details"), SectionBox::Begin::folded);
     addAbove(details, PartOf::answer);
-    setLeastLines(plotLinesOfDesigns);
-    m_plot = new DesignPlot(widget);
-    useFrame(*m_plot, tr("Designs for uncertain inputs"));
+    m_frame = new FigureFrame(widget);
+    useFrame(*m_frame, tr("Designs for uncertain inputs"));
     watch(m_study.job());
     m_study.job().setTimeLimit(
         std::chrono::milliseconds(0));  // it ends after its own seconds, with whole stages
     connect(widget, &PlotWidget::placeTaken, this, &DesignPage::click);
+    connect(widget, &PlotWidget::afterLayout, this,
+            [this] { setLeastLines(m_plotLines + int(std::ceil(legendLines * m_frame->legendRows()))); });
     connect(m_card, &DesignCard::designWanted, this,
             [this](std::uint64_t design) { takeDesign(design, {}); });
     connect(m_card, &DesignCard::worstWanted, this, &DesignPage::loadWorst);
@@ -411,20 +418,16 @@ void DesignPage::draw(const DesignAnswer& answer) {
         answer.report.study, m_shownUnits,
         [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
         locale());
-    const DesignPicture picture = designPicture(answer.report, units);
-    const bool wasMap = m_plot->isMap();
-    m_plot->present(picture);
-    setLeastLines(!m_plot->hasRowBelow()
+    const bool wasField = m_frame->field(), isFirst = m_frame->isEmpty();
+    m_frame->present({designFigure(answer.report, units), figureUnits(m_shownUnits)});
+    const std::vector<StudyPanel>& panels = m_frame->figure().panels;
+    const auto bars = static_cast<int>(panels[std::size_t(DesignPanel::causes)].y.names.size());
+    m_plotLines = panels[1].isHidden && panels[2].isHidden
                       ? plotLinesOfOneRow
-                      : std::max(plotLinesOfDesigns, plotLinesBesideBars + m_plot->barLines()));
-    for (const QCPGraph* graph : m_plot->curves()) {
-        CurveMeaning meaning = CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit);
-        meaning.xWords = picture.words;
-        if (!picture.words.isEmpty()) meaning.value = DesignPlot::atWords(*graph);
-        plot()->setMeaning(graph, meaning);
-    }
-    plot()->reader().setUsual(picture.map ? nullptr : m_plot->graphs()[picture.marked]);
-    if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
+                      : std::max(plotLinesOfDesigns, plotLinesBesideBars + bars);
+    m_frame->giveMeanings(*plot());
+    plot()->reader().setUsual(m_frame->field() ? nullptr : m_frame->graph(0, panels.front().marked));
+    if (isFirst || wasField != (m_frame->field() != nullptr)) plot()->keyPoint().offer(m_frame->keyPlaces());
     m_card->present(answer, units);
     m_headline = DesignCard::headline(answer.report, units);
     const std::optional<std::uint64_t> better = DesignCard::designToLoad(answer.report);
@@ -454,8 +457,8 @@ void DesignPage::refuse(const QString& why) {
 /// Uses the blow on show, which follows the hand.
 void DesignPage::showHere() {
     const std::optional<QPointF> here = blow() ? placeOf(*blow()) : std::nullopt;
-    m_plot->setHere(here ? std::optional(here->x()) : std::nullopt,
-                    here ? std::optional(here->y()) : std::nullopt);
+    m_frame->setHere(here ? std::optional(here->x()) : std::nullopt,
+                     here ? std::optional(here->y()) : std::nullopt);
 }
 
 void DesignPage::showRuns() {
@@ -464,7 +467,7 @@ void DesignPage::showRuns() {
         if (!run.isShown || !run.isSolved()) continue;
         if (const auto place = placeOf(*run.blow)) marks.append({run.number, run.letter(), *place});
     }
-    m_plot->setRuns(marks);
+    m_frame->setRuns(marks);
 }
 
 // Returns the place at the blow's own value of the variable, with the aimed output as it is.
@@ -474,14 +477,15 @@ std::optional<QPointF> DesignPage::placeOf(const SolvedBlow& blow) const {
     if (!study.choices.back().parameter) return {};
     const Parameter& along = *study.choices.back().parameter;
     if (!along.applies(blow.scenario) || hasUnits(blow.scenario) != hasUnits(study.base)) return {};
-    if (const auto& map = m_plot->picture().map) return map->placeOf(blow.scenario);
-    const AimedOutput& value = m_plot->picture().value;
     const std::optional<double> x = along.value(blow.scenario);
-    const std::optional<double> y = value.output->value({blow.summary, blow.scenario});
+    const Output& output = *study.aims.front().output;
+    std::optional<double> y = output.value({blow.summary, blow.scenario});
+    if (m_frame->field()) y = valueIn(blow.scenario, *study.choices.front().parameter);
     if (!x || !y) return {};
-    const bool isScaled = hasUnits(blow.scenario) && !value.output->isOnlySi();
-    const double scale = isScaled ? value.output->scale(scalesOf(blow.scenario)) : 1;
-    return QPointF(*x * m_plot->picture().x.factor, *y * scale * value.factor);
+    // Both are multiples of scales, of which those of the blow may be others.
+    const bool isScaled = !m_frame->field() && hasUnits(blow.scenario) && !output.isOnlySi();
+    if (isScaled) *y *= output.scale(scalesOf(blow.scenario)) / output.scale(scalesOf(study.base));
+    return QPointF(*x * m_frame->xUnit().factor, *y * m_frame->yUnit().factor);
 }
 
 /// The choices of a design, and what keeps its energy.
@@ -498,7 +502,9 @@ std::vector<ParameterValue> DesignPage::valuesOf(std::uint64_t design) const {
 
 void DesignPage::click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
     if ((modifiers & ~Qt::ShiftModifier) || !m_shown || m_shown->report.study.choices.empty()) return;
-    if (const auto design = m_plot->designAt(rect, coordinates)) takeDesign(*design, modifiers);
+    const std::optional<std::size_t> panel = m_frame->panelIn(rect);
+    if (const auto design = panel ? m_frame->rowAt(coordinates, *panel) : std::nullopt)
+        takeDesign(*design, modifiers);
 }
 
 /// Whether designs differ in more than numbers, so that a whole scenario is taken over.

@@ -4,7 +4,7 @@
 
 #include "ui/job/study_job.h"
 #include "ui/pages/design/design_answer.h"
-#include "ui/pages/design/design_picture.h"
+#include "ui/pages/design/design_units.h"
 #include "ui/pages/study/study_page.h"
 
 class QCPAxisRect;
@@ -17,7 +17,7 @@ namespace drillwave {
 class AimRows;
 class ChoiceBox;
 class DesignCard;
-class DesignPlot;
+class FigureFrame;
 class PresetTicks;
 class RangeRows;
 
@@ -37,7 +37,7 @@ class DesignPage : public StudyPage {
     void addTo(ReportStudies& studies) const override;
     /// Returns the number of studies that were started.
     int studies() const { return m_study.started(); }
-    const DesignPlot& designPlot() const { return *m_plot; }
+    FigureFrame& figureFrame() const { return *m_frame; }
     const DesignCard& card() const { return *m_card; }
     /// Returns the answer that is shown or being refined; nullptr before the first one.
     const DesignAnswer* answer() const { return m_study.value(); }
@@ -102,7 +102,8 @@ class DesignPage : public StudyPage {
     QPushButton* m_load = nullptr;  // loads the recommended design
     ChoiceBox* m_samples = nullptr;
     DesignCard* m_card;
-    DesignPlot* m_plot = nullptr;
+    FigureFrame* m_frame = nullptr;
+    int m_plotLines;  // least height of the plot in lines, without its legend
     QString m_problem;
     QString m_headline, m_sentence;  // sentences for the answer shown
     int m_usualSamples = 0;          // default number of samples for the present scenario

@@ -289,10 +289,7 @@ void IdentifyPage::present() {
     if (!value) return;
     const IdentifyReport& report = (*value)->report;
     if (report.findings.records.empty()) return;  // stopped
-    const Scenario& scenario = (*value)->question.scenario;
-    const ShownUnits units =
-        blow() ? shownUnits(blow()->request.units, scalesOf(scenario), blow()->request.chosenUnits)
-               : shownUnits(naturalUnits(scenario), scalesOf(scenario));
+    const ShownUnits units = unitsFor((*value)->question.scenario);
     if (m_shown == *value && m_shownUnits == units) return;
     m_shown = *value;
     m_shownUnits = units;

@@ -9,14 +9,14 @@
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
 #include "core/study/rows/study_plan.h"
+#include "core/yaml/preset_file.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/map/level_field.h"
-#include "ui/pages/map/map_crosshair.h"
-#include "ui/pages/map/map_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/shown_text.h"
 
@@ -30,6 +30,12 @@ constexpr int pointsEachWay[] = {20, 40, 50, 100, 200, 400, 1000};
 /// Returns the whole range of the elasticity.
 StudyRange wholeElasticity(const Parameter& gamma) {
     return {gamma, 0.01, 1, false};
+}
+
+/// Returns the units of the columns of a map for results on show in `system`.
+OutputUnits outputUnitsFor(const Output& output, UnitSystem system) {
+    const bool isNumber = output.quantity() == Quantity::ratio;
+    return isNumber || system == UnitSystem::dimensionless ? OutputUnits::dimensionless : OutputUnits::si;
 }
 
 }  // namespace
@@ -48,13 +54,12 @@ MapPage::MapPage(Document& document, QWidget* parent)
     PlotWidget* plot =
         arrange({m_x, m_y, labelled(tr("colour"), m_output, this), labelled(tr("contours"), m_levels, this),
                  labelled(tr("points"), m_points, this)});
-    m_plot = new MapPlot(plot);
-    useFrame(*m_plot, tr("Result over two parameters"));
+    m_frame = new FigureFrame(plot);
+    useFrame(*m_frame, tr("Result over two parameters"));
     plot->setDataText([this](char separator) {
         QByteArray text = csv();
         return separator == ',' ? text : text.replace(',', separator);
     });
-    plot->installEventFilter(this);
     watch(m_study.job());
     wire();
 }
@@ -80,27 +85,18 @@ void MapPage::wire() {
     });
     connect(plot(), &PlotWidget::placeTaken, this,
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
-                if (!m_plot->isMap(rect)) return;
-                if (const auto place = m_plot->pointAt(at)) {
-                    const MapGrid& grid = m_plot->picture()->grid();
-                    take(inOrder(grid.xs()[place->column], grid.ys()[place->row]), modifiers);
-                }
+                if (m_frame->panelIn(rect) != std::size_t(MapPanel::map) || !m_frame->field()) return;
+                const MapGrid& grid = m_shown->grid;
+                if (const auto point = m_frame->field()->pointAt(at))
+                    take(inOrder(grid.xs()[point->column], grid.ys()[point->row]), modifiers);
             });
-    MapCrosshair* crosshair = m_plot->crosshair();
-    connect(crosshair, &MapCrosshair::dragStarted, this, [this] { m_gesture = document().newGesture(); });
-    connect(crosshair, &MapCrosshair::dragged, this, &MapPage::dragTo);
+    connect(m_frame, &FigureFrame::crosshairHeld, this, [this] { m_gesture = document().newGesture(); });
+    connect(m_frame, &FigureFrame::crosshairDragged, this, &MapPage::dragTo);
     takeUsualLevels();
 }
 
-ShownUnits MapPage::unitsFor(const Scenario& scenario) const {
-    const Scales scales = scalesOf(scenario);
-    if (!blow() || scenario.form == ScenarioForm::dimensionless)
-        return shownUnits(naturalUnits(scenario), scales);
-    return shownUnits(blow()->request.units, scales, blow()->request.chosenUnits);
-}
-
 OutputColumn MapPage::column() const {
-    return {&m_output->output(), mapUnits(m_output->output(), unitsFor(scenario()).system)};
+    return {&m_output->output(), outputUnitsFor(m_output->output(), unitsFor(scenario()).system)};
 }
 
 QString MapPage::axisWord(const AxisFields& fields) const {
@@ -156,7 +152,8 @@ void MapPage::ask() {
     if (!m_x->isValid() || !m_y->isValid()) return;
     MapQuestion question{
         .study = study(), .levels = m_levels->levels(), .number = *m_newest + 1, .newest = m_newest};
-    const double factor = mapUnit(question.study.output, scenario(), unitsFor(scenario())).factor;
+    const MapOutput output = mapOutput(question.study);
+    const double factor = figureUnits(unitsFor(scenario())).of(output.axis.quantity).factor * output.perValue;
     for (double& level : question.levels) level /= factor;
     const std::vector<Message> problems = problemsOf(question.study);
     m_problem = problems.empty() ? QString() : translated(problems.front());
@@ -178,34 +175,44 @@ void MapPage::present() {
     const std::shared_ptr<const MapReport> report = m_study.job().value();
     if (!report) return;
     const ShownUnits units = unitsFor(report->study.base);
-    if (report != m_shown || !(units == m_shownUnits)) {
+    const auto placeOf = [&](const Scenario& of) { return mapPlaceOf(report->study, of); };
+    const auto pixelOf = [this](const FigurePoint& at) {
+        return QPointF(at.x * m_frame->xUnit().factor, *at.y * m_frame->yUnit().factor);
+    };
+    const std::optional<FigurePoint> here = placeOf(scenario());
+    const MapSection section = mapSectionAt(*report, here);
+    if (report != m_shown || !(units == m_shownUnits) || section != m_section) {
         m_shown = report;
         m_shownUnits = units;
+        m_section = section;
         draw();
     }
-    m_plot->setCrosshair(m_plot->picture()->placeOf(scenario()));
+    m_frame->setHere(here ? std::optional(pixelOf(*here).x()) : std::nullopt,
+                     here ? std::optional(pixelOf(*here).y()) : std::nullopt);
     QVector<RunMark> marks;
     for (const Run& run : runs())
-        if (const auto place = m_plot->picture()->placeOf(run.contents.scenario); place && run.isShown)
-            marks.append({run.number, run.title(), *place});
-    m_plot->setRuns(marks);
+        if (const auto place = placeOf(run.contents.scenario); place && run.isShown)
+            marks.append({run.number, run.title(), pixelOf(*place)});
+    m_frame->setRuns(marks);
     speak();
 }
 
 void MapPage::draw() {
-    const MapPicture picture = mapPicture(m_shown, m_shownUnits);
-    m_plot->present(picture);
-    plot()->setMeaning(m_plot->cutAlongX(), {.xUnit = picture.x.unit, .yUnit = picture.output.unit});
+    const bool isFirst = m_frame->isEmpty();
+    m_frame->present({mapFigure(m_shown, m_section, builtInPresets()), figureUnits(m_shownUnits)});
+    if (isFirst) plot()->keyPoint().offer(m_frame->keyPlaces());
+    plot()->installEventFilter(this);  // before the crosshair, which keeps what it drags
+    m_frame->giveMeanings(*plot());
     redraw();
 }
 
 void MapPage::speak() {
-    const QString answer = m_plot->answer(), range = m_plot->textSummary();
-    const QString here = m_readout.isEmpty() ? hereText() : m_readout;
-    if (answer.isEmpty())
-        say(range, here);
+    const std::optional<FigureText> answer = mapAnswer(*m_shown);
+    const QString range = m_frame->textSummary(), here = m_readout.isEmpty() ? hereText() : m_readout;
+    if (answer)
+        say(m_frame->textOf(*answer), QStringLiteral("%1 · %2").arg(range, here));
     else
-        say(answer, QStringLiteral("%1 · %2").arg(range, here));
+        say(range, here);
 }
 
 // The blow of the crosshair, solved on its own.
@@ -213,10 +220,14 @@ QString MapPage::hereText() const {
     const QString help =
         tr("Click on a line or preset to use that point; Shift+click pins it. The crosshair can be dragged.");
     if (!blow() || !blow()->fault.isEmpty()) return help;
-    const OutputColumn& column = m_shown->study.output;
-    const auto value = column.value({blow()->summary, blow()->scenario}, blow()->scales);
+    const auto value = m_shown->study.output.value({blow()->summary, blow()->scenario}, blow()->scales);
     if (!value) return help;
-    return tr("here %1. %2").arg(m_plot->picture()->outputText(*value, QLocale()), help);
+    const MapOutput output = mapOutput(m_shown->study);
+    return tr("here %1. %2")
+        .arg(m_frame->textOf(
+                 {"%1 = %2",
+                  {{.words = output.axis.title}, {*value * output.perValue, output.axis.quantity, 5}}}),
+             help);
 }
 
 std::vector<ParameterValue> MapPage::inOrder(double x, double y) const {
@@ -230,15 +241,15 @@ std::vector<ParameterValue> MapPage::inOrder(double x, double y) const {
 
 void MapPage::dragTo(QPointF place) {
     if (!m_shown) return;
-    const MapPicture& picture = *m_plot->picture();
-    const QPointF before = *m_plot->crosshair()->place();
-    // A line that stays keeps its value, with all digits.
-    const auto si = [&](const Parameter& parameter, const Unit& unit, double shown, double stayed) {
-        return shown == stayed ? *parameter.value(scenario()) : unit.toSi(readable(shown));
-    };
     const MapStudy& study = m_shown->study;
-    document().assign(inOrder(si(*study.x.parameter, *picture.xUnit, place.x(), before.x()),
-                              si(*study.y.parameter, *picture.yUnit, place.y(), before.y())),
+    const FigurePoint before = *mapPlaceOf(study, scenario());
+    // A line that stays keeps its value, with all digits.
+    const auto si = [&](const Parameter& parameter, double shown, double stayed, double factor) {
+        return shown == stayed * factor ? stayed
+                                        : document().units().fieldUnit(parameter).toSi(readable(shown));
+    };
+    document().assign(inOrder(si(*study.x.parameter, place.x(), before.x, m_frame->xUnit().factor),
+                              si(*study.y.parameter, place.y(), *before.y, m_frame->yUnit().factor)),
                       m_gesture);
 }
 
@@ -272,11 +283,18 @@ QStringList MapPage::commandWords() const {
     return words;
 }
 
+QString MapPage::readoutAt(QPointF pixel) const {
+    const QCPAxisRect* rect = plot()->axisRectAt(pixel);
+    if (m_frame->panelIn(rect) != std::size_t(MapPanel::map) || !rect->rect().contains(pixel.toPoint()))
+        return {};
+    return m_frame->fieldWords({rect->axis(QCPAxis::atBottom)->pixelToCoord(pixel.x()),
+                                rect->axis(QCPAxis::atLeft)->pixelToCoord(pixel.y())});
+}
+
 bool MapPage::eventFilter(QObject* watched, QEvent* event) {
     if (watched == plot() && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave)) {
-        m_readout = event->type() == QEvent::Leave
-                        ? QString()
-                        : m_plot->readout(static_cast<QMouseEvent*>(event)->position());
+        m_readout = event->type() == QEvent::Leave ? QString()
+                                                   : readoutAt(static_cast<QMouseEvent*>(event)->position());
         if (m_shown) speak();
     }
     return StudyPage::eventFilter(watched, event);

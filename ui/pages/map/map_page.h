@@ -2,8 +2,8 @@
 // The page Map: a result over two parameters, with contours, cuts, and a crosshair that moves both of them.
 #pragma once
 
+#include "core/report/map_figure.h"
 #include "ui/job/study_job.h"
-#include "ui/pages/map/map_picture.h"
 #include "ui/pages/map/map_question.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/pages/study/study_range.h"
@@ -12,8 +12,8 @@ namespace drillwave {
 
 class AxisFields;
 class ChoiceBox;
+class FigureFrame;
 class LevelField;
-class MapPlot;
 class OutputBox;
 
 class MapPage : public StudyPage {
@@ -23,7 +23,7 @@ class MapPage : public StudyPage {
     explicit MapPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Map"); }
-    MapPlot* map() const { return m_plot; }
+    FigureFrame& figureFrame() const { return *m_frame; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }
     /// The map so far, for the last question or for an earlier one; nullptr at first.
@@ -40,8 +40,6 @@ class MapPage : public StudyPage {
   private:
     ChoiceBox* pointsBox();
     void wire();
-    /// Units on show, for the scales of a scenario.
-    ShownUnits unitsFor(const Scenario& scenario) const;
     OutputColumn column() const;
     QString axisWord(const AxisFields& fields) const;
     MapStudy study() const;
@@ -50,6 +48,7 @@ class MapPage : public StudyPage {
     void offer(AxisFields& fields);
     void takeUsualLevels();
     void draw();
+    QString readoutAt(QPointF pixel) const;
     void speak();
     QString hereText() const;
     void dragTo(QPointF place);
@@ -60,12 +59,13 @@ class MapPage : public StudyPage {
     OutputBox* m_output;
     ChoiceBox* m_points;
     LevelField* m_levels;
-    MapPlot* m_plot = nullptr;
+    FigureFrame* m_frame = nullptr;
     QString m_problem;       // why the controls give no map
     QString m_readout;       // of what is below the pointer
     int m_gesture = 0;       // of the crosshair
     bool m_hasSize = false;  // of a section, on the x axis
     std::shared_ptr<const MapReport> m_shown;
+    MapSection m_section;  // through the present scenario, as shown
     ShownUnits m_shownUnits;
     std::shared_ptr<std::atomic<int>> m_newest;
     StudyRunner<MapQuestion, MapReport> m_study;  // goes first: its thread works

@@ -140,14 +140,10 @@ FigurePage::Shown FigurePage::wanted() const {
     wanted.answer = *m_asked.job().value();
     wanted.view = m_view ? static_cast<std::size_t>(m_view->currentIndex()) : 0;
     const Scenario& studied = wanted.answer->scenario();
-    const Scales scales = scalesOf(studied);
     const UnitChoice& choice = document().units();
-    if (m_study.isPhysical)
-        wanted.units = shownUnits(choice.physicalSystem(), scales, choice.chosen());
-    else
-        wanted.units = blow() && hasUnits(studied)
-                           ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
-                           : shownUnits(naturalUnits(studied), scales);
+    wanted.units = m_study.isPhysical
+                       ? shownUnits(choice.physicalSystem(), scalesOf(studied), choice.chosen())
+                       : unitsFor(studied);
     return wanted;
 }
 

@@ -307,6 +307,13 @@ void StudyPage::take(const std::vector<ParameterValue>& values, Qt::KeyboardModi
         load(values);
 }
 
+ShownUnits StudyPage::unitsFor(const Scenario& scenario) const {
+    const Scales scales = scalesOf(scenario);
+    return m_blow && hasUnits(scenario)
+               ? shownUnits(m_blow->request.units, scales, m_blow->request.chosenUnits)
+               : shownUnits(naturalUnits(scenario), scales);
+}
+
 FigureUnits StudyPage::figureUnits(const ShownUnits& units) const {
     return {units, [&choice = document().units()](const Parameter& parameter) -> const Unit& {
                 return choice.fieldUnit(parameter);

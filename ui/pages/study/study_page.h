@@ -112,6 +112,9 @@ class StudyPage : public PlotPage {
     /// Calls pin() if `modifiers` contains Shift, else load().
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
+    /// Returns the units of blow() for a scenario with scales of its own; without a blow, and for
+    /// dimensionless scenarios, the natural ones.
+    ShownUnits unitsFor(const Scenario& scenario) const;
     /// Units of figures: those of the form for parameters, `units` for all else.
     FigureUnits figureUnits(const ShownUnits& units) const;
     Document& document() const { return m_document; }

@@ -168,16 +168,16 @@ void TestAccuracyPage::wordsAtPointsStayWithinTheAxes() {
     plot.resize(500, 300);
     FigureFrame frame(&plot);
     const char* words = "10,000, the paper's choice";
-    const auto series = [&](double y, bool isTextBelow) {
+    const auto series = [&](double y, TextSide side) {
         return FigureSeries{.legend = "points",
                             .x = {1},
                             .y = {y},
                             .points = SeriesPoints::joined,
                             .texts = {{words}},
-                            .isTextBelow = isTextBelow};
+                            .textSide = side};
     };
     StudyPanel panel{.x = {.isLogarithmic = true}, .y = {.isLogarithmic = true}};
-    panel.series = {series(1e-3, true), series(1, false)};
+    panel.series = {series(1e-3, TextSide::below), series(1, TextSide::above)};
     frame.present({{.panels = {panel}}, {}});
     const QCPAxisRect& rect = *plot.axisRects().first();
     for (const double share : {0.05, 0.95}) {

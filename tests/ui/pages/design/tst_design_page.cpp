@@ -20,7 +20,7 @@
 
 #include "core/model/form_conversion.h"
 #include "core/model/section_parameter.h"
-#include "core/report/design_words.h"
+#include "core/report/design_figure.h"
 #include "core/study/design/constant_energy.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
@@ -32,9 +32,9 @@
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
 #include "ui/pages/design/design_page.h"
-#include "ui/pages/design/design_plot.h"
 #include "ui/pages/design/range_rows.h"
 #include "ui/plot/curve_reader.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
@@ -101,6 +101,8 @@ class TestDesignPage : public QObject {
     void showPage();
     bool isAnswered() const;
     void few() const;
+    QCPGraph* objective() const;
+    QCPAxisRect* axesOf(DesignPanel panel) const;
     RangeRows& rows(const char* name) const { return *m_page->findChild<RangeRows*>(QLatin1String(name)); }
     QuantityField& field(RangeRow& row, const char* name) const {
         return *row.findChild<QuantityField*>(QLatin1String(name));
@@ -135,6 +137,16 @@ void TestDesignPage::few() const {
     samples->setCurrentIndex(samples->findData(1024));
 }
 
+/// Returns the curve of the objective with the best design.
+QCPGraph* TestDesignPage::objective() const {
+    const FigureFrame& frame = m_page->figureFrame();
+    return frame.graph(0, frame.figure().panels[0].marked);
+}
+
+QCPAxisRect* TestDesignPage::axesOf(DesignPanel panel) const {
+    return m_page->figureFrame().graph(std::size_t(panel), 0)->keyAxis()->axisRect();
+}
+
 void TestDesignPage::showPage() {
     m_page->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
@@ -148,9 +160,9 @@ bool TestDesignPage::isAnswered() const {
 }
 
 void TestDesignPage::click(std::size_t design, Qt::KeyboardModifiers modifiers) const {
-    const QPointF at = m_page->designPlot().picture().series[0].aim[static_cast<qsizetype>(design)];
-    const QCPGraph* graph = m_page->designPlot().graphs()[0];
-    const QPointF pixel(graph->keyAxis()->coordToPixel(at.x()), graph->valueAxis()->coordToPixel(at.y()));
+    const QCPGraph* graph = objective();
+    const QCPGraphData& at = *graph->data()->at(static_cast<int>(design));
+    const QPointF pixel(graph->keyAxis()->coordToPixel(at.key), graph->valueAxis()->coordToPixel(at.value));
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, modifiers, pixel.toPoint());
 }
 
@@ -302,17 +314,18 @@ void TestDesignPage::whatCannotBeSolvedIsSaid() {
 // Also where all of them are in the Pareto set, or none is out of it.
 void TestDesignPage::theDesignsFillTheirPlot() {
     showPage();
-    const DesignPicture& picture = m_page->designPlot().picture();
-    const QCPAxisRect* scatter = m_page->plot()->axisRects()[1];
+    DesignReport report = m_page->answer()->report;
+    const DesignNames names(report.study);
+    const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+    const QCPAxisRect* scatter = axesOf(DesignPanel::tradeOff);
     for (const bool all : {false, true}) {
-        DesignPicture shown = picture;
-        if (all) shown.pareto.fill(true);
-        m_page->findChild<DesignPlot*>()->present(shown);
-        double least = shown.designs[0].x(), most = least;
-        for (const QPointF& design : shown.designs) {
-            least = std::min(least, design.x());
-            most = std::max(most, design.x());
-        }
+        if (all) report.findings.best.pareto.assign(report.findings.designs.size(), true);
+        const StudyFigure figure = designFigure(report, names);
+        std::vector<double> values;
+        for (const FigureSeries& series : figure.panels[1].series)
+            values.insert(values.end(), series.x.begin(), series.x.end());
+        m_page->figureFrame().present({figure, {{}, unit}});
+        const auto [least, most] = std::ranges::minmax(values);
         const QCPRange range = scatter->axis(QCPAxis::atBottom)->range();
         QVERIFY(range.contains(least) && range.contains(most));
         QVERIFY2(range.size() < 1.5 * (most - least), qPrintable(QString::number(range.size())));
@@ -329,23 +342,25 @@ void TestDesignPage::twoChoicesAreAMap() {
     m_page->plot()->replot();
     const DesignReport& report = m_page->answer()->report;
     QCOMPARE(report.findings.designs.size(), std::size_t{25});
-    const DesignPicture& picture = m_page->designPlot().picture();
-    QVERIFY(picture.map && m_page->designPlot().graphs().isEmpty());
+    const FigureFrame& frame = m_page->figureFrame();
+    const FieldItem* field = frame.field();
+    QVERIFY(field && frame.graph(0, 0)->data()->isEmpty());
     const DesignAim& aim = report.study.aims.front();
     const StatisticPlace place = report.study.placeOf(*aim.output, aim.statistic);
     for (std::size_t d = 0; d < 25; ++d)
-        QCOMPARE(picture.map->grid().value(d % 5, d / 5),
-                 report.findings.designs[d].statistics[place.output][place.statistic].value *
-                     picture.value.factor);
-    QVERIFY(picture.robust == placeOnMap(*picture.map, *report.findings.best.robust));
+        QCOMPARE(field->field()->grid->value(d % 5, d / 5),
+                 designOrdinate(report.study, *aim.output,
+                                report.findings.designs[d].statistics[place.output][place.statistic].value));
+    const std::size_t robust = *report.findings.best.robust;
+    QVERIFY(frame.keyPlaces().marks().contains(field->placeOf({robust % 5, robust / 5})));
 
     // A click within a cell takes its design.
     constexpr std::uint64_t taken = 7;
-    const QCPAxisRect* rect = m_page->plot()->axisRects()[0];
-    const QPointF at = placeOnMap(*picture.map, taken);
+    const QCPAxisRect* rect = axesOf(DesignPanel::objective);
+    const QPointF at = field->placeOf({taken % 5, taken / 5});
     const QPointF pixel(rect->axis(QCPAxis::atBottom)->coordToPixel(at.x()) + 4,
                         rect->axis(QCPAxis::atLeft)->coordToPixel(at.y()) - 4);
-    QVERIFY2(m_page->designPlot().mapWords(at).contains(QStringLiteral(" · ")), "no words");
+    QVERIFY2(frame.fieldWords(at).contains(QStringLiteral(" · ")), "no words");
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, pixel.toPoint());
     QVERIFY(std::abs(m_document->scenario().pulse.duration / report.study.choice(taken)[0] - 1) < 1e-12);
     QVERIFY(std::abs(m_document->scenario().rod.length / report.study.choice(taken)[1] - 1) < 1e-12);
@@ -353,8 +368,7 @@ void TestDesignPage::twoChoicesAreAMap() {
     // With one choice less there are curves again.
     choices.rows()[1]->findChild<QToolButton*>(QStringLiteral("remove"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
-    QVERIFY(!m_page->designPlot().isMap());
-    QCOMPARE(m_page->designPlot().graphs().size(), 1);
+    QVERIFY(!frame.field() && !objective()->data()->isEmpty());
 }
 
 void TestDesignPage::rowsAreAddedAndRemoved() {
@@ -378,7 +392,7 @@ void TestDesignPage::rowsAreAddedAndRemoved() {
     rows("choices").rows()[0]->findChild<QToolButton*>(QStringLiteral("remove"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QCOMPARE(m_page->answer()->report.findings.designs.size(), std::size_t{1});
-    QCOMPARE(m_page->designPlot().graphs().size(), 1);
+    QVERIFY(!objective()->data()->isEmpty());
 }
 
 void TestDesignPage::aimsAreCustomaryUntilTheyAreChosen() {
@@ -497,13 +511,15 @@ void TestDesignPage::aShareIsNeverMoreThanAll() {
     QVERIFY2(
         card.toPlainText().contains(QStringLiteral("elasticity γ first: it causes 100 % of the scatter")),
         qPrintable(card.toPlainText()));
-    for (const DesignPicture::Bars& output : designPicture(answer.report, units).bars)
-        for (const SobolBar& bar : output.bars) QVERIFY(bar.total <= 1);
+    const auto bars = [&] { return designFigure(answer.report, DesignNames(answer.report.study)).panels[2]; };
+    QVERIFY(!bars().isHidden);
+    for (const FigureSeries& series : bars().series)
+        for (const double share : series.x) QVERIFY(share <= 1);
     // of few samples there is neither advice nor a picture of it
     answer.report.study.samples = 16;
     card.present(answer, units);
     QVERIFY(!card.toPlainText().contains(QStringLiteral("of the scatter")));
-    QVERIFY(designPicture(answer.report, units).bars.isEmpty());
+    QVERIFY(bars().isHidden);
 }
 
 void TestDesignPage::barsHaveRoomForTheirNames() {
@@ -514,7 +530,7 @@ void TestDesignPage::barsHaveRoomForTheirNames() {
         QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
         QCoreApplication::processEvents();
         m_page->plot()->replot();
-        const QCPAxisRect* bars = m_page->plot()->axisRects()[2];
+        const QCPAxisRect* bars = axesOf(DesignPanel::causes);
         if (!bars->visible()) continue;  // a study that was refused has none
         const QCPAxis* names = bars->axis(QCPAxis::atLeft);
         const double row = std::abs(names->coordToPixel(-1) - names->coordToPixel(-2));
@@ -625,8 +641,7 @@ void TestDesignPage::tickedHammersAreDesigns() {
              std::vector<std::string>{"hammer=light drifter, short blow,heavy drifter, piston"});
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QVERIFY2(m_page->answer()->problems.empty(), "cannot run");
-    const DesignPicture& picture = m_page->designPlot().picture();
-    QCOMPARE(picture.words.size(), 2);
+    QCOMPARE(m_page->figureFrame().figure().panels[0].x.names.size(), std::size_t{2});
     QCOMPARE(m_page->answer()->report.findings.designs.size(), std::size_t{2});
     QVERIFY(
         m_page->command().contains(QStringLiteral("hammer=light drifter, short blow,heavy drifter, piston")));
@@ -645,11 +660,11 @@ void TestDesignPage::hammersAreNamedPointsOfTheirAxis() {
     for (const char* name : {"light drifter, short blow", "heavy drifter, piston", "Epiroc COP 1838"})
         menu->findChild<QCheckBox*>(QString::fromLatin1(name))->click();
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
-    QCOMPARE(m_page->designPlot().picture().words.size(), 3);
+    QCOMPARE(m_page->figureFrame().figure().panels[0].x.names.size(), std::size_t{3});
     CurveReader& reader = m_page->plot()->reader();
     reader.setTableShown(true);
     m_page->plot()->replot();
-    const QCPGraph& aim = *m_page->designPlot().graphs()[0];
+    const QCPGraph& aim = *objective();
     // the names at the ends have room, and no line leads from one hammer to the next
     QCOMPARE(aim.keyAxis()->range().lower, -0.5);
     QCOMPARE(aim.keyAxis()->range().upper, 2.5);
@@ -662,9 +677,6 @@ void TestDesignPage::hammersAreNamedPointsOfTheirAxis() {
                  text.contains(QStringLiteral("heavy drifter, piston")),
              qPrintable(text));
     QVERIFY2(!text.contains(QStringLiteral("from")), qPrintable(text));
-    for (const double hammer : {0.0, 1.0, 2.0})
-        QCOMPARE(DesignPlot::atWords(aim)(hammer + 0.2),
-                 m_page->designPlot().picture().series[0].aim[qsizetype(hammer)].y());
     QCOMPARE(inLines(QStringLiteral("medium drifter, piston"), 6),
              QStringLiteral("medium\ndrifter,\npiston"));
     QCOMPARE(inLines(QStringLiteral("medium drifter"), 3), QStringLiteral("medium drifter"));

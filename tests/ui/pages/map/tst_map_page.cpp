@@ -15,11 +15,11 @@
 #include "core/yaml/examples.h"
 #include "tests/support/map.h"
 #include "ui/pages/map/level_field.h"
-#include "ui/pages/map/map_crosshair.h"
 #include "ui/pages/map/map_page.h"
-#include "ui/pages/map/map_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/output_box.h"
+#include "ui/plot/crosshair.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
@@ -67,6 +67,8 @@ class TestMapPage : public QObject {
     void choose(const char* box, const char* parameter);
     void choosePoints(int eachWay);
     QPoint pixelOf(double x, double y) const;
+    const QCPAxisRect* mapRect() const;
+    QPointF crosshair() const;
     const MapReport& report() const { return *m_page->report(); }
 
     std::unique_ptr<Document> m_document;
@@ -107,8 +109,17 @@ void TestMapPage::choosePoints(int eachWay) {
     points->setCurrentIndex(points->findData(eachWay));
 }
 
+const QCPAxisRect* TestMapPage::mapRect() const {
+    return m_page->figureFrame().graph()->keyAxis()->axisRect();
+}
+
+/// Returns the place of the crosshair, in the units of the axes.
+QPointF TestMapPage::crosshair() const {
+    return m_page->findChild<Crosshair*>()->place().value_or(QPointF());
+}
+
 QPoint TestMapPage::pixelOf(double x, double y) const {
-    const QCPAxisRect* rect = m_page->map()->mapRect();
+    const QCPAxisRect* rect = mapRect();
     return {qRound(rect->axis(QCPAxis::atBottom)->coordToPixel(x)),
             qRound(rect->axis(QCPAxis::atLeft)->coordToPixel(y))};
 }
@@ -122,8 +133,8 @@ void TestMapPage::theFirstLookIsRestitutionOverStiffnessAndElasticity() {
     QCOMPARE(report().grid.size(), std::size_t{fewPoints * fewPoints});
     QCOMPARE(report().contours.size(), std::size_t{1});
     QCOMPARE(report().contours[0].level, 1.0);
-    QCOMPARE(m_page->map()->mapRect()->axis(QCPAxis::atLeft)->label(), QStringLiteral("elasticity γ"));
-    QVERIFY(m_page->map()->textSummary().startsWith(QStringLiteral("COR e is between ")));
+    QCOMPARE(mapRect()->axis(QCPAxis::atLeft)->label(), QStringLiteral("elasticity γ"));
+    QVERIFY(m_page->figureFrame().textSummary().startsWith(QStringLiteral("COR e is between ")));
     const QString answer = m_page->findChild<QLabel*>(QStringLiteral("answer"))->text();
     QVERIFY2(answer.startsWith(QStringLiteral("COR e exceeds 1 only where elasticity γ is above 0.6")),
              qPrintable(answer));
@@ -170,15 +181,15 @@ void TestMapPage::theBorderOfSuperReboundIsDrawn() {
     open("paper_fig4a");
     QVERIFY(report().contours[0].pointCount() > 100);
     QVERIFY(report().contours[0].worstResidual() < 1e-9);
-    // The line and its halo, each with all points and a gap between lines.
+    // All points, and a gap between lines.
     qsizetype drawn = 0;
     for (int i = 0; i < m_page->plot()->plottableCount(); ++i)
         if (auto* curve = qobject_cast<QCPCurve*>(m_page->plot()->plottable(i));
-            curve && curve->keyAxis()->axisRect() == m_page->map()->mapRect())
+            curve && curve->keyAxis()->axisRect() == mapRect())
             drawn += curve->data()->size();
     std::size_t points = 0;
     for (const ContourLine& line : report().contours[0].lines) points += line.size() + 1;
-    QCOMPARE(std::size_t(drawn), 2 * (points - 1));
+    QCOMPARE(std::size_t(drawn), points - 1);
 }
 
 // As a shell runs it, beside the file that the export writes.
@@ -205,9 +216,9 @@ void TestMapPage::theCommandWritesWhatThePageExports() {
 
 void TestMapPage::theCrosshairIsWhereTheScenarioIs() {
     open("t38_medium_rock");
-    QCOMPARE(*m_page->map()->crosshair()->place(), QPointF(105, 0.1));
+    QCOMPARE(crosshair(), QPointF(105, 0.1));
     m_document->assign(*findParameter("bit_rock.gamma"), 0.4, m_document->newGesture());
-    QCOMPARE(*m_page->map()->crosshair()->place(), QPointF(105, 0.4));
+    QCOMPARE(crosshair(), QPointF(105, 0.4));
 }
 
 void TestMapPage::draggingTheCrosshairMovesBothParametersInOneStep() {
@@ -239,13 +250,12 @@ void TestMapPage::aLineOfTheCrosshairMovesOneParameter() {
 void TestMapPage::aDraggedCrosshairAsksForNoOtherMap() {
     open("t38_medium_rock");
     const int studies = m_page->studies();
-    MapCrosshair* crosshair = m_page->map()->crosshair();
-    emit crosshair->dragStarted();
+    auto* crosshair = m_page->findChild<Crosshair*>();
+    emit crosshair->held();
     for (int n = 1; n <= 20; ++n) {
         emit crosshair->dragged(QPointF(50 * n, 0.04 * n));
         QCoreApplication::processEvents();
     }
-    emit crosshair->dragEnded();
     QCOMPARE(m_page->studies(), studies);
     QVERIFY(m_page->activity()->isCurrent());
     QCOMPARE(m_document->scenario().bitRock.stiffness, 1e9);
@@ -269,18 +279,19 @@ void TestMapPage::aClickTakesOverThePoint() {
     m_document->assign(*findParameter("bit_rock.gamma"), 0.9, m_document->newGesture());
     finish();
     const MapGrid& grid = report().grid;
-    const QCPAxisRect* rect = m_page->map()->mapRect();
+    const QCPAxisRect* rect = mapRect();
     const QPoint crosshair = pixelOf(105, 0.9);
     constexpr int clear = 15;  // [px]
     std::optional<QPoint> mark;
-    for (const QPointF& at : m_page->map()->keyPlaces().marks())
+    for (const QPointF& at : m_page->figureFrame().keyPlaces().marks())
         if (const QPoint pixel = pixelOf(at.x(), at.y()); !mark && rect->rect().contains(pixel) &&
                                                           std::abs(pixel.x() - crosshair.x()) > clear &&
                                                           std::abs(pixel.y() - crosshair.y()) > clear)
             mark = pixel;
     QVERIFY(mark);
-    const auto place = m_page->map()->pointAt({rect->axis(QCPAxis::atBottom)->pixelToCoord(mark->x()),
-                                               rect->axis(QCPAxis::atLeft)->pixelToCoord(mark->y())});
+    const auto place =
+        m_page->figureFrame().field()->pointAt({rect->axis(QCPAxis::atBottom)->pixelToCoord(mark->x()),
+                                                rect->axis(QCPAxis::atLeft)->pixelToCoord(mark->y())});
     QVERIFY(place);
     const double stiffness = grid.xs()[place->column], gamma = grid.ys()[place->row];
     // Away from lines and presets, a click only gives the plot the focus.
@@ -288,7 +299,7 @@ void TestMapPage::aClickTakesOverThePoint() {
     for (QCPAbstractPlottable* line : rect->plottables()) line->setVisible(false);
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, *mark);
     QCOMPARE(m_document->undoStack().count(), 1);
-    m_page->plot()->keyPoint().offer(m_page->map()->keyPlaces());
+    m_page->plot()->keyPoint().offer(m_page->figureFrame().keyPlaces());
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, *mark);
     QCOMPARE(m_document->scenario().bitRock.stiffness, stiffness);
     QCOMPARE(m_document->scenario().bitRock.gamma, gamma);
@@ -300,9 +311,9 @@ void TestMapPage::cutsGoThroughTheCrosshair() {
     open("t38_medium_rock");
     m_document->assign(*findParameter("bit_rock.gamma"), 0.8, m_document->newGesture());
     const MapGrid& grid = report().grid;
-    const auto place = m_page->map()->pointAt({105, 0.8});
+    const auto place = m_page->figureFrame().field()->pointAt({105, 0.8});
     QVERIFY(place);
-    const auto cut = m_page->map()->cutAlongX()->data();
+    const auto cut = m_page->figureFrame().graph(std::size_t(MapPanel::alongX))->data();
     QCOMPARE(std::size_t(cut->size()), grid.columns());
     for (std::size_t column = 0; column < grid.columns(); ++column)
         QCOMPARE(cut->at(int(column))->value, grid.value(column, place->row));
@@ -341,14 +352,14 @@ void TestMapPage::aCancelledMapKeepsWhatIsThere() {
     QCOMPARE(m_page->activity()->state(), StudyState::stopped);
     QVERIFY(report().grid.done() > 0);
     QVERIFY(!report().grid.isComplete());
-    QVERIFY(m_page->map()->picture()->grid().done() > 0);
+    QVERIFY(m_page->figureFrame().field()->field()->grid->done() > 0);
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
 }
 
 void TestMapPage::whatCannotBeMappedIsSaid() {
     open("t38_medium_rock");
     choose("y", "beta");
-    QVERIFY(m_page->map()->textSummary().contains(QStringLiteral("set the same thing")));
+    QVERIFY(m_page->figureFrame().textSummary().contains(QStringLiteral("set the same thing")));
     QVERIFY(m_page->command().isEmpty());
     choose("y", "bit_rock.gap");
     finish();
@@ -393,8 +404,9 @@ void TestMapPage::aStringIsMappedOverCouplingAndRock() {
     QCOMPARE(report().grid.failed(), std::size_t{0});
     QVERIFY(!report().contours.empty());
     QVERIFY(std::ranges::any_of(report().contours, [](const Contour& c) { return c.pointCount() > 5; }));
-    QCOMPARE(*m_page->map()->crosshair()->place(), QPointF(56, 100));
-    QCOMPARE(m_page->map()->picture()->xLabel(), QStringLiteral("diameter of coupling [mm]"));
+    QCOMPARE(crosshair(), QPointF(56, 100));
+    QCOMPARE(m_page->plot()->axisRects().last()->axis(QCPAxis::atBottom)->label(),
+             QStringLiteral("diameter of coupling [mm]"));
 }
 
 void TestMapPage::theCommandOfAStringWritesWhatThePageExports() {

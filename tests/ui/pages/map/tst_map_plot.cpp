@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of a map: the colour of every point where it belongs, hatches where there is none.
+// The figure of a map: the colour of every point where it belongs, hatches where there is none.
 #include <qcustomplot.h>
 
 #include <QTest>
 
+#include "core/report/map_figure.h"
 #include "tests/support/map.h"
 #include "tests/support/scenario.h"
-#include "ui/pages/map/map_plot.h"
+#include "ui/plot/figure_frame.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -32,21 +33,26 @@ std::shared_ptr<const MapReport> reportOf(std::vector<double> values, const char
 
 /// A plot of one map, drawn.
 struct Drawn {
-    explicit Drawn(std::shared_ptr<const MapReport> report) : plot(&widget) {
+    explicit Drawn(const std::shared_ptr<const MapReport>& report) : plot(&widget) {
         widget.resize(500, 400);
         plot.setStyle(PlotStyle::forPaper());
-        plot.present(mapPicture(std::move(report), {}));
+        present(report, std::nullopt);
         image = widget.toPixmap().toImage();
     }
-    QPoint pixelOf(double x, double y) const {
-        const QCPAxisRect* rect = plot.mapRect();
-        return {qRound(rect->axis(QCPAxis::atBottom)->coordToPixel(x)),
-                qRound(rect->axis(QCPAxis::atLeft)->coordToPixel(y))};
+    void present(const std::shared_ptr<const MapReport>& report, const std::optional<FigurePoint>& here) {
+        const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+        plot.present({mapFigure(report, mapSectionAt(*report, here), {}), {{}, unit}});
     }
+    const QCPAxisRect* rect() const { return plot.graph()->keyAxis()->axisRect(); }
+    QPoint pixelOf(double x, double y) const {
+        return {qRound(rect()->axis(QCPAxis::atBottom)->coordToPixel(x)),
+                qRound(rect()->axis(QCPAxis::atLeft)->coordToPixel(y))};
+    }
+    const FieldColours& colours() const { return plot.field()->colours(); }
     QRgb at(double x, double y) const { return image.pixel(pixelOf(x, y)); }
 
     QCustomPlot widget;
-    MapPlot plot;
+    FigureFrame plot;
     QImage image;
 };
 
@@ -74,7 +80,7 @@ class TestMapPlot : public QObject {
 
 void TestMapPlot::everyPointHasItsColour() {
     const Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
-    const MapColours& colours = drawn.plot.picture()->colours;
+    const FieldColours& colours = drawn.colours();
     const auto expected = [&](double value) { return colours.scale().colour(colours.share(value)); };
     QCOMPARE(drawn.at(1.25, 0.25), expected(0.2));
     QCOMPARE(drawn.at(1.75, 0.25), expected(0.6));
@@ -94,14 +100,14 @@ void TestMapPlot::largerValuesAreLighterOnBothScales() {
 
 void TestMapPlot::coloursAreAboutTheLevelThatDecides() {
     const Drawn drawn(reportOf({0.2, 0.8, 1.05, 1.4}));
-    QCOMPARE(drawn.plot.picture()->colours.level, std::optional(1.0));
-    QCOMPARE(drawn.plot.picture()->colours.share(1), 0.0);
+    QCOMPARE(drawn.colours().level, std::optional(1.0));
+    QCOMPARE(drawn.colours().share(1), 0.0);
     const QRgb below = drawn.at(1.75, 0.25), above = drawn.at(1.75, 0.75);
     QVERIFY(qBlue(below) > qRed(below));
     QVERIFY(qRed(above) > qBlue(above));
-    QVERIFY(!Drawn(reportOf({1, 2, 3, 4}, "peak_force")).plot.picture()->colours.level);
+    QVERIFY(!Drawn(reportOf({1, 2, 3, 4}, "peak_force")).colours().level);
     // A value that hardly passes the level does not look far from it.
-    QVERIFY(MapColours({.least = 0, .largest = 1.001, .level = 1}).share(1.001) < 0.05);
+    QVERIFY(FieldColours({.least = 0, .largest = 1.001, .level = 1}).share(1.001) < 0.05);
 }
 
 void TestMapPlot::pointsWithoutASolutionAreHatchedAndSayWhy() {
@@ -116,49 +122,61 @@ void TestMapPlot::pointsWithoutASolutionAreHatchedAndSayWhy() {
     }
     QVERIFY(hatches > 2 && gaps > 2);
     QCOMPARE(hatches + gaps, 21);
-    QVERIFY(drawn.plot.readout(middle).contains(QStringLiteral("not solved: too long a blow")));
+    QVERIFY(drawn.plot.fieldWords({1.25, 0.75}).contains(QStringLiteral("not solved: too long a blow")));
     QVERIFY(drawn.plot.textSummary().contains(QStringLiteral("1 of 4 points not solved (hatched)")));
-    QVERIFY(drawn.plot.readout(drawn.pixelOf(1.25, 0.25)).endsWith(QStringLiteral("COR e = 0.2")));
-    QVERIFY(drawn.plot.readout(QPoint(2, 2)).isEmpty());
+    QVERIFY(drawn.plot.fieldWords({1.25, 0.25}).endsWith(QStringLiteral("COR e = 0.2")));
+    QVERIFY(drawn.plot.fieldWords({0, 0.5}).isEmpty());
 }
 
 void TestMapPlot::whatIsNotThereYetHasTheColourOfItsNeighbour() {
     MapStudy study = twoByTwo;
     study.x.count = study.y.count = 100;
-    MapGrid grid(std::vector<double>(100), std::vector<double>(100));
+    std::vector<double> xs, ys;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        xs.push_back(study.x.value(i));
+        ys.push_back(study.y.value(i));
+    }
+    MapGrid grid(xs, ys);
     for (std::size_t row = 0; row < 100; row += grid.coarsestStride())
         for (std::size_t column = 0; column < 100; column += grid.coarsestStride())
             grid.set(column, row, column < 50 ? 0.5 : 1.2);
     const Drawn drawn(std::make_shared<const MapReport>(
         MapReport{.study = study, .grid = grid, .contours = {}, .scenarioText = {}}));
-    const MapColours& colours = drawn.plot.picture()->colours;
+    const FieldColours& colours = drawn.colours();
     QCOMPARE(drawn.at(1.2, 0.37), colours.scale().colour(colours.share(0.5)));
     QCOMPARE(drawn.at(1.8, 0.37), colours.scale().colour(colours.share(1.2)));
 }
 
 void TestMapPlot::aMapOfOneValueIsDrawn() {
     const Drawn drawn(reportOf({0.5, 0.5, 0.5, 0.5}));
-    QVERIFY(drawn.plot.picture()->colours.largest > drawn.plot.picture()->colours.least);
+    QVERIFY(drawn.colours().largest > drawn.colours().least);
     QCOMPARE(qAlpha(drawn.at(1.3, 0.3)), 255);
 }
 
 void TestMapPlot::cutsSayWhereTheyAreNotThroughTheScenario() {
-    Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
-    const auto name = [&] { return drawn.plot.cutAlongX()->name(); };
-    drawn.plot.setCrosshair(QPointF(1, 1));
-    QVERIFY2(!name().contains("nearest") && name().endsWith('1'), qPrintable(name()));
-    drawn.plot.setCrosshair(QPointF(1, 0.9));
+    const auto report = reportOf({0.2, 0.6, 1.1, 1.4});
+    Drawn drawn(report);
+    const auto name = [&] {
+        const QCPGraph* section = drawn.plot.graph(std::size_t(MapPanel::alongX));
+        return section->keyAxis()->axisRect()->axis(QCPAxis::atTop)->label();
+    };
+    drawn.present(report, FigurePoint{1, 1});
+    QVERIFY2(!name().contains("computed") && name().endsWith('1'), qPrintable(name()));
+    drawn.present(report, FigurePoint{1, 0.9});
     QVERIFY2(name().startsWith("computed at ") && name().endsWith('1'), qPrintable(name()));
-    drawn.plot.setCrosshair(QPointF(1, 0));
-    QVERIFY2(!name().contains("nearest") && name().endsWith('0'), qPrintable(name()));
+    drawn.present(report, FigurePoint{1, 0});
+    QVERIFY2(!name().contains("computed") && name().endsWith('0'), qPrintable(name()));
 }
 
 // Two runs one above the other beside a preset, one in the upper right corner.
 void TestMapPlot::namesOfRunsKeepClearOfEachOtherAndOfPresets() {
     Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
-    MapPicture picture = *drawn.plot.picture();
-    picture.presets = {{"medium rock", 1.45, 0.55}};
-    drawn.plot.present(picture);
+    StudyFigure figure = drawn.plot.figure();
+    figure.panels[0].series[0].x = {1.45};
+    figure.panels[0].series[0].y = {0.55};
+    figure.panels[0].series[0].texts = {{"medium rock"}};
+    const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+    drawn.plot.present({figure, {{}, unit}});
     drawn.plot.setRuns({{0, "A  T38 rod, medium rock", {1.5, 0.5}},
                         {1, "B  k 300 MN/m", {1.51, 0.52}},
                         {2, "C  T38 rod, hard rock", {1.98, 0.98}}});
@@ -173,7 +191,7 @@ void TestMapPlot::namesOfRunsKeepClearOfEachOtherAndOfPresets() {
         }
     QCOMPARE(names.size(), 4);
     for (qsizetype i = 0; i < names.size(); ++i) {
-        QVERIFY2(QRectF(drawn.plot.mapRect()->rect()).contains(names[i]), qPrintable(texts[i]));
+        QVERIFY2(QRectF(drawn.rect()->rect()).contains(names[i]), qPrintable(texts[i]));
         for (qsizetype j = 0; j < i; ++j)
             QVERIFY2(!names[i].intersects(names[j]), qPrintable(texts[i] + " over " + texts[j]));
     }
@@ -184,9 +202,9 @@ void TestMapPlot::namesOfRunsKeepClearOfEachOtherAndOfPresets() {
 void TestMapPlot::nothingIsShownWithItsReason() {
     Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
     drawn.plot.showNothing(QStringLiteral("two axes of one thing"));
-    QVERIFY(!drawn.plot.picture());
+    QVERIFY(!drawn.plot.field());
     QCOMPARE(drawn.plot.textSummary(), QStringLiteral("two axes of one thing"));
-    QVERIFY(drawn.plot.readout(drawn.pixelOf(1.25, 0.25)).isEmpty());
+    QVERIFY(drawn.plot.fieldWords({1.25, 0.25}).isEmpty());
     const QRgb paper = PlotStyle::forPaper().background.rgb();
     QCOMPARE(drawn.widget.toPixmap().toImage().pixel(drawn.pixelOf(1.1, 0.1)), paper);
 }
