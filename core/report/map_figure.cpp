@@ -227,11 +227,13 @@ std::optional<FigureText> mapAnswer(const MapReport& report) {
     };
     switch (sideOf(report.grid, deciding->level)) {
         case LevelSide::above:
-            return text(translatable("%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6."),
-                        {extent->lowest});
+            return text(
+                translatable("%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6."),
+                {extent->lowest});
         case LevelSide::below:
-            return text(translatable("%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6."),
-                        {extent->highest});
+            return text(
+                translatable("%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6."),
+                {extent->highest});
         case LevelSide::mixed:
             break;
     }
