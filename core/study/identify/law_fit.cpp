@@ -140,6 +140,25 @@ void takeDispersion(RecordModel& model, Eigen::VectorXd& values, double share, b
     }
 }
 
+/// Moves a held share of dispersion in steps that are halved from `step` on, while that lowers Σr². It has
+/// false minima 0.01 apart together with the lag, which a linearised share does not leave.
+void searchShare(RecordModel& model, Start& best, double& share, double step, const std::stop_token& stop) {
+    constexpr double leastStep = 0.002, leastShare = -0.1, largestShare = 1.2;
+    for (; step > leastStep && !stop.stop_requested(); step /= 2) {
+        const double middle = share;
+        for (const double other : {middle - step, middle + step}) {
+            if (other < leastShare || other > largestShare) continue;
+            model.setDispersion(other, false);
+            Start found = best;
+            found.cost = minimise(model, found.values, 25, stop);
+            if (found.cost >= best.cost) continue;
+            best = std::move(found);
+            share = other;
+        }
+    }
+    model.setDispersion(share, false);
+}
+
 void followDispersion(RecordModel& model, Eigen::VectorXd& values, const std::stop_token& stop) {
     for (int round = 0; round < 5 && model.hasDispersion() && !stop.stop_requested(); ++round) {
         const double share = values[static_cast<Index>(model.shapeUnknown("dispersion"))];
@@ -497,18 +516,9 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
                 share = 0.5 * k;
             }
         }
-        for (const double other : {share - 0.25, share + 0.25}) {
-            if (other < 0 || other > 1) continue;
-            model.setDispersion(other, false);
-            Eigen::VectorXd values = best;
-            const double cost = minimise(model, values, 25, stop);
-            if (cost < least) {
-                least = cost;
-                best = values;
-                share = other;
-            }
-        }
-        model.setDispersion(share, false);
+        Start found{best, least};
+        searchShare(model, found, share, 0.25, stop);
+        best = std::move(found.values);
     }
     if (model.law() != TrialLaw::held && !stop.stop_requested()) {
         Eigen::VectorXd closed = best;
@@ -627,18 +637,19 @@ LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, 
     return fit;
 }
 
-LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
+LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool isFarOff,
                const std::stop_token& stop) {
     // The weights of a law that does not fit would let the zero lines go.
     const double floor = quietFloor * model.record().peak;
-    model.setQuietErrors(floor, floor);
+    const QuietErrors errors = isFarOff ? QuietErrors{} : quietErrors(bilinear, from.values);
+    model.setQuietErrors(std::max(errors.before, floor), std::max(errors.last, floor));
     model.holdSizes(true);
     // A law that does not fit may have bent the dispersion, too.
     const std::size_t unknown = bilinear.shapeUnknown("dispersion");
     const bool isFree = unknown < bilinear.unknowns().size();
     std::vector<double> shares{isFree ? from.values[static_cast<Index>(unknown)]
                                       : (model.dispersionChoice() == DispersionChoice::bar ? 1.0 : 0.0)};
-    if (isFree && searchesDispersion)
+    if (isFree && isFarOff)
         for (const double share : {0.0, 0.5, 1.0})
             if (std::abs(share - shares.front()) > 0.1) shares.push_back(share);
     Start best;
@@ -660,6 +671,7 @@ LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bo
         bestShare = share;
     }
     model.setDispersion(bestShare, false);
+    if (isFree && model.law() == TrialLaw::corner) searchShare(model, best, bestShare, 0.04, stop);
     Eigen::VectorXd values = best.values;
     if (isFree) takeDispersion(model, values, bestShare, true);
     minimise(model, values, 40, stop);

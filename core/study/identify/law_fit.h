@@ -92,9 +92,9 @@ double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& va
 /// a record in two ways. Towards another gap, Σr² rises less than its curvature at the minimum suggests.
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
-/// Returns the fit of another law, started from the solution of the bilinear one. With `searchesDispersion`,
-/// several shares of dispersion are tried as starts.
-LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
+/// Returns the fit of another law, started from the solution of the bilinear one. If that `isFarOff` the
+/// record, its dispersion and its waves between blow and reflection are doubtful, too, and searched again.
+LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool isFarOff,
                const std::stop_token& stop);
 
 /// Returns the fit of a law that includes the bilinear one, started at and near the bilinear solution. Both
