@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Cholesky>
 
@@ -140,11 +141,12 @@ void takeDispersion(RecordModel& model, Eigen::VectorXd& values, double share, b
     }
 }
 
-/// Moves a held share of dispersion in steps that are halved from `step` on, while that lowers Σr². It has
-/// false minima 0.01 apart together with the lag, which a linearised share does not leave.
-void searchShare(RecordModel& model, Start& best, double& share, double step, const std::stop_token& stop) {
-    constexpr double leastStep = 0.002, leastShare = -0.1, largestShare = 1.2;
-    for (; step > leastStep && !stop.stop_requested(); step /= 2) {
+/// Moves a held share of dispersion by ± `step`, which is halved after each round, while that lowers Σr². It
+/// has false minima 0.01 apart together with the lag, which a linearised share does not leave.
+void searchShare(RecordModel& model, Start& best, double& share, double step, int rounds,
+                 const std::stop_token& stop) {
+    constexpr double leastShare = -0.1, largestShare = 1.2;
+    for (int round = 0; round < rounds && !stop.stop_requested(); ++round, step /= 2) {
         const double middle = share;
         for (const double other : {middle - step, middle + step}) {
             if (other < leastShare || other > largestShare) continue;
@@ -324,6 +326,30 @@ void searchWithoutZeroLines(RecordModel& model, LawFit& fit, const std::stop_tok
     fit.linearise(model);
 }
 
+/// Frees a share of dispersion, if there is one, and the sizes of sections, and fits from values found with
+/// both held.
+LawFit fitFromShare(RecordModel& model, Eigen::VectorXd best, std::optional<double> share,
+                    const std::stop_token& stop) {
+    if (model.law() != TrialLaw::held && !stop.stop_requested()) {
+        Eigen::VectorXd closed = best;
+        closed[static_cast<Index>(model.find(Unknown::Kind::gap))] = 0;
+        const double cost = minimise(model, best, 40, stop);
+        if (minimise(model, closed, 40, stop) < cost) best = closed;
+    }
+    if (share) {
+        takeDispersion(model, best, *share, true);
+        minimise(model, best, 40, stop);
+        followDispersion(model, best, stop);
+    }
+    model.holdSizes(false);
+    minimise(model, best, 60, stop);
+    followQuiet(model, best, stop);
+    followDispersion(model, best, stop);
+    LawFit fit = finished(model, best);
+    searchWithoutZeroLines(model, fit, stop);
+    return fit;
+}
+
 }  // namespace
 
 Eigen::VectorXd startValues(const RecordModel& model) {
@@ -492,51 +518,37 @@ double largestForce(RecordModel& model, const LawFit& fit) {
 }
 
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
+    constexpr double clearlyBetter = 0.95;  // of Σr² of the returning wave: near minima differ by noise
     model.holdSizes(true);
     const double floor = quietFloor * model.record().peak;
     model.setQuietErrors(floor, floor);
     model.setDispersion(0.5, true);
-    const bool disperses = model.hasDispersion();
-    Eigen::VectorXd best;
-    double share = 0;
-    const DispersionChoice choice = model.dispersionChoice();
-    const bool isFit = choice == DispersionChoice::fit && disperses;
-    if (!isFit) {
-        share = choice == DispersionChoice::bar ? 1 : 0;
+    if (model.dispersionChoice() != DispersionChoice::fit || !model.hasDispersion()) {
+        const double share = model.dispersionChoice() == DispersionChoice::bar ? 1 : 0;
         model.setDispersion(share, false);
-        best = bestOf(model, evenStarts(model, 0, 120), 4, stop).values;
-    } else {
-        double least = 0;
-        for (int k = 0; k < 3; ++k) {
-            model.setDispersion(0.5 * k, false);
-            Start found = bestOf(model, evenStarts(model, static_cast<unsigned>(40 * k), 60), 3, stop);
-            if (best.size() == 0 || found.cost < least) {
-                least = found.cost;
-                best = found.values;
-                share = 0.5 * k;
-            }
-        }
-        Start found{best, least};
-        searchShare(model, found, share, 0.25, stop);
-        best = std::move(found.values);
+        return fitFromShare(model, bestOf(model, evenStarts(model, 0, 120), 4, stop).values, {}, stop);
     }
-    if (model.law() != TrialLaw::held && !stop.stop_requested()) {
-        Eigen::VectorXd closed = best;
-        closed[static_cast<Index>(model.find(Unknown::Kind::gap))] = 0;
-        const double cost = minimise(model, best, 40, stop);
-        if (minimise(model, closed, 40, stop) < cost) best = closed;
+    Start best;
+    double share = 0;
+    for (int k = 0; k < 3; ++k) {
+        model.setDispersion(0.5 * k, false);
+        Start found = bestOf(model, evenStarts(model, static_cast<unsigned>(40 * k), 60), 3, stop);
+        if (best.values.size() > 0 && found.cost >= best.cost) continue;
+        best = std::move(found);
+        share = 0.5 * k;
     }
-    if (isFit) {
-        takeDispersion(model, best, share, true);
-        minimise(model, best, 40, stop);
-        followDispersion(model, best, stop);
+    searchShare(model, best, share, 0.25, 1, stop);
+    RecordModel finer = model;
+    LawFit fit = fitFromShare(model, best.values, share, stop);
+    searchShare(finer, best, share, 0.125, 5, stop);
+    LawFit other = fitFromShare(finer, best.values, share, stop);
+    const auto cost = [&](const LawFit& found) {
+        return found.residuals.head(static_cast<Index>(model.returningCount())).squaredNorm();
+    };
+    if (cost(other) < clearlyBetter * cost(fit)) {
+        model = std::move(finer);
+        fit = std::move(other);
     }
-    model.holdSizes(false);
-    minimise(model, best, 60, stop);
-    followQuiet(model, best, stop);
-    followDispersion(model, best, stop);
-    LawFit fit = finished(model, best);
-    searchWithoutZeroLines(model, fit, stop);
     return fit;
 }
 
@@ -671,7 +683,7 @@ LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bo
         bestShare = share;
     }
     model.setDispersion(bestShare, false);
-    if (isFree && model.law() == TrialLaw::corner) searchShare(model, best, bestShare, 0.04, stop);
+    if (isFree && model.law() == TrialLaw::corner) searchShare(model, best, bestShare, 0.08, 6, stop);
     Eigen::VectorXd values = best.values;
     if (isFree) takeDispersion(model, values, bestShare, true);
     minimise(model, values, 40, stop);
