@@ -220,7 +220,9 @@ const Command& curveCommand() {
     static const Command command{
         .name = "curve",
         .operands = "FILE",
-        .summary = "follow outputs along a parameter: extremes, kinks, jumps and crossings, with errors",
+        .summary =
+            "vary one parameter: extremes, kinks and jumps of outputs, and where they reach a goal, with "
+            "errors",
         .details = details,
         .furtherHelp = outputHelp,
         .options = curveOptions(),

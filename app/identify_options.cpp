@@ -142,11 +142,11 @@ std::vector<OptionSpec> identifyOptionSpecs() {
          "support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars "
          "(default: rigid)"},
         {"check", "COLUMN@DISTANCE",
-         "predict the wave at a gauge on the bar behind the specimen, by its distance from the specimen, and "
-         "print the error; needs --backing bar"},
+         "predict the wave at a second gauge, DISTANCE behind the specimen on the bar there, and print the "
+         "error; needs --backing bar"},
         {"dispersion", "KIND",
-         "dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) "
-         "or none (default: fit)"},
+         "correction for the dispersion of waves between gauge and bit: fit (estimated from the record), bar "
+         "(theory of a round bar) or none (default: fit)"},
         {"end", "TIME", "use the record only up to this time after the reflected wave reaches the gauge"},
         {"blows", "WHICH", "blows of a record to evaluate: first, or all (default: first)"},
         {"seed", "S", "seed of the random numbers for noise and samples (default: 1)"},

@@ -55,8 +55,8 @@ Message longPulse(const Alert& alert, const ReadingStyle& style) {
 Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
     if (alert.arguments.empty())
         return translatable(
-            "No data of the hammer are given. By default it has the impedance of the rod, and the force of "
-            "its blow is a single step. Give the data of the piston.");
+            "No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a "
+            "rectangular blow. Enter the data of the piston.");
     Message values;
     for (const AlertArgument& argument : alert.arguments) {
         const KeptParameter parameter = findParameter(argument.name);
@@ -319,10 +319,10 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 "The motion does not repeat from blow to blow: use the means, not the values of single "
                 "blows.");
         case AlertCode::energyUnbalanced:
-            return {
-                translatable("The energy balance of all blows has an error of %1 %, because the time step is "
-                             "long for these contacts. A shorter time step reduces the error in proportion."),
-                {style.number(100 * alert.argument("share").value, 2)}};
+            return {translatable(
+                        "The energy balance of all blows has an error of %1 %, because the time step is too "
+                        "long for such short contacts. A shorter time step reduces the error in proportion."),
+                    {style.number(100 * alert.argument("share").value, 2)}};
         case AlertCode::damperAssumed:
             return translatable(
                 "The data of the damper are assumed, because makers do not publish them. Try dashpots from "

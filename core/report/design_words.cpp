@@ -123,14 +123,13 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
         const std::size_t neighbour = *best.robust - index * step + nextTo(axis, index) * step;
         if (std::ranges::find(best.ties, neighbour) != best.ties.end()) continue;
         if (!makesDifference(report.study, report.findings, i)) continue;
-        remarks.push_back(
-            {false,
-             "optimum_at_edge",
-             {value == most ? translatable("The best design for uncertain rock has the largest value of %1: "
-                                           "extend the range of this variable.")
-                            : translatable("The best design for uncertain rock has the smallest value of %1: "
-                                           "extend the range of this variable."),
-              {std::string(axis.key())}}});
+        remarks.push_back({false,
+                           "optimum_at_edge",
+                           {value == most ? translatable("The best design for uncertain rock lies at the "
+                                                         "upper end of the range of %1: extend that range.")
+                                          : translatable("The best design for uncertain rock lies at the "
+                                                         "lower end of the range of %1: extend that range."),
+                            {std::string(axis.key())}}});
     }
 }
 

@@ -57,8 +57,9 @@ class EstimateMessage {
             case FeedState::returnMet:
                 return {
                     m_estimate.isOfAllGaps()
-                        ? translatable("A feed force of %1 is enough for every single blow, and even returns "
-                                       "an undamped rod to the rock in time at every gap (%2 required).")
+                        ? translatable("A feed force of %1 is enough for every single blow. It even returns "
+                                       "an undamped rod to the rock before the next blow at every gap, which "
+                                       "requires %2.")
                         : translatable("A feed force of %1 is enough for this blow and for rigid rock, and "
                                        "even returns an undamped rod to the rock in time (%2 required); "
                                        "other gaps between bit and rock were not examined."),

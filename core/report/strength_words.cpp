@@ -16,13 +16,13 @@ namespace {
 const char* firstPattern(const StrengthUse& use) {
     if (use.of == StrengthUse::Strength::fatigue)
         return translatable(
-            "The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.");
+            "The section closest to breaking is %1: a tension of %2 is %3 of its fatigue strength of %4.");
     return use.isTension ? translatable(
-                               "The section that yields first is %1: a tension of %2 is %3 of its yield "
+                               "The section closest to yielding is %1: a tension of %2 is %3 of its yield "
                                "strength of %4.")
                          : translatable(
-                               "The section that yields first is %1: a compression of %2 is %3 of its yield "
-                               "strength of %4.");
+                               "The section closest to yielding is %1: a compression of %2 is %3 of its "
+                               "yield strength of %4.");
 }
 
 /// Returns the fatigue strength of the rods, or of the first section if no section is a rod.
@@ -44,9 +44,10 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
     const std::vector<std::optional<StrengthUse>> uses = strengthUses(scenario, stresses);
     const std::optional<std::size_t> most = mostUsedSection(uses);
     if (!most)
-        return {translatable(
-                    "No section has a strength. Give a strength (%1) to find the section that breaks first."),
-                {wantedStrength(scenario, style)}};
+        return {
+            translatable(
+                "No section has a strength. Enter a strength (%1) to find the section that breaks first."),
+            {wantedStrength(scenario, style)}};
     const StrengthUse& use = *uses[*most];
     const auto stress = [&](double si) { return style.quantity(si, Quantity::stress, 4); };
     const std::vector<Message> words = sectionWords(scenario.drillString);

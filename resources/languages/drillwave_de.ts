@@ -6100,8 +6100,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zum Hammer zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Hammerkraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
     </message>
     <message>
-        <source>No data of the hammer are given. By default it has the impedance of the rod, and the force of its blow is a single step. Give the data of the piston.</source>
-        <translation>Es sind keine Daten des Hammers angegeben. In der Vorgabe hat er die Impedanz der Stange, und die Kraft seines Schlags ist eine einzige Stufe. Die Daten des Kolbens angeben.</translation>
+        <source>No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a rectangular blow. Enter the data of the piston.</source>
+        <translation>Zum Hammer ist nichts angegeben. Angenommen ist ein Hammer mit der Impedanz der Stange und ein rechteckiger Schlag. Die Daten des Kolbens eingeben.</translation>
     </message>
     <message>
         <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
@@ -6240,8 +6240,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Bewegung wiederholt sich nicht von Schlag zu Schlag: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %, because the time step is long for these contacts. A shorter time step reduces the error in proportion.</source>
-        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%, weil der Zeitschritt für diese Kontakte lang ist. Ein kürzerer Zeitschritt verringert den Fehler im gleichen Verhältnis.</translation>
+        <source>The energy balance of all blows has an error of %1 %, because the time step is too long for such short contacts. A shorter time step reduces the error in proportion.</source>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%, weil der Zeitschritt für so kurze Kontakte zu lang ist. Ein kürzerer Zeitschritt verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
         <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
@@ -8404,12 +8404,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den kleinsten Wert von %3, %4.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock has the largest value of %1: extend the range of this variable.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein hat den größten Wert von %1: den Bereich dieser Größe erweitern.</translation>
+        <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
+        <translation>Die beste Auslegung für unsicheres Gestein liegt am oberen Ende des Bereichs von %1: diesen Bereich erweitern.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock has the smallest value of %1: extend the range of this variable.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein hat den kleinsten Wert von %1: den Bereich dieser Größe erweitern.</translation>
+        <source>The best design for uncertain rock lies at the lower end of the range of %1: extend that range.</source>
+        <translation>Die beste Auslegung für unsicheres Gestein liegt am unteren Ende des Bereichs von %1: diesen Bereich erweitern.</translation>
     </message>
     <message>
         <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
@@ -11272,19 +11272,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 weitere Abschnitte</translation>
     </message>
     <message>
-        <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
-        <translation>Am ehesten bricht: %1. Ein Zug von %2 ist %3 der Dauerfestigkeit von %4.</translation>
+        <source>The section closest to breaking is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
+        <translation>Am nächsten am Bruch ist %1: eine Zugspannung von %2 ist %3 der Dauerfestigkeit von %4.</translation>
     </message>
     <message>
-        <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
-        <translation>Zuerst fließt der Abschnitt %1: ein Zug von %2 ist %3 seiner Streckgrenze von %4.</translation>
+        <source>The section closest to yielding is %1: a tension of %2 is %3 of its yield strength of %4.</source>
+        <translation>Am nächsten am Fließen ist %1: eine Zugspannung von %2 ist %3 der Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>The section that yields first is %1: a compression of %2 is %3 of its yield strength of %4.</source>
-        <translation>Zuerst fließt der Abschnitt %1: ein Druck von %2 ist %3 seiner Streckgrenze von %4.</translation>
+        <source>The section closest to yielding is %1: a compression of %2 is %3 of its yield strength of %4.</source>
+        <translation>Am nächsten am Fließen ist %1: eine Druckspannung von %2 ist %3 der Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength. Give a strength (%1) to find the section that breaks first.</source>
+        <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
         <translation>Kein Abschnitt hat eine Festigkeit. Eine Festigkeit angeben (%1), um den Abschnitt zu finden, der zuerst bricht.</translation>
     </message>
     <message>
@@ -12770,8 +12770,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag und bringt sogar eine ungedämpfte Stange bei jedem Spalt rechtzeitig zum Gestein zurück (%2 erforderlich).</translation>
+        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow at every gap, which requires %2.</source>
+        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag. Er bringt sogar eine ungedämpfte Stange bei jedem Spalt vor dem nächsten Schlag zurück ans Gestein, was %2 erfordert.</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
@@ -15814,8 +15814,8 @@ kann - (Standardeingabe) oder eine Pipe sein. FILE.csv.yaml neben FILE.csv hält
 und Szenario fest.</translation>
     </message>
     <message>
-        <source>follow outputs along a parameter: extremes, kinks, jumps and crossings, with errors</source>
-        <translation>Ergebnisse entlang eines Parameters verfolgen: Extreme, Knicke, Sprünge, Schnittpunkte</translation>
+        <source>vary one parameter: extremes, kinks and jumps of outputs, and where they reach a goal, with errors</source>
+        <translation>einen Parameter ändern: Extrema, Knicke und Sprünge der Ausgaben und wo sie ein Ziel erreichen, mit Fehlern</translation>
     </message>
     <message>
         <source>vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)</source>
@@ -16508,12 +16508,12 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Auflage hinter Gestein oder Probe: rigid (starr), oder bar, wenn die Probe zwischen zwei gleichen Stäben liegt (Vorgabe: rigid)</translation>
     </message>
     <message>
-        <source>predict the wave at a gauge on the bar behind the specimen, by its distance from the specimen, and print the error; needs --backing bar</source>
-        <translation>die Welle an einer Messstelle des Stabs hinter der Probe vorhersagen, nach ihrem Abstand von der Probe, und den Fehler ausgeben; braucht --backing bar</translation>
+        <source>predict the wave at a second gauge, DISTANCE behind the specimen on the bar there, and print the error; needs --backing bar</source>
+        <translation>die Welle an einer zweiten Messstelle vorhersagen, im Abstand DISTANCE hinter der Probe auf dem Stab dort, und den Fehler ausgeben; braucht --backing bar</translation>
     </message>
     <message>
-        <source>dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) or none (default: fit)</source>
-        <translation>Dispersion der Wellen zwischen Messstelle und Krone: fit (an die Aufzeichnung angepasst), bar (die eines runden Stabs) oder none (keine) (Vorgabe: fit)</translation>
+        <source>correction for the dispersion of waves between gauge and bit: fit (estimated from the record), bar (theory of a round bar) or none (default: fit)</source>
+        <translation>Korrektur der Dispersion der Wellen zwischen Messstelle und Bohrkrone: fit (aus der Aufzeichnung geschätzt), bar (Theorie eines runden Stabs) oder none (Vorgabe: fit)</translation>
     </message>
     <message>
         <source>use the record only up to this time after the reflected wave reaches the gauge</source>

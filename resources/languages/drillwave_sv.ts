@@ -6100,8 +6100,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Den första reflexionen kommer tillbaka till hammaren före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är hammarkraften given. En borrsträng med hammare tar hänsyn till den.</translation>
     </message>
     <message>
-        <source>No data of the hammer are given. By default it has the impedance of the rod, and the force of its blow is a single step. Give the data of the piston.</source>
-        <translation>Inga data för hammaren är angivna. Som standard har den stångens impedans, och kraften i dess slag är ett enda steg. Ange kolvens data.</translation>
+        <source>No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a rectangular blow. Enter the data of the piston.</source>
+        <translation>Inga hammardata är angivna. Hammaren antas ha stångens impedans och ge ett rektangulärt slag. Ange kolvens data.</translation>
     </message>
     <message>
         <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
@@ -6240,8 +6240,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Rörelsen upprepar sig inte från slag till slag: använd medelvärdena, inte värden för enstaka slag.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %, because the time step is long for these contacts. A shorter time step reduces the error in proportion.</source>
-        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%, eftersom tidssteget är långt för dessa kontakter. Ett kortare tidssteg minskar felet i samma mån.</translation>
+        <source>The energy balance of all blows has an error of %1 %, because the time step is too long for such short contacts. A shorter time step reduces the error in proportion.</source>
+        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%, eftersom tidssteget är för långt för så korta kontakter. Ett kortare tidssteg minskar felet i samma mån.</translation>
     </message>
     <message>
         <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
@@ -8404,12 +8404,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det minsta värdet på %3, %4.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock has the largest value of %1: extend the range of this variable.</source>
-        <translation>Den bästa konstruktionen för osäkert berg har det största värdet på %1: vidga området för denna variabel.</translation>
+        <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
+        <translation>Den bästa utformningen för osäkert berg ligger i övre änden av området för %1: vidga det området.</translation>
     </message>
     <message>
-        <source>The best design for uncertain rock has the smallest value of %1: extend the range of this variable.</source>
-        <translation>Den bästa konstruktionen för osäkert berg har det minsta värdet på %1: vidga området för denna variabel.</translation>
+        <source>The best design for uncertain rock lies at the lower end of the range of %1: extend that range.</source>
+        <translation>Den bästa utformningen för osäkert berg ligger i nedre änden av området för %1: vidga det området.</translation>
     </message>
     <message>
         <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
@@ -11272,19 +11272,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 andra sektioner</translation>
     </message>
     <message>
-        <source>The section that breaks first is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
-        <translation>Den sektion som brister först är %1: en dragspänning på %2 är %3 av dess utmattningsgräns på %4.</translation>
+        <source>The section closest to breaking is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
+        <translation>Närmast brott är %1: en dragspänning på %2 är %3 av utmattningsgränsen %4.</translation>
     </message>
     <message>
-        <source>The section that yields first is %1: a tension of %2 is %3 of its yield strength of %4.</source>
-        <translation>Den sektion som flyter först är %1: en dragspänning på %2 är %3 av dess sträckgräns på %4.</translation>
+        <source>The section closest to yielding is %1: a tension of %2 is %3 of its yield strength of %4.</source>
+        <translation>Närmast flytning är %1: en dragspänning på %2 är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
-        <source>The section that yields first is %1: a compression of %2 is %3 of its yield strength of %4.</source>
-        <translation>Den sektion som flyter först är %1: en tryckspänning på %2 är %3 av dess sträckgräns på %4.</translation>
+        <source>The section closest to yielding is %1: a compression of %2 is %3 of its yield strength of %4.</source>
+        <translation>Närmast flytning är %1: en tryckspänning på %2 är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
-        <source>No section has a strength. Give a strength (%1) to find the section that breaks first.</source>
+        <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
         <translation>Ingen sektion har en hållfasthet. Ange en hållfasthet (%1) för att hitta den sektion som brister först.</translation>
     </message>
     <message>
@@ -12770,8 +12770,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow, and even returns an undamped rod to the rock in time at every gap (%2 required).</source>
-        <translation>En matningskraft på %1 räcker för varje enskilt slag och för till och med en odämpad stång tillbaka till berget i tid vid varje spalt (%2 krävs).</translation>
+        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow at every gap, which requires %2.</source>
+        <translation>Matningskraften %1 räcker för varje enskilt slag. Den för till och med en odämpad stång tillbaka till berget före nästa slag vid varje spel, vilket kräver %2.</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
@@ -15812,8 +15812,8 @@ FILE. Kolumner som inte är parametrar förs över till utdata. CASES kan vara -
 ett rör (pipe). FILE.csv.yaml bredvid FILE.csv innehåller version, kommando och scenario.</translation>
     </message>
     <message>
-        <source>follow outputs along a parameter: extremes, kinks, jumps and crossings, with errors</source>
-        <translation>följ resultat längs en parameter: extremvärden, knäckar, språng och korsningar</translation>
+        <source>vary one parameter: extremes, kinks and jumps of outputs, and where they reach a goal, with errors</source>
+        <translation>variera en parameter: extremvärden, knän och språng hos utdata och var de når ett mål, med fel</translation>
     </message>
     <message>
         <source>vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)</source>
@@ -16501,12 +16501,12 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>stöd bakom berg eller prov: rigid (stelt), eller bar om provet ligger mellan två likadana stänger (standard: rigid)</translation>
     </message>
     <message>
-        <source>predict the wave at a gauge on the bar behind the specimen, by its distance from the specimen, and print the error; needs --backing bar</source>
-        <translation>förutsäg vågen vid en givare på stången bakom provet, efter dess avstånd från provet, och skriv felet; kräver --backing bar</translation>
+        <source>predict the wave at a second gauge, DISTANCE behind the specimen on the bar there, and print the error; needs --backing bar</source>
+        <translation>förutsäg vågen vid en andra givare, på avståndet DISTANCE bakom provet på stången där, och skriv ut felet; kräver --backing bar</translation>
     </message>
     <message>
-        <source>dispersion of waves between gauge and bit: fit (fitted to the record), bar (that of a round bar) or none (default: fit)</source>
-        <translation>vågornas dispersion mellan givare och krona: fit (anpassad till mätningen), bar (den i en rund stång) eller none (ingen) (standard: fit)</translation>
+        <source>correction for the dispersion of waves between gauge and bit: fit (estimated from the record), bar (theory of a round bar) or none (default: fit)</source>
+        <translation>korrektion för vågornas dispersion mellan givare och borrkrona: fit (uppskattad ur mätningen), bar (teorin för en rund stång) eller none (förval: fit)</translation>
     </message>
     <message>
         <source>use the record only up to this time after the reflected wave reaches the gauge</source>

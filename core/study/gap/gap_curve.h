@@ -66,7 +66,7 @@ struct GapCurve {
     Message reason;            ///< reason why some gaps have no result; empty if all have one
     bool stopped = false;      ///< set if the stop token ended the computation; the curve is then incomplete
     bool usable() const { return !stopped && !pieces.empty(); }
-    /// Returns whether all gaps have a result, except for a length of at most 1e-6.
+    /// Returns whether the unsolved part of the range of δ is at most 1e-6 in all.
     bool isComplete() const { return usable() && unsolved <= 1e-6; }
 
     /// Returns an output at any gap δ ≥ start, using periodicity beyond `end`. Requires that the curve has a

@@ -32,7 +32,7 @@ class SeriesBasis {
 
     /// Solution of a stretch of contact: g and F on the same scale.
     struct Response {
-        /// Length of the stretch, in units of t0.
+        /// Length of this time interval, in units of t0.
         Real length = 0;
         /// Arriving wave g, which must outlive the response; it may point to `cut`.
         const Piece* incident = nullptr;

@@ -33,16 +33,17 @@ struct SectionWave {
 /// the size of each piece.
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
 
-/// Returns wave number `number` at the section ξ = x/L, up to the time `end` at the latest, in units of t0.
+/// Returns the wave with index `number` at the section ξ = x/L, up to the time `end` at the latest, in units
+/// of t0.
 SectionWave sampledWave(const Impact& impact, double xi, int number,
                         double end = std::numeric_limits<double>::infinity());
 
-/// Returns the exact value of wave number `number` at the section ξ and time t, in units of F0, tension
-/// positive; NaN before its arrival and after one round trip from then.
+/// Returns the exact value of the wave with index `number` at the section ξ and time t, in units of F0,
+/// tension positive; NaN before its arrival and after one round trip from then.
 double sectionWave(const Impact& impact, double xi, int number, double t);
 
-/// Returns the integral of wave number `number` over time up to t, in units of I0; only differences between
-/// two times are meaningful. It is constant while the wave is not at the section ξ.
+/// Returns the time integral of the wave with index `number` up to t, in units of I0; only differences
+/// between two times are meaningful. It is constant while the wave is not at the section ξ.
 double sectionWaveImpulse(const Impact& impact, double xi, int number, double t);
 
 /// Histories of force, impulse and incident wave at the bit, sampled at the same times.

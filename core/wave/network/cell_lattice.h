@@ -49,7 +49,7 @@ class CellLattice {
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
     /// Returns the waves in a section that run away from the rock.
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }
-    /// Returns the impact force for each step of the block; valid only if histories are requested.
+    /// Returns the impact force at each time step of the current block of steps; valid only if histories are requested.
     const WaveCell* bitForces() const { return m_bitForces.data(); }
 
     // Functions for the state after the last computed block
@@ -142,7 +142,7 @@ class CellLattice {
     bool m_mayCut = true;
     /// Waves away from the rock over the block, as they arrive at the rear end of a section.
     std::vector<WaveCell> m_weakened;
-    /// Impact force for each step of the block.
+    /// Impact force at each time step of the current block of steps.
     std::vector<WaveCell> m_bitForces;
 
     // Members that are kept only to reuse their memory

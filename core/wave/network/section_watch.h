@@ -103,8 +103,8 @@ class SectionWatch {
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
 
     /// Adds waves of consecutive steps, from number `step` on. `downs` enter at the rear end, towards the
-    /// rock. `ups` enter at the front end: first those of the round trip before `step`, the oldest first,
-    /// then as many as `downs`. Meetings after `lastTime` [t0] are ignored.
+    /// rock. `ups` enter at the front end: the waves of the previous round trip, oldest first, then one for
+    /// each of `downs`. Overlaps of waves after `lastTime` [t0] are ignored.
     void add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step, const CellCuts& cuts,
              double lastTime);
     /// Restarts at the start of a blow, or after cells were cut. `window` holds the waves that entered at the

@@ -34,8 +34,8 @@ const std::vector<Example>& examples() {
          "feel it, but here the hammer force is prescribed. To include it, use a drill string with a "
          "hammer."},
         {{note, AlertCode::defaultHammer, "pulse.impedance_ratio", {}},
-         "No data of the hammer are given. By default it has the impedance of the rod, and the force of its "
-         "blow is a single step. Give the data of the piston."},
+         "No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a "
+         "rectangular blow. Enter the data of the piston."},
         {{note,
           AlertCode::defaultHammer,
           "pulse.length",

@@ -49,7 +49,7 @@ struct RodCurves {
     double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
-    /// Returns a strength of a string's section in the unit shown; `strength` is in Pa.
+    /// Returns the strength of a section of a string in the displayed unit; `strength` is in Pa.
     std::optional<double> shownStrength(const std::optional<double>& strength) const {
         return strength ? std::optional(*strength * strengthFactor) : std::nullopt;
     }
