@@ -105,7 +105,10 @@ void TestReport::textsOfAnyLengthMakeTwoToEightSheets_data() {
     QTest::newRow("a long source") << with("assumed", QByteArray("by drilling ").repeated(length / 12));
     QTest::newRow("sources without a blank") << with("assumed", word);
     QTest::newRow("sources on every line") << with("\n  ", " # " + word.left(5000) + "\n  ");
-    const QByteArray string = read(example(QStringLiteral("t38_string")));
+    // A column of fatigue strengths would narrow that of the sources.
+    const QByteArray string = read(example(QStringLiteral("t38_string")))
+                                  .replace(", fatigue_strength: 250 MPa", "")
+                                  .replace(", fatigue_strength: 400 MPa", "");
     const QByteArray section =
         "  - {name: tube, length: 60 mm, diameter: 76 mm, yield_strength: 900 MPa}   # " + word.left(200) +
         "\n";

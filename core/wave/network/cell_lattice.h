@@ -49,7 +49,8 @@ class CellLattice {
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
     /// Returns the waves in a section that run away from the rock.
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }
-    /// Returns the impact force at each time step of the current block of steps; valid only if histories are requested.
+    /// Returns the impact force at each time step of the current block of steps; valid only if histories are
+    /// requested.
     const WaveCell* bitForces() const { return m_bitForces.data(); }
 
     // Functions for the state after the last computed block

@@ -214,8 +214,8 @@ const std::vector<Example>& examples() {
         {{note, AlertCode::irregularMotion, "", {}},
          "The motion does not repeat from blow to blow: use the means, not the values of single blows."},
         {{warning, AlertCode::energyUnbalanced, "", {{"share", 0.0021}}},
-         "The energy balance of all blows has an error of 0.21 %, because the time step is long for these "
-         "contacts. A shorter time step reduces the error in proportion."},
+         "The energy balance of all blows has an error of 0.21 %, because the time step is too long for "
+         "such short contacts. A shorter time step reduces the error in proportion."},
         {{note, AlertCode::damperAssumed, "", {}},
          "The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to "
          "0.5 times the impedance of the rod."},

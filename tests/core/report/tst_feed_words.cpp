@@ -138,9 +138,8 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "For single blows, no additional feed force is required. From 11.5 kN on, even an undamped rod would "
         "return to the rock before each next blow.");
     row("return met", "t38_medium_rock", 12e3,
-        "A feed force of 12 kN is enough for every single blow, and even returns an undamped rod to the rock "
-        "in "
-        "time at every gap (11.45 kN required).",
+        "A feed force of 12 kN is enough for every single blow. It even returns an undamped rod to the rock "
+        "before the next blow at every gap, which requires 11.45 kN.",
         "For single blows, no additional feed force is required.");
     row("a string, at this gap", "t38_string", 8e3,
         "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "

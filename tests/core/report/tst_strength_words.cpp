@@ -66,9 +66,10 @@ class TestStrengthWords : public QObject {
 
     void withoutStrengthsTheSentenceAsksForThem() {
         const std::vector<SectionStress> stresses(4, stressed(1e8, 1e8));
-        QVERIFY(strengthSentence(threeRods(), stresses, plainStyle())
-                    .text()
-                    .starts_with("No section has a strength. Give a strength (string.rod.fatigue_strength)"));
+        QVERIFY(
+            strengthSentence(threeRods(), stresses, plainStyle())
+                .text()
+                .starts_with("No section has a strength. Enter a strength (string.rod.fatigue_strength)"));
         QVERIFY(strengthSentence(threeRods(), {}, plainStyle()).isEmpty());
     }
 
