@@ -56,6 +56,8 @@ class TestIdentifyOracles : public QObject {
     void scaledRecordScalesForcesAndGap();
     void originOfTimeChangesNothing();
     void splitSectionChangesNothing();
+    void wavesOfTheModelGiveItsLawBack_data();
+    void wavesOfTheModelGiveItsLawBack();
     void whatTheZeroLinesAbsorbMovesTheAnswerLittle_data();
     void whatTheZeroLinesAbsorbMovesTheAnswerLittle();
     void whiteNoiseIsCovered();
@@ -129,6 +131,57 @@ void TestIdentifyOracles::originOfTimeChangesNothing() {
     const Answer other = answerOf(question);
     QVERIFY2(other.isNear(one, 0, 1) && other.isNear(one, 1, 1) && other.isNear(one, 2, 1),
              other.against(one).constData());
+}
+
+void TestIdentifyOracles::wavesOfTheModelGiveItsLawBack_data() {
+    QTest::addColumn<double>("stiffness");
+    QTest::addColumn<double>("gamma");
+    QTest::addColumn<double>("gap");
+    QTest::newRow("soft") << 60e6 << 0.05 << 0.0;
+    QTest::newRow("medium") << 150e6 << 0.2 << 1e-4;
+    QTest::newRow("hard, at a gap") << 400e6 << 0.4 << 3e-4;
+}
+
+/// The reflected wave of the record is replaced by that of the model, without noise; zero lines are held
+/// (§13.1).
+void TestIdentifyOracles::wavesOfTheModelGiveItsLawBack() {
+    QFETCH(double, stiffness);
+    QFETCH(double, gamma);
+    QFETCH(double, gap);
+    const IdentifyQuestion question = coverageScene("white", plainRock, 0.003, 7).question;
+    const GaugeRecord& given = question.records[0];
+    Preparation prepared =
+        prepareRecord(given, {*gaugePlace(question.scenario, given.gauges[0].distance)}, question);
+    QVERIFY(!prepared.refusal);
+    const auto set = [](const RecordModel& model, Eigen::VectorXd& values, UnknownKind kind, double value) {
+        values[static_cast<Eigen::Index>(model.find(kind))] = value;
+    };
+    RecordModel made(prepared.record, question, {}, TrialLaw::bilinear);
+    made.setDispersion(0, false);
+    Eigen::VectorXd truth = startValues(made);
+    set(made, truth, UnknownKind::stiffness, std::log(stiffness));
+    set(made, truth, UnknownKind::gamma, std::log(gamma));
+    set(made, truth, UnknownKind::gap, gap);
+    made.solved(truth);
+    std::ranges::copy(made.modelReturning(), prepared.record.gauges[0].force.begin() +
+                                                 static_cast<std::ptrdiff_t>(made.firstReturning()));
+    RecordModel model(prepared.record, question, {}, TrialLaw::bilinear);
+    model.setDispersion(0, false);
+    for (Unknown& unknown : model.unknowns())
+        if (unknown.kind == UnknownKind::shape) unknown.isHeld = true;
+    Eigen::VectorXd values = startValues(model);
+    set(model, values, UnknownKind::stiffness, std::log(1.3 * stiffness));
+    set(model, values, UnknownKind::gamma, std::log(0.8 * gamma));
+    set(model, values, UnknownKind::gap, gap + 2e-5);
+    minimise(model, values, 200, {});
+    const Eigen::VectorXd change = values - truth;
+    const auto off = [&](UnknownKind kind) {
+        return std::abs(change[static_cast<Eigen::Index>(model.find(kind))]);
+    };
+    QVERIFY2(off(UnknownKind::stiffness) < 1e-5, qPrintable(QString::number(off(UnknownKind::stiffness))));
+    QVERIFY2(off(UnknownKind::gamma) < 1e-5, qPrintable(QString::number(off(UnknownKind::gamma))));
+    QVERIFY2(off(UnknownKind::gap) < 1e-6, qPrintable(QString::number(off(UnknownKind::gap))));
+    QVERIFY2(off(UnknownKind::lag) < 1e-8, qPrintable(QString::number(off(UnknownKind::lag))));
 }
 
 void TestIdentifyOracles::splitSectionChangesNothing() {
