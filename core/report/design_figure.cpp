@@ -47,13 +47,14 @@ bool hasField(const DesignStudy& study) {
 /// The upper panel of a study.
 class ObjectivePanel {
   public:
-    ObjectivePanel(const DesignReport& report, const DesignNames& names)
+    ObjectivePanel(const DesignReport& report, const DesignNames& names, DesignMarks marks)
         : m_report(report),
           m_study(report.study),
           m_aim(report.study.aims.front()),
           m_names(names),
           m_each(m_study.choices.empty() ? 1 : m_study.choices.back().count),
-          m_isField(hasField(m_study)) {}
+          m_isField(hasField(m_study)),
+          m_marks(marks) {}
 
     StudyPanel panel() {
         const FigureAxis values = axisOf(m_report, m_aim, outputMessage(*m_aim.output));
@@ -127,9 +128,11 @@ class ObjectivePanel {
         const auto named = [&](const char* words, std::size_t design) {
             return about(words, m_names.design(design));
         };
-        FigureSeries present{.points = SeriesPoints::here};  // only for the legend: the window draws it
-        if (const auto design = presentDesign(m_study); design && m_report.findings.designs.size() > 1)
+        FigureSeries present{.points = SeriesPoints::here};
+        if (const auto design = presentDesign(m_study); design && m_report.findings.designs.size() > 1) {
             present.legend = {translatable("present design: %1"), {m_names.design(*design)}};
+            if (m_marks == DesignMarks::all) addMark(present, *design, nominal(*design));
+        }
         FigureSeries robust{.legend = named(translatable("best for uncertain rock"), *best.robust),
                             .points = SeriesPoints::diamonds};
         addMark(robust, *best.robust, objective(*best.robust));
@@ -195,6 +198,7 @@ class ObjectivePanel {
     const DesignNames& m_names;
     const std::size_t m_each;  // designs that differ in the last design variable only
     const bool m_isField;
+    const DesignMarks m_marks;
     StudyPanel m_panel;
 };
 
@@ -280,10 +284,10 @@ double designOrdinate(const DesignStudy& study, const Output& output, double val
     return hasUnits(study.base) && !output.isOnlySi() ? value / output.scale(scalesOf(study.base)) : value;
 }
 
-StudyFigure designFigure(const DesignReport& report, const DesignNames& names) {
+StudyFigure designFigure(const DesignReport& report, const DesignNames& names, DesignMarks marks) {
     const DesignStudy& study = report.study;
     StudyFigure figure{.paperHeight = 180};
-    figure.panels = {ObjectivePanel(report, names).panel(), {.isHidden = true}, {.isHidden = true}};
+    figure.panels = {ObjectivePanel(report, names, marks).panel(), {.isHidden = true}, {.isHidden = true}};
     if (study.aims.size() > 1) figure.panels[1] = tradeOffPanel(report, names);
     if (study.dimensions() > 1 && carriesShares(study)) figure.panels[2] = causesPanel(report);
     for (const std::size_t i : {1, 2}) {

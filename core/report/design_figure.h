@@ -16,8 +16,12 @@ enum class DesignPanel {
     causes,    ///< Sobol indices: shares of the uncertain inputs in the scatter
 };
 
+/// Marks in the panel of the objective. The window draws the present design itself: it moves with the form.
+enum class DesignMarks { all, withoutPresent };
+
 /// Returns the figure of a study. Requires a report with a best design.
-StudyFigure designFigure(const DesignReport& report, const DesignNames& names);
+StudyFigure designFigure(const DesignReport& report, const DesignNames& names,
+                         DesignMarks marks = DesignMarks::all);
 
 /// Returns an output as a figure has it: a multiple of its scale, or in SI if it has none. `value` is in the
 /// units of the study.

@@ -419,7 +419,8 @@ void DesignPage::draw(const DesignAnswer& answer) {
         [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
         locale());
     const bool wasField = m_frame->field(), isFirst = m_frame->isEmpty();
-    m_frame->present({designFigure(answer.report, units), figureUnits(m_shownUnits)});
+    m_frame->present(
+        {designFigure(answer.report, units, DesignMarks::withoutPresent), figureUnits(m_shownUnits)});
     const std::vector<StudyPanel>& panels = m_frame->figure().panels;
     const auto bars = static_cast<int>(panels[std::size_t(DesignPanel::causes)].y.names.size());
     m_plotLines = panels[1].isHidden && panels[2].isHidden
