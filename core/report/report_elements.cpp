@@ -24,8 +24,13 @@ std::string ReportElements::heading(const Message& text) const {
 }
 
 std::string ReportElements::table(const std::string& id, const std::string& rows) const {
+    constexpr std::size_t mostColumns = 6;  // of the usual size on paper
+    std::size_t columns = 0;
+    const std::size_t end = rows.find("</tr>");
+    for (std::size_t at = rows.find("<th"); at < end; at = rows.find("<th", at + 1)) ++columns;
+    const std::string kind = columns > mostColumns ? "ruled dense" : "ruled";
     return (isScreen() ? "<table id=\"" + id + "-table\">\n"
-                       : "<table class=\"ruled\" cellspacing=\"0\" border=\"0\">\n") +
+                       : "<table class=\"" + kind + "\" cellspacing=\"0\" border=\"0\">\n") +
            rows + "</table>\n";
 }
 

@@ -49,7 +49,7 @@ constexpr std::string_view paperStyle =
     "#555555}th.whole,td.whole{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:"
     "4px}p."
     "caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
-    "wrap}";
+    "wrap}table.dense td,table.dense th{padding-right:5px;font-size:7pt}";
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
 
