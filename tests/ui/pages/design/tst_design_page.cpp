@@ -495,7 +495,8 @@ void TestDesignPage::parametersAreCalledAsInTheForm() {
     const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
     card.present(answer, DesignUnits(answer.report.study, ShownUnits(), unit, QLocale::c()));
     const QString text = card.toPlainText();  // of two values either is an end
-    QVERIFY2(text.contains(QStringLiteral("end of the range of length of hammer 1: extend")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("end of the range of length of hammer 1: extend")),
+             qPrintable(text));
     QVERIFY2(!text.contains(QStringLiteral("hammer.1")), qPrintable(text));
 }
 
