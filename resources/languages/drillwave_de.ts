@@ -8844,8 +8844,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 ist gewählt und unsicher: beides zugleich geht nur mit +-P% um die Wahl</translation>
     </message>
     <message>
-        <source>keeping the energy sets %1, and so does the choice of %2; leave out one of them</source>
-        <translation>die Energie zu halten setzt %1, und die Wahl von %2 auch; eines davon weglassen</translation>
+        <source>keeping the energy sets %1, and so does the choice of %2; leave out that choice, or do not keep the energy (--no-keep-energy)</source>
+        <translation>die Energie zu halten setzt %1, und die Wahl von %2 auch; diese Wahl weglassen oder die Energie nicht halten (--no-keep-energy)</translation>
     </message>
     <message>
         <source>thrust_margin needs a study of all gaps; aim at thrust instead</source>

@@ -8844,8 +8844,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 är både vald och osäker: bara +-P% kring valet är möjligt</translation>
     </message>
     <message>
-        <source>keeping the energy sets %1, and so does the choice of %2; leave out one of them</source>
-        <translation>att behålla energin sätter %1, och det gör valet av %2 också; utelämna ett av dem</translation>
+        <source>keeping the energy sets %1, and so does the choice of %2; leave out that choice, or do not keep the energy (--no-keep-energy)</source>
+        <translation>att behålla energin sätter %1, och det gör valet av %2 också; utelämna valet eller behåll inte energin (--no-keep-energy)</translation>
     </message>
     <message>
         <source>thrust_margin needs a study of all gaps; aim at thrust instead</source>

@@ -113,9 +113,9 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
     lines.invalid(energyLine(study.base));
     const KeptParameter scaled = energyParameter(study.base);
     const auto refuse = [&](const std::string& choice) {
-        lines.invalid(
-            {translatable("keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
-             {std::string(scaled->key), choice}});
+        lines.invalid({translatable("keeping the energy sets %1, and so does the choice of %2; leave out "
+                                    "that choice, or do not keep the energy (--no-keep-energy)"),
+                       {std::string(scaled->key), choice}});
     };
     if (!scaled) return;
     for (const SweepAxis& axis : study.choices)

@@ -179,7 +179,7 @@ void TestDesignTexts::presetsExcludeWhatTheySet_data() {
         << "rod.length=3m,4m"
         << "bit_rock.gap=0mm:1mm" << true
         << "keeping the energy sets pulse.impulse, and so does the choice of hammer; "
-           "leave out one of them";
+           "leave out that choice, or do not keep the energy (--no-keep-energy)";
 }
 
 void TestDesignTexts::presetsExcludeWhatTheySet() {
