@@ -172,9 +172,8 @@ void addEffect(BudgetEffect& row, const RecordModel& model, UnknownKind kind, do
     effect = std::hypot(effect, halfWidth);
 }
 
-/// Adds to the budget what a law of yet another form may change, if the answer leaves more than noise: about
-/// half of what the wrong laws in 400 simulated records did. Nothing below 0.05 % of the peak or 1.1 of the
-/// noise, all from 0.1 % and 1.25.
+/// Adds to the budget the effect of a law that was not tried, if the answer leaves more than noise. The full
+/// effect counts from a misfit of 0.1 % of the peak and 1.25 times the noise, none below 0.05 % or 1.1 times.
 void addUntriedLaws(LawCandidate& answer) {
     constexpr double onStiffness = 0.05, onGamma = 0.04;  // half-widths of logarithms
     const MisfitFound& found = answer.errors.misfit;

@@ -161,6 +161,20 @@ void searchShare(RecordModel& model, Start& best, double& share, double step, in
     model.setDispersion(share, false);
 }
 
+/// Returns the share of dispersion of a model in which it is not fitted.
+double heldShare(const RecordModel& model) {
+    return model.dispersionChoice() == DispersionChoice::bar ? 1 : 0;
+}
+
+/// Takes over the dispersion of a solution of another model: its share, which stays free if it is free there.
+void takeDispersionOf(RecordModel& model, const RecordModel& other, const Eigen::VectorXd& values) {
+    const std::size_t unknown = other.shapeUnknown("dispersion");
+    if (unknown < other.unknowns().size())
+        model.setDispersion(values[static_cast<Index>(unknown)], true);
+    else
+        model.setDispersion(heldShare(other), false);
+}
+
 void followDispersion(RecordModel& model, Eigen::VectorXd& values, const std::stop_token& stop) {
     for (int round = 0; round < 5 && model.hasDispersion() && !stop.stop_requested(); ++round) {
         const double share = values[static_cast<Index>(model.shapeUnknown("dispersion"))];
@@ -518,14 +532,13 @@ double largestForce(RecordModel& model, const LawFit& fit) {
 }
 
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
-    constexpr double clearlyBetter = 0.95;  // of Σr² of the returning wave: near minima differ by noise
+    constexpr double clearlyBetter = 0.95;  // ratio of Σr²: two minima closer than that differ by noise only
     model.holdSizes(true);
     const double floor = quietFloor * model.record().peak;
     model.setQuietErrors(floor, floor);
     model.setDispersion(0.5, true);
     if (model.dispersionChoice() != DispersionChoice::fit || !model.hasDispersion()) {
-        const double share = model.dispersionChoice() == DispersionChoice::bar ? 1 : 0;
-        model.setDispersion(share, false);
+        model.setDispersion(heldShare(model), false);
         return fitFromShare(model, bestOf(model, evenStarts(model, 0, 120), 4, stop).values, {}, stop);
     }
     Start best;
@@ -539,8 +552,10 @@ LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
     }
     searchShare(model, best, share, 0.25, 1, stop);
     RecordModel finer = model;
+    const double coarse = share;
     LawFit fit = fitFromShare(model, best.values, share, stop);
     searchShare(finer, best, share, 0.125, 5, stop);
+    if (share == coarse) return fit;
     LawFit other = fitFromShare(finer, best.values, share, stop);
     const auto cost = [&](const LawFit& found) {
         return found.residuals.head(static_cast<Index>(model.returningCount())).squaredNorm();
@@ -556,11 +571,7 @@ double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& va
                 const std::stop_token& stop) {
     const double floor = quietFloor * model.record().peak;
     model.setQuietErrors(floor, floor);
-    const std::size_t dispersion = from.shapeUnknown("dispersion");
-    if (dispersion < from.unknowns().size())
-        model.setDispersion(values[static_cast<Index>(dispersion)], true);
-    else
-        model.setDispersion(from.dispersionChoice() == DispersionChoice::bar ? 1 : 0, false);
+    takeDispersionOf(model, from, values);
     minimise(model, values, 60, stop);
     followDispersion(model, values, stop);
     Eigen::VectorXd residuals;
@@ -610,11 +621,7 @@ LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, 
     using Kind = Unknown::Kind;
     const QuietErrors errors = quietErrors(bilinear, from.values);
     model.setQuietErrors(errors.before, errors.last);
-    const std::size_t dispersion = bilinear.shapeUnknown("dispersion");
-    if (dispersion < bilinear.unknowns().size())
-        model.setDispersion(from.values[static_cast<Index>(dispersion)], true);
-    else
-        model.setDispersion(bilinear.dispersionChoice() == DispersionChoice::bar ? 1 : 0, false);
+    takeDispersionOf(model, bilinear, from.values);
     Eigen::VectorXd values = startValues(model);
     for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
         const Unknown& unknown = model.unknowns()[j];
@@ -659,8 +666,7 @@ LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bo
     // A law that does not fit may have bent the dispersion, too.
     const std::size_t unknown = bilinear.shapeUnknown("dispersion");
     const bool isFree = unknown < bilinear.unknowns().size();
-    std::vector<double> shares{isFree ? from.values[static_cast<Index>(unknown)]
-                                      : (model.dispersionChoice() == DispersionChoice::bar ? 1.0 : 0.0)};
+    std::vector<double> shares{isFree ? from.values[static_cast<Index>(unknown)] : heldShare(model)};
     if (isFree && isFarOff)
         for (const double share : {0.0, 0.5, 1.0})
             if (std::abs(share - shares.front()) > 0.1) shares.push_back(share);
