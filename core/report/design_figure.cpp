@@ -12,9 +12,9 @@
 namespace drillwave {
 namespace {
 
-constexpr double heightBelow = 0.8;     // of the lower panels, over that of the first
+constexpr double heightBelow = 0.8;     // ratio of the heights of a lower panel and the first one
 constexpr std::size_t mostBeads = 40;   // beyond, they would be a line
-constexpr std::uint64_t leastRows = 4;  // of a field: with fewer, curves with a band show more
+constexpr std::uint64_t leastRows = 4;  // fewer rows are drawn as curves with a band
 constexpr double barHalfWidth = 0.4;
 
 FigureAxis axisOf(const DesignReport& report, const DesignAim& aim, Message title) {

@@ -17,7 +17,7 @@ namespace drillwave {
 namespace {
 
 constexpr int shownDigits = 5, levelDigits = 4;
-constexpr double sectionShare = 0.28;  // of the size of the map
+constexpr double sectionShare = 0.28;  // width of a section, relative to the map
 
 /// Level of an output on whose two sides the colours differ.
 std::optional<double> decisiveLevel(const Output& output) {

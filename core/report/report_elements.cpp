@@ -24,7 +24,7 @@ std::string ReportElements::heading(const Message& text) const {
 }
 
 std::string ReportElements::table(const std::string& id, const std::string& rows) const {
-    constexpr std::size_t mostColumns = 6;  // of the usual size on paper
+    constexpr std::size_t mostColumns = 6;  // wider tables are set in a smaller type on paper
     std::size_t columns = 0;
     const std::size_t end = rows.find("</tr>");
     for (std::size_t at = rows.find("<th"); at < end; at = rows.find("<th", at + 1)) ++columns;

@@ -13,22 +13,18 @@ namespace drillwave {
 struct WorkLimitReason {
     static constexpr const char* pieces = translatable(
         "its waves have more polynomial pieces than the work limit permits, because of very many "
-        "reflections; "
-        "a stiffer rock, a larger gamma or a shorter blow needs fewer");
+        "reflections; a stiffer rock, a larger gamma or a shorter blow needs fewer");
     static constexpr const char* steps = translatable(
         "it takes more computing steps than the work limit permits: try fewer sections, lengths with a "
-        "common "
-        "divisor or a shorter end_time");
+        "common divisor or a shorter end_time");
     static constexpr const char* events = translatable(
         "contacts change too often, or a bit mass oscillates too fast: try softer rock, a larger gamma, no "
-        "bit "
-        "mass or a shorter end_time");
+        "bit mass or a shorter end_time");
     static constexpr const char* sequence =
         translatable("its sequence of blows takes more computing steps than the work limit permits");
     static constexpr const char* contacts = translatable(
         "its blows would take %1 computing steps, more than the work limit of %2, because contact changes "
-        "very "
-        "often; a larger gamma, fewer blows or a higher frequency take less");
+        "very often; a larger gamma, fewer blows or a higher frequency take less");
 };
 
 /// Returns whether a message is one of WorkLimitReason, or contains one, such as "3 rows: REASON".

@@ -11,7 +11,7 @@ namespace {
 /// as far from it as those on the other side.
 constexpr double leastSide = 0.1;
 constexpr int barWidth = 14, hatchPeriod = 6;  // [px]
-constexpr double filePixels = 3;               // of the image in a file for one of the plot
+constexpr double filePixels = 3;               // pixels of the image in a file for each pixel of the plot
 constexpr double mostPixels = 12e6;            // of the image: larger plots have coarser ones
 constexpr int outside = -1;
 

@@ -45,7 +45,7 @@ const QString drawsStem = QStringLiteral("_posterior");
 constexpr int plotLinesOfDesigns = 28;   // two rows of axes and readout
 constexpr int plotLinesOfOneRow = 15;    // one row of axes
 constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
-constexpr double legendLines = 1.6;      // of a row of the legend
+constexpr double legendLines = 1.6;      // lines of text that one row of the legend takes
 
 }  // namespace
 
