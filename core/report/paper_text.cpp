@@ -6,6 +6,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t longestWord = 32;  // [columns], in a cell: the names of keys and files are shorter
+constexpr std::size_t nextBreak = 4;  // [columns], within a longer word: its lines fill a column of any width
 constexpr std::string_view mayBreak = "\u200b";
 
 /// The character at a place of the text, all its bytes.
@@ -59,7 +60,7 @@ std::string cellOnPaper(std::string_view text, std::size_t columns) {
         word = character == " " ? 0 : word + widthOf(character);
         if (word > longestWord) {
             cell += mayBreak;
-            word = widthOf(character);
+            word = longestWord - nextBreak + widthOf(character);
         }
         cell += character;
     }

@@ -55,7 +55,7 @@ constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\
 
 /// Longest texts on paper: lines of the scenario (180 mm at 6.5 pt), titles, cells and lists of gaps.
 constexpr std::size_t paperColumns = 120;
-constexpr std::size_t mostSectionsOnPaper = 24;
+constexpr std::size_t mostSectionsOnPaper = 20;
 constexpr std::size_t mostTitleColumns = 160, mostCellColumns = 120, mostListColumns = 800;
 
 class Page {
