@@ -131,15 +131,35 @@ void fitLogarithmic(QCPAxis& axis) {
 }
 
 bool setTickCount(QCPAxis& axis) {
-    if (axis.orientation() == Qt::Horizontal) return false;
     constexpr int least = 3, most = 5;  // with two, only one may be in view, which shows no scale
     constexpr double linesApart = 2;    // between neighbours, of which there may be more than requested
+    constexpr double linesAbreast = 3;  // between neighbours side by side
+    const bool isAcross = axis.orientation() == Qt::Horizontal;
+    const int length = isAcross ? axis.axisRect()->width() : axis.axisRect()->height();
     const double line = QFontMetricsF(axis.tickLabelFont()).height();
-    const int count =
-        std::clamp(static_cast<int>(axis.axisRect()->height() / (linesApart * line)), least, most);
+    const double apart = (isAcross ? linesAbreast : linesApart) * line;
+    const int count = std::clamp(static_cast<int>(length / apart), isAcross ? 2 : least, most);
     if (axis.ticker()->tickCount() == count) return false;
     axis.ticker()->setTickCount(count);
     return true;
+}
+
+QString labelThatFits(const QCPAxis& axis) {
+    constexpr double beyond = 10;  // both ends of a vertical axis [px]
+    const QString label = axis.label();
+    const QFontMetricsF metrics(axis.labelFont());
+    const QRect rect = axis.axisRect()->rect();
+    const int middle = rect.center().x();
+    const double length = axis.orientation() == Qt::Horizontal
+                              ? 2 * std::min(middle, axis.parentPlot()->viewport().right() - middle)
+                              : rect.height() + beyond;
+    if (metrics.horizontalAdvance(label) <= length) return label;
+    const qsizetype tailAt =
+        std::max(label.lastIndexOf(QLatin1String(" [")), label.lastIndexOf(QLatin1String(" = ")));
+    const QString tail = tailAt < 0 ? QString() : label.mid(tailAt);
+    const QString words =
+        metrics.elidedText(label.left(tailAt), Qt::ElideRight, length - metrics.horizontalAdvance(tail));
+    return words.size() > 2 ? words + tail : tail.trimmed();
 }
 
 void setTickDigits(QCPAxis& axis) {

@@ -35,9 +35,12 @@ void setScale(QCPAxis& axis, QCPAxis::ScaleType scale);
 /// below the largest. A linear axis is left unchanged.
 void fitLogarithmic(QCPAxis& axis);
 
-/// Sets the number of ticks that a vertical axis aims at, from 3 to 5 according to its height. Returns
-/// whether that number has changed; horizontal axes never change.
+/// Sets the number of ticks that an axis aims at according to its length: from 3 to 5 on a vertical axis,
+/// from 2 to 5 on a horizontal one. Returns whether that number has changed.
 bool setTickCount(QCPAxis& axis);
+/// Returns the label of an axis as far as there is room for it: along a vertical axis, or as far as the edges
+/// of the plot. The words before the unit or the value are elided, or left out if only a letter would remain.
+QString labelThatFits(const QCPAxis& axis);
 
 /// Sets the number of significant digits of the tick labels, from 6 to 16, so that neighbouring labels
 /// differ. Labels that are powers of ten are left as they are.

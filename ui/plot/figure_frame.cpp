@@ -19,7 +19,6 @@ namespace drillwave {
 namespace {
 
 constexpr int mostLegendColumns = 3;
-constexpr double narrow = 0.5;  // a panel of that width has room for few numbers
 constexpr int leastPanel = 50;  // width and height [px]
 const QMargins panelMargins(4, 4, 14, 4);
 
@@ -469,12 +468,10 @@ const AxisTarget* FigureFrame::dragged() const {
 void FigureFrame::showAxes(std::size_t index) {
     const StudyPanel& panel = panelOf(index);
     QCPAxisRect& rect = *m_panels[index].rect;
-    const bool isCrowded = std::ranges::count(m_shown.figure.panels, panel.row, &StudyPanel::row) > 2;
     const auto show = [&](const FigureAxis& axis, QCPAxis& drawn) {
         const ShownUnit unit = m_shown.units.of(axis.quantity);
         drawn.setScaleType(axis.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-        const bool hasFew = panel.width < narrow || (isCrowded && drawn.orientation() == Qt::Horizontal);
-        drawn.setTicker(ticker(axis.isLogarithmic, hasFew ? 2 : 5));
+        drawn.setTicker(ticker(axis.isLogarithmic, drawn.ticker()->tickCount()));
         if (axis.quantity == FigureQuantity(PlainNumber::magnitude)) {
             drawn.setNumberFormat(QStringLiteral("eb"));
             drawn.setNumberPrecision(0);

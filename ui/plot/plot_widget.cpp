@@ -35,7 +35,8 @@ PlotWidget::PlotWidget(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_NoMousePropagation, false);  // the page scrolls by the wheel over it
     connect(this, &QCustomPlot::beforeReplot, this, &PlotWidget::prepareReplot);
-    connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
+    connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followSizes);
+    connect(this, &QCustomPlot::afterReplot, this, &PlotWidget::restoreLabels);
     connect(selectionRect(), &QCPSelectionRect::accepted, this,
             [this](const QRect& box) { m_view.zoomTo(box); });
     connect(&m_reader, &CurveReader::closed, this, [this] { setFocus(); });
@@ -94,13 +95,33 @@ void PlotWidget::prepareReplot() {
             if (axis->visible() && axis->tickLabels()) setTickDigits(*axis);
 }
 
-// Heights are known after the layout, of which ticks are a part: the next one has them.
-void PlotWidget::followHeights() {
+// Sizes are known after the layout, of which ticks are a part: the next one has them.
+void PlotWidget::followSizes() {
     bool isOther = false;
     for (const QCPAxisRect* rect : axisRects())
         for (QCPAxis* axis : rect->axes())
             if (axis->visible() && axis->tickLabels()) isOther |= setTickCount(*axis);
     if (isOther) replot(rpQueuedReplot);
+    fitLabels();
+}
+
+// The axes have shortened labels only while they are drawn: others read the whole ones.
+void PlotWidget::fitLabels() {
+    QList<QCPAxis*> axes;
+    for (const QCPAxisRect* rect : axisRects()) axes += rect->axes();
+    for (QCPLayoutElement* element : plotLayout()->elements(true))
+        if (auto* scale = qobject_cast<QCPColorScale*>(element)) axes.append(scale->axis());
+    for (QCPAxis* axis : axes) {
+        const QString label = axis->label(), fitting = axis->visible() ? labelThatFits(*axis) : label;
+        if (fitting == label) continue;
+        m_wholeLabels.insert(axis, label);
+        axis->setLabel(fitting);
+    }
+}
+
+void PlotWidget::restoreLabels() {
+    for (const auto& [axis, label] : m_wholeLabels.asKeyValueRange()) axis->setLabel(label);
+    m_wholeLabels.clear();
 }
 
 void PlotWidget::resizeEvent(QResizeEvent* event) {
@@ -154,7 +175,7 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     const bool hadLocale = testAttribute(Qt::WA_SetLocale);
     setLocale(QLocale::c());
     // The ticks are those on show, whatever the size on paper.
-    disconnect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
+    disconnect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followSizes);
     m_hover.hide();
     const bool wasHidden = m_point->isHidden();
     m_point->setHidden(true);
@@ -171,7 +192,7 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     m_point->setHidden(wasHidden);
     // The layout is that of the picture until then.
     replot();
-    connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
+    connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followSizes);
     return bytes;
 }
 

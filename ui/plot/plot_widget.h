@@ -153,13 +153,16 @@ class PlotWidget : public QCustomPlot {
     void applyStyle(const PlotStyle& style);
     void followScreen();
     void prepareReplot();
-    void followHeights();
+    void followSizes();
+    void fitLabels();
+    void restoreLabels();
 
     Restyle m_restyle;
     DataText m_dataText;
     std::function<void()> m_name;
     bool m_current = true;
     CurveMeanings m_meanings;
+    QHash<QCPAxis*, QString> m_wholeLabels;  // of the axes that have too little room for theirs
     CurveReader m_reader;
     HoverMark m_hover;
     PlotView m_view;

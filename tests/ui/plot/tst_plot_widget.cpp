@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/support/plot_scene.h"
+#include "ui/plot/axis_view.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 
@@ -36,6 +37,9 @@ class TestPlotWidget : public QObject {
     void hoveringOverAMillionPointsIsQuick();
     void theKeyboardOpensTheMenu();
     void replotsArePaintedTogetherWithTheWindow();
+    void labelIsElidedBeforeItsUnitWhenTheAxisIsShort();
+    void labelIsElidedOnlyWhileItIsDrawn();
+    void shortAxesHaveFewTicks();
 
   private:
     std::unique_ptr<PlotScene> m;
@@ -250,6 +254,45 @@ void TestPlotWidget::replotsArePaintedTogetherWithTheWindow() {
     QTRY_COMPARE(count.paints, 1);
     QTest::qWait(50);
     QCOMPARE(count.paints, 1);
+}
+
+void TestPlotWidget::labelIsElidedBeforeItsUnitWhenTheAxisIsShort() {
+    QCPAxis& axis = *m->y(m->upper);
+    axis.setLabel(QStringLiteral("stress (tension positive) [MPa]"));
+    m->plot.resize(640, 900);
+    m->plot.replot();
+    QCOMPARE(labelThatFits(axis), axis.label());
+    m->plot.resize(640, 380);
+    m->plot.replot();
+    const QString label = labelThatFits(axis);
+    QVERIFY2(label.startsWith(QStringLiteral("str")) && label.endsWith(QStringLiteral("… [MPa]")),
+             qPrintable(label));
+    m->plot.resize(640, 150);
+    m->plot.replot();
+    QCOMPARE(labelThatFits(axis), QStringLiteral("[MPa]"));
+}
+
+void TestPlotWidget::labelIsElidedOnlyWhileItIsDrawn() {
+    QCPAxis& axis = *m->y(m->upper);
+    axis.setLabel(QStringLiteral("stress (tension positive) [MPa]"));
+    m->plot.resize(640, 380);
+    m->plot.replot();
+    QCOMPARE(axis.label(), QStringLiteral("stress (tension positive) [MPa]"));
+    const QImage shown = m->plot.toPixmap().toImage();
+    axis.setLabel(labelThatFits(axis));
+    m->plot.replot();
+    QCOMPARE(m->plot.toPixmap().toImage(), shown);
+}
+
+void TestPlotWidget::shortAxesHaveFewTicks() {
+    const auto count = [&](QCPAxis* axis) {
+        m->plot.replot();
+        return axis->ticker()->tickCount();
+    };
+    QCOMPARE(count(m->x(m->upper)), 5);
+    m->plot.resize(160, 520);
+    QVERIFY(count(m->x(m->upper)) < 5);
+    QVERIFY(count(m->x(m->upper)) >= 2);
 }
 
 QTEST_MAIN(TestPlotWidget)
