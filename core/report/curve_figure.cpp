@@ -320,7 +320,12 @@ std::vector<Message> curveSentences(const ComparedCurve& study, std::optional<do
     std::erase_if(parts, [](const Message& part) { return part.isEmpty(); });
     Message line;
     for (Message& part : parts) line = joined(std::move(line), "%1 · %2", std::move(part));
-    return {about(lineName(study.curve, *marked, CurveKind::curve, isOf(*marked, here), style), line)};
+    std::vector<Message> sentences{
+        about(lineName(study.curve, *marked, CurveKind::curve, isOf(*marked, here), style), line)};
+    if (!question.goal)
+        sentences.push_back({translatable("Enter a goal to find where %1 reaches it."),
+                             {outputMessage(*question.columns.front().output)}});
+    return sentences;
 }
 
 }  // namespace drillwave

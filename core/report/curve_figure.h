@@ -30,7 +30,7 @@ StudyFigure curveFigure(const ComparedCurve& study, std::optional<double> here,
                         std::span<const Preset> presets, const ReadingStyle& style);
 
 /// Returns the answer in sentences: where the marked line reaches the goal, its least and largest value,
-/// where it is 1, and what is not known.
+/// where it is 1, and what is not known. Without a goal, a second sentence asks for one.
 std::vector<Message> curveSentences(const ComparedCurve& study, std::optional<double> here,
                                     const ReadingStyle& style);
 

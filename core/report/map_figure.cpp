@@ -40,8 +40,7 @@ FigureNumber valueOf(const SweepAxis& axis, double value, int digits = shownDigi
 
 /// Points of the map rarely are where the scenario is: their values must not be taken for those of it.
 FigureText titleOf(const SweepAxis& axis, double value, bool isHere) {
-    return {isHere ? "%1 = %2" : translatable("computed at %1 = %2"),
-            {named(*axis.parameter), valueOf(axis, value)}};
+    return {isHere ? "%1 = %2" : translatable("at %1 = %2"), {named(*axis.parameter), valueOf(axis, value)}};
 }
 
 /// Names of neighbours are on different sides.
@@ -83,6 +82,19 @@ void addContours(StudyPanel& panel, const MapReport& report, const MapOutput& ou
     for (FigureSeries& series : contours) panel.series.push_back(std::move(series));
 }
 
+/// Returns the points with the least and the largest value.
+std::pair<ContourPoint, ContourPoint> extremesOf(const MapGrid& grid) {
+    std::pair<ContourPoint, ContourPoint> points;
+    for (std::size_t row = 0; row < grid.rows(); ++row)
+        for (std::size_t column = 0; column < grid.columns(); ++column) {
+            if (!grid.isThere(column, row)) continue;
+            const ContourPoint point{grid.xs()[column], grid.ys()[row]};
+            if (grid.value(column, row) == grid.extent()->least) points.first = point;
+            if (grid.value(column, row) == grid.extent()->largest) points.second = point;
+        }
+    return points;
+}
+
 std::vector<FigureText> summaryOf(const MapReport& report, const MapOutput& output) {
     const MapGrid& grid = report.grid;
     const auto number = [&](double value, int digits) {
@@ -98,7 +110,7 @@ std::vector<FigureText> summaryOf(const MapReport& report, const MapOutput& outp
                                     number(grid.extent()->largest, shownDigits)}}};
     for (const Contour& contour : report.contours)
         if (contour.lines.empty())
-            parts.push_back({translatable("nowhere %1"), {number(contour.level, levelDigits)}});
+            parts.push_back({translatable("no contour at %1"), {number(contour.level, levelDigits)}});
     if (grid.failed() > 0)
         parts.push_back({translatable("%1 of %2 points not solved (hatched)"),
                          {count(grid.failed()), count(grid.size())}});
@@ -202,43 +214,50 @@ StudyFigure mapFigure(const std::shared_ptr<const MapReport>& report, const MapS
 }
 
 std::optional<FigureText> mapAnswer(const MapReport& report) {
-    if (!report.grid.isComplete()) return std::nullopt;
+    if (!report.grid.isComplete() || !report.grid.extent()) return std::nullopt;
     const MapStudy& study = report.study;
     const MapOutput output = mapOutput(study);
+    const auto number = [&](double value, int digits) {
+        return FigureNumber{value * output.perValue, output.axis.quantity, digits};
+    };
+    const auto text = [&](const char* pattern, FigureNumber value,
+                          std::initializer_list<ContourPoint> points) {
+        FigureText answer{pattern,
+                          {{.words = output.axis.title},
+                           std::move(value),
+                           named(*study.y.parameter),
+                           named(*study.x.parameter)}};
+        for (const ContourPoint& point : points) {
+            answer.numbers.push_back(valueOf(study.y, point.y, levelDigits));
+            answer.numbers.push_back(valueOf(study.x, point.x, levelDigits));
+        }
+        return answer;
+    };
     const auto rank = [&](const Contour& contour) {
         return std::pair(contour.level == decisiveLevel(*study.output.output), contour.level);
     };
     const Contour* deciding = nullptr;
     for (const Contour& contour : report.contours)
         if (!contour.lines.empty() && (!deciding || rank(contour) > rank(*deciding))) deciding = &contour;
-    const std::optional<ContourExtent> extent = deciding ? extentOf(*deciding) : std::nullopt;
-    if (!extent) return std::nullopt;
-    const auto text = [&](const char* pattern, std::initializer_list<ContourPoint> points) {
-        FigureText answer{pattern,
-                          {{.words = output.axis.title},
-                           {deciding->level * output.perValue, output.axis.quantity, levelDigits},
-                           named(*study.y.parameter),
-                           named(*study.x.parameter)}};
-        for (const ContourPoint& point : points) {
-            answer.numbers.push_back(valueOf(study.y, point.y, levelDigits));
-            answer.numbers.push_back(valueOf(study.x, point.x));
-        }
-        return answer;
-    };
-    switch (sideOf(report.grid, deciding->level)) {
-        case LevelSide::above:
+    if (const auto extent = deciding ? extentOf(*deciding) : std::nullopt) {
+        const FigureNumber level = number(deciding->level, levelDigits);
+        const LevelSide side = sideOf(report.grid, deciding->level);
+        if (side == LevelSide::above)
             return text(
                 translatable("%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6."),
-                {extent->lowest});
-        case LevelSide::below:
+                level, {extent->lowest});
+        if (side == LevelSide::below)
             return text(
                 translatable("%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6."),
-                {extent->highest});
-        case LevelSide::mixed:
-            break;
+                level, {extent->highest});
     }
-    return text(translatable("The line %1 = %2 runs from %3 = %5, at %4 = %6, up to %3 = %7, at %4 = %8."),
-                {extent->lowest, extent->highest});
+    const auto [least, largest] = extremesOf(report.grid);
+    FigureText answer =
+        text(translatable("%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = "
+                          "%7 and %4 = %8, with %9."),
+             number(report.grid.extent()->largest, levelDigits), {largest, least});
+    answer.numbers.push_back(number(report.grid.extent()->least, levelDigits));
+    return answer;
 }
 
 }  // namespace drillwave

@@ -40,8 +40,9 @@ struct MapOutput {
 };
 MapOutput mapOutput(const MapStudy& study);
 
-/// Returns where the output passes the level that decides, or the largest level with a contour. Empty for a
-/// map that is not complete, and where it passes none.
+/// Returns the side of the deciding level, or else of the largest level with a contour, on which the output
+/// exceeds it. Without such a side, returns where the output is largest and smallest. Empty for a map that is
+/// not complete.
 std::optional<FigureText> mapAnswer(const MapReport& report);
 
 /// Returns the default levels for contours of an output: the level that decides (1 for e, 0 for the margin of

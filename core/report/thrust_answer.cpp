@@ -235,11 +235,12 @@ StudyFigure thrustFigure(const ThrustReport& report) {
                                   FeedState::requiredAtThisGap, FeedState::requiredMet, FeedState::returnMet})
         panel.layers.names.push_back(Message::ofTable(feedWord(state)));
     panel.series.push_back(std::move(feed));
-    return {.caption = {{translatable("each strip: from the required feed to that of return in time")}},
+    return {.caption = {{translatable(
+                "Each strip runs from the required feed force to the one for return in time.")}},
             .panels = {panel},
-            .summary = {{translatable("Feed force over %1, for %2: each strip from the required feed to that "
-                                      "of return in time; behind them what the feed does by the rebound of "
-                                      "this blow."),
+            .summary = {{translatable("Feed force over %1, for %2. Each strip runs from the required feed "
+                                      "force to the one for return in time. The shades behind the strips "
+                                      "show what a feed force does for the rebound of this blow."),
                          {{.words = labelMessage(*axis.parameter)}, {.words = inOneLine(std::move(cases))}}}},
             .paperHeight = 120};
 }

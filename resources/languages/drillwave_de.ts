@@ -3387,8 +3387,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
     </message>
     <message>
-        <source>Largest compression %1, %2; largest tension %3, %4.</source>
-        <translation>Größter Druck %1, %2; größter Zug %3, %4.</translation>
+        <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
+        <translation>Der größte Druck ist %1 (%2), der größte Zug %3 (%4).</translation>
     </message>
     <message>
         <source>x/L = %1</source>
@@ -3671,8 +3671,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
     </message>
     <message>
-        <source>No time chosen: click an event, or press T over the plots.</source>
-        <translation>Keine Zeit gewählt: auf ein Ereignis klicken, oder T über den Diagrammen drücken.</translation>
+        <source>To mark a time here, click an event under Result or press T over the plots.</source>
+        <translation>Um hier eine Zeit zu markieren, unter Ergebnis auf ein Ereignis klicken oder T über den Diagrammen drücken.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -3869,8 +3869,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
 <context>
     <name>drillwave::ContactBarsItem</name>
     <message>
-        <source>contact of bit and rock</source>
-        <translation>Kontakt von Bohrkrone und Gestein</translation>
+        <source>bit on rock</source>
+        <translation>Krone am Gestein</translation>
     </message>
 </context>
 <context>
@@ -5239,10 +5239,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>that of the scenario</source>
         <translation>das des Szenarios</translation>
-    </message>
-    <message>
-        <source>law</source>
-        <translation>Gesetz</translation>
     </message>
     <message>
         <source>Record with the model, what the model leaves over, and force over penetration</source>
@@ -12416,12 +12412,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Andruck</translation>
     </message>
     <message>
-        <source>each strip: from the required feed to that of return in time</source>
-        <translation>jeder Streifen: vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr</translation>
+        <source>Each strip runs from the required feed force to the one for return in time.</source>
+        <translation>Jeder Streifen reicht vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr.</translation>
     </message>
     <message>
-        <source>Feed force over %1, for %2: each strip from the required feed to that of return in time; behind them what the feed does by the rebound of this blow.</source>
-        <translation>Andruck über %1, für %2: jeder Streifen vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr; dahinter, was der Andruck bei dem Rückprall dieses Schlags tut.</translation>
+        <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one for return in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
+        <translation>Andruck über %1, für %2. Jeder Streifen reicht vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr. Die Töne dahinter zeigen, was ein Andruck beim Rückprall dieses Schlags bewirkt.</translation>
     </message>
     <message>
         <source>W and E₀ are the work of the force on the string.</source>
@@ -12710,8 +12706,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>in den besten %1 %</translation>
     </message>
     <message>
-        <source>computed at %1 = %2</source>
-        <translation>berechnet bei %1 = %2</translation>
+        <source>at %1 = %2</source>
+        <translation>bei %1 = %2</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -12722,8 +12718,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Das Kennfeld folgt.</translation>
     </message>
     <message>
-        <source>nowhere %1</source>
-        <translation>nirgends %1</translation>
+        <source>no contour at %1</source>
+        <translation>keine Linie bei %1</translation>
     </message>
     <message>
         <source>%1 of %2 points not solved (hatched)</source>
@@ -12736,10 +12732,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6.</source>
         <translation>%1 übersteigt %2 nur, wo %3 unter %5 liegt. Dieser größte Wert liegt bei %4 = %6.</translation>
-    </message>
-    <message>
-        <source>The line %1 = %2 runs from %3 = %5, at %4 = %6, up to %3 = %7, at %4 = %8.</source>
-        <translation>Die Linie %1 = %2 läuft von %3 = %5, bei %4 = %6, bis %3 = %7, bei %4 = %8.</translation>
     </message>
     <message>
         <source>present design: %1</source>
@@ -12876,6 +12868,14 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
         <translation>seine Schläge brauchten %1 Rechenschritte, mehr als die Aufwandsgrenze von %2, weil der Kontakt sehr oft wechselt; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
+    </message>
+    <message>
+        <source>Enter a goal to find where %1 reaches it.</source>
+        <translation>Ein Ziel eingeben, um zu finden, wo %1 es erreicht.</translation>
+    </message>
+    <message>
+        <source>%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = %7 and %4 = %8, with %9.</source>
+        <translation>Am größten ist %1 bei %3 = %5 und %4 = %6, mit %2. Am kleinsten ist %1 bei %3 = %7 und %4 = %8, mit %9.</translation>
     </message>
 </context>
 <context>
@@ -13203,8 +13203,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Den Schlag abspielen (Leertaste)</translation>
     </message>
     <message>
-        <source>real time ÷ %1</source>
-        <translation>Echtzeit ÷ %1</translation>
+        <source>%1 times slower</source>
+        <translation>%1-mal langsamer</translation>
     </message>
     <message>
         <source>%1 t₀ per second</source>
@@ -13898,12 +13898,12 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Eindringung, Energie, Leistung und Stoßzahl</translation>
     </message>
     <message>
-        <source>%1 per blow</source>
-        <translation>%1 je Schlag</translation>
-    </message>
-    <message>
         <source>e = %1</source>
         <translation>e = %1</translation>
+    </message>
+    <message>
+        <source>this blow: %1</source>
+        <translation>dieser Schlag: %1</translation>
     </message>
 </context>
 <context>
@@ -13960,8 +13960,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>No time chosen: click an event, or place the time cursor in Blow.</source>
-        <translation>Keine Zeit gewählt: auf ein Ereignis klicken, oder auf der Seite Schlag den Zeitcursor setzen.</translation>
+        <source>To mark a time here, click an event under Result or place the time cursor on the page Blow.</source>
+        <translation>Um hier eine Zeit zu markieren, unter Ergebnis auf ein Ereignis klicken oder auf der Seite Schlag den Zeitcursor setzen.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -13972,8 +13972,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Gestein</translation>
     </message>
     <message>
-        <source>The bit goes in by %1, and %2 remain. The rock keeps %3 % of the energy.</source>
-        <translation>Die Bohrkrone dringt %1 ein, %2 bleiben. Das Gestein behält %3 % der Energie.</translation>
+        <source>The bit penetrates %1 into the rock, and %2 remain after the rebound. %3 % of the blow energy stays in the rock.</source>
+        <translation>Die Bohrkrone dringt %1 ins Gestein ein, davon bleiben nach dem Rückprall %2. %3 % der Schlagenergie bleiben im Gestein.</translation>
     </message>
 </context>
 <context>
@@ -15639,8 +15639,8 @@ Festigkeit</translation>
         <translation> · N = %1 · σ = %2 · v = %3</translation>
     </message>
     <message>
-        <source>in view %1 = %2 … %3</source>
-        <translation>im Bild %1 = %2 … %3</translation>
+        <source>%1 in this view: from %2 to %3</source>
+        <translation>%1 im Bild: von %2 bis %3</translation>
     </message>
     <message>
         <source> · colours end at ±%1</source>

@@ -3387,8 +3387,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
     <message>
-        <source>Largest compression %1, %2; largest tension %3, %4.</source>
-        <translation>Största tryck %1, %2; största drag %3, %4.</translation>
+        <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
+        <translation>Det största trycket är %1 (%2), det största draget %3 (%4).</translation>
     </message>
     <message>
         <source>x/L = %1</source>
@@ -3671,8 +3671,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
     </message>
     <message>
-        <source>No time chosen: click an event, or press T over the plots.</source>
-        <translation>Ingen tid vald: klicka på en händelse, eller tryck T över diagrammen.</translation>
+        <source>To mark a time here, click an event under Result or press T over the plots.</source>
+        <translation>För att markera en tid här: klicka på en händelse under Resultat eller tryck T över diagrammen.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -3869,8 +3869,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
 <context>
     <name>drillwave::ContactBarsItem</name>
     <message>
-        <source>contact of bit and rock</source>
-        <translation>kontakt mellan borrkrona och berg</translation>
+        <source>bit on rock</source>
+        <translation>krona mot berg</translation>
     </message>
 </context>
 <context>
@@ -5239,10 +5239,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>that of the scenario</source>
         <translation>scenariots</translation>
-    </message>
-    <message>
-        <source>law</source>
-        <translation>lag</translation>
     </message>
     <message>
         <source>Record with the model, what the model leaves over, and force over penetration</source>
@@ -12416,12 +12412,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>matningskraft</translation>
     </message>
     <message>
-        <source>each strip: from the required feed to that of return in time</source>
-        <translation>varje band: från matningen som krävs till den för återkomst i tid</translation>
+        <source>Each strip runs from the required feed force to the one for return in time.</source>
+        <translation>Varje band går från matningskraften som krävs till den för återkomst i tid.</translation>
     </message>
     <message>
-        <source>Feed force over %1, for %2: each strip from the required feed to that of return in time; behind them what the feed does by the rebound of this blow.</source>
-        <translation>Matningskraft över %1, för %2: varje band från matningen som krävs till den för återkomst i tid; bakom dem vad matningen gör vid detta slags studs.</translation>
+        <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one for return in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
+        <translation>Matningskraft över %1, för %2. Varje band går från matningskraften som krävs till den för återkomst i tid. Tonerna bakom banden visar vad en matningskraft gör vid detta slags studs.</translation>
     </message>
     <message>
         <source>W and E₀ are the work of the force on the string.</source>
@@ -12710,8 +12706,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>i de bästa %1 %</translation>
     </message>
     <message>
-        <source>computed at %1 = %2</source>
-        <translation>beräknad vid %1 = %2</translation>
+        <source>at %1 = %2</source>
+        <translation>vid %1 = %2</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -12722,8 +12718,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Kartan följer.</translation>
     </message>
     <message>
-        <source>nowhere %1</source>
-        <translation>ingenstans %1</translation>
+        <source>no contour at %1</source>
+        <translation>ingen linje vid %1</translation>
     </message>
     <message>
         <source>%1 of %2 points not solved (hatched)</source>
@@ -12736,10 +12732,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6.</source>
         <translation>%1 överstiger %2 bara där %3 är under %5. Detta högsta värde ligger vid %4 = %6.</translation>
-    </message>
-    <message>
-        <source>The line %1 = %2 runs from %3 = %5, at %4 = %6, up to %3 = %7, at %4 = %8.</source>
-        <translation>Linjen %1 = %2 går från %3 = %5, vid %4 = %6, till %3 = %7, vid %4 = %8.</translation>
     </message>
     <message>
         <source>present design: %1</source>
@@ -12876,6 +12868,14 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>its blows would take %1 computing steps, more than the work limit of %2, because contact changes very often; a larger gamma, fewer blows or a higher frequency take less</source>
         <translation>dess slag skulle ta %1 beräkningssteg, mer än arbetsgränsen på %2, eftersom kontakten växlar mycket ofta; ett större gamma, färre slag eller en högre frekvens kräver mindre</translation>
+    </message>
+    <message>
+        <source>Enter a goal to find where %1 reaches it.</source>
+        <translation>Ange ett mål för att hitta var %1 når det.</translation>
+    </message>
+    <message>
+        <source>%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = %7 and %4 = %8, with %9.</source>
+        <translation>%1 är störst vid %3 = %5 och %4 = %6, med %2, och minst vid %3 = %7 och %4 = %8, med %9.</translation>
     </message>
 </context>
 <context>
@@ -13203,8 +13203,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Spela upp slaget (mellanslag)</translation>
     </message>
     <message>
-        <source>real time ÷ %1</source>
-        <translation>verklig tid ÷ %1</translation>
+        <source>%1 times slower</source>
+        <translation>%1 gånger långsammare</translation>
     </message>
     <message>
         <source>%1 t₀ per second</source>
@@ -13898,12 +13898,12 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>inträngning, energi, effekt och studstal</translation>
     </message>
     <message>
-        <source>%1 per blow</source>
-        <translation>%1 per slag</translation>
-    </message>
-    <message>
         <source>e = %1</source>
         <translation>e = %1</translation>
+    </message>
+    <message>
+        <source>this blow: %1</source>
+        <translation>detta slag: %1</translation>
     </message>
 </context>
 <context>
@@ -13960,8 +13960,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>No time chosen: click an event, or place the time cursor in Blow.</source>
-        <translation>Ingen tid vald: klicka på en händelse, eller sätt tidsmarkören på sidan Slag.</translation>
+        <source>To mark a time here, click an event under Result or place the time cursor on the page Blow.</source>
+        <translation>För att markera en tid här: klicka på en händelse under Resultat eller sätt tidsmarkören på sidan Slag.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -13972,8 +13972,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Berg</translation>
     </message>
     <message>
-        <source>The bit goes in by %1, and %2 remain. The rock keeps %3 % of the energy.</source>
-        <translation>Borrkronan tränger in %1, och %2 består. Berget behåller %3 % av energin.</translation>
+        <source>The bit penetrates %1 into the rock, and %2 remain after the rebound. %3 % of the blow energy stays in the rock.</source>
+        <translation>Borrkronan tränger in %1 i berget, varav %2 återstår efter studsen. %3 % av slagenergin stannar i berget.</translation>
     </message>
 </context>
 <context>
@@ -15639,8 +15639,8 @@ fastheten</translation>
         <translation> · N = %1 · σ = %2 · v = %3</translation>
     </message>
     <message>
-        <source>in view %1 = %2 … %3</source>
-        <translation>i vyn %1 = %2 … %3</translation>
+        <source>%1 in this view: from %2 to %3</source>
+        <translation>%1 i vyn: från %2 till %3</translation>
     </message>
     <message>
         <source> · colours end at ±%1</source>

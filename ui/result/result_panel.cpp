@@ -165,7 +165,7 @@ void ResultPanel::showHeadline() {
 
 QString ResultPanel::penetrationText() const {
     const QString text = outputText(*findOutput("residual_penetration"), *m_blow);
-    return text.isEmpty() ? QString() : tr("%1 per blow").arg(text);
+    return text.isEmpty() ? QString() : tr("this blow: %1").arg(text);
 }
 
 QString ResultPanel::shortAnswer() const {

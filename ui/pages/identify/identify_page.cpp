@@ -67,8 +67,8 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     side->addWidget(m_panel, 1);
     m_records->hide();
     showSide(false);
-    PlotWidget* plot =
-        arrange({makeRecordBox(), m_gauges, labelled(tr("law"), m_law, this), makeKnownBox()}, m_side);
+    PlotWidget* plot = arrange(
+        {makeRecordBox(), m_gauges, labelled(tr("law of the rock"), m_law, this), makeKnownBox()}, m_side);
     stackBelow(narrowPage);
     setLeastLines(rowsOfPlots);
     m_frame = new FigureFrame(plot);

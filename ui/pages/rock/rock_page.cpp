@@ -81,12 +81,13 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
         return;  // solved for another page; the answer for this one follows
     }
     m_blow = blow;
-    answerLabel()->setText(
-        blow->fault.isEmpty() ? tr("The bit goes in by %1, and %2 remain. The rock keeps %3 % of the energy.")
-                                    .arg(outputText(*findOutput("max_penetration"), *blow),
-                                         outputText(*findOutput("residual_penetration"), *blow),
-                                         numberText(100 * blow->summary.energy.rockWork, 3, QLocale()))
-                              : QString());
+    answerLabel()->setText(blow->fault.isEmpty()
+                               ? tr("The bit penetrates %1 into the rock, and %2 remain after the rebound. "
+                                    "%3 % of the blow energy stays in the rock.")
+                                     .arg(outputText(*findOutput("max_penetration"), *blow),
+                                          outputText(*findOutput("residual_penetration"), *blow),
+                                          numberText(100 * blow->summary.energy.rockWork, 3, QLocale()))
+                               : QString());
     showTime();
     redraw();
 }
@@ -95,7 +96,8 @@ void RockPage::showTime() {
     const auto* curve = m_blow ? m_blow->page<RockCurve>() : nullptr;
     if (!curve || !m_observation.time()) {
         m_rock->setPoint({});
-        m_instant->setText(tr("No time chosen: click an event, or place the time cursor in Blow."));
+        m_instant->setText(tr(
+            "To mark a time here, click an event under Result or place the time cursor on the page Blow."));
         return;
     }
     const QPointF point = rockPoint(*curve, *m_observation.time() * curve->units.time.factor);

@@ -185,7 +185,7 @@ void PlayBar::presentSpeed() {
     const double unitsPerSecond = (m_span.end - m_span.begin) / secondsForSpan();
     if (m_secondsPerUnit > 0)
         m_slowness->setText(
-            tr("real time ÷ %1").arg(locale().toString(1 / (unitsPerSecond * m_secondsPerUnit), 'f', 0)));
+            tr("%1 times slower").arg(locale().toString(1 / (unitsPerSecond * m_secondsPerUnit), 'f', 0)));
     else
         m_slowness->setText(tr("%1 t₀ per second").arg(numberText(unitsPerSecond, 3, locale())));
 }

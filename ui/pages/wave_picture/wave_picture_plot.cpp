@@ -205,7 +205,7 @@ QString WavePicturePlot::rangeText() const {
     const QLocale locale = m_plot->locale();
     const QString name =
         picture.raster.quantity == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v");
-    const QString range = tr("in view %1 = %2 … %3")
+    const QString range = tr("%1 in this view: from %2 to %3")
                               .arg(name, quantityText(double(picture.least), unit, locale),
                                    quantityText(double(picture.largest), unit, locale));
     if (!isClippedBelow(picture) && !isClippedAbove(picture)) return range;

@@ -404,6 +404,10 @@ void TestMapPage::aStringIsMappedOverCouplingAndRock() {
     QCOMPARE(report().grid.failed(), std::size_t{0});
     QVERIFY(!report().contours.empty());
     QVERIFY(std::ranges::any_of(report().contours, [](const Contour& c) { return c.pointCount() > 5; }));
+    const QString answer = m_page->findChild<QLabel*>(QStringLiteral("answer"))->text();
+    QVERIFY2(answer.startsWith(QStringLiteral("efficiency is largest at stiffness k = ")),
+             qPrintable(answer));
+    QVERIFY2(answer.contains(QStringLiteral(" and diameter of coupling = 80")), qPrintable(answer));
     QCOMPARE(crosshair(), QPointF(56, 100));
     QCOMPARE(m_page->plot()->axisRects().last()->axis(QCPAxis::atBottom)->label(),
              QStringLiteral("diameter of coupling [mm]"));

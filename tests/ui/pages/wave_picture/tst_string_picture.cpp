@@ -247,7 +247,7 @@ void TestStringPicture::theReadoutTellsOfTheHammer() {
     hover(pixel(-0.4, 1));
     QVERIFY2(readout().contains(QStringLiteral("into hammer 1 · ")), qPrintable(readout()));
     hover({2, 2});
-    QVERIFY2(readout().startsWith(QStringLiteral("in view N = ")), qPrintable(readout()));
+    QVERIFY2(readout().startsWith(QStringLiteral("N in this view: from ")), qPrintable(readout()));
 }
 
 void TestStringPicture::laterThanTheBlowWasFollowedNothingIsTold() {

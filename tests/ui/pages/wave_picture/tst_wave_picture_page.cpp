@@ -398,7 +398,7 @@ void TestWavePicturePage::theReadoutFollowsAZoom() {
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(plot, &leave);
     QCOMPARE(readout->text(), m_page->picture()->rangeText());
-    QVERIFY(readout->text().startsWith(QStringLiteral("in view N = ")));
+    QVERIFY(readout->text().startsWith(QStringLiteral("N in this view: from ")));
 }
 
 void TestWavePicturePage::theStripIsColouredByWhatThePictureShows() {
