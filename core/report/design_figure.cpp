@@ -231,9 +231,11 @@ StudyPanel tradeOffPanel(const DesignReport& report, const DesignNames& names) {
         add(report.findings.best.pareto[d] ? pareto : all);
         if (d == *report.findings.best.robust) add(best);
     }
-    StudyPanel panel{.x = axisOf(report, aims[0], names.aim(aims[0])),
-                     .y = axisOf(report, aims[1], outputMessage(*aims[1].output)),
-                     .series = {std::move(all), std::move(pareto), std::move(best)}};
+    StudyPanel panel{
+        .x = axisOf(report, aims[0],
+                    {translatable("%1\n(filled: no other design is better in both)"), {names.aim(aims[0])}}),
+        .y = axisOf(report, aims[1], outputMessage(*aims[1].output)),
+        .series = {std::move(all), std::move(pareto), std::move(best)}};
     panel.x.range = rangeAround(xs);
     panel.y.range = rangeAround(ys);
     return panel;

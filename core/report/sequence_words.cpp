@@ -112,7 +112,9 @@ Message gainWords(const ScanComparison& comparison, const std::optional<Sequence
                   const ReadingStyle& style) {
     if (!present || !comparison.isLower(*present)) return {};
     const std::optional<double> share = comparison.bestShare(*present);
-    return share ? Message(" (%1)", {style.signedPercent(1 / *share - 1)}) : Message();
+    return share ? Message(translatable(" (%1 compared with the present value)"),
+                           {style.signedPercent(1 / *share - 1)})
+                 : Message();
 }
 
 /// The values around the best that the errors do not tell from it; empty where there are none.

@@ -3486,8 +3486,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Fall</translation>
     </message>
     <message>
-        <source>Run %1 s</source>
-        <translation>%1 s rechnen</translation>
+        <source>Run (%1 s)</source>
+        <translation>Rechnen (%1 s)</translation>
     </message>
     <message>
         <source>Solving with the most exact method …</source>
@@ -3695,8 +3695,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Strg+Rad zoomt · Ziehen verschiebt · Doppelklick passt ein</translation>
     </message>
     <message>
-        <source>Largest impact force %1 at %2.</source>
-        <translation>Größte Stoßkraft %1 bei %2.</translation>
+        <source>The largest impact force is %1, at %2.</source>
+        <translation>Die größte Stoßkraft ist %1, bei %2.</translation>
     </message>
     <message>
         <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
@@ -12876,6 +12876,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = %7 and %4 = %8, with %9.</source>
         <translation>Am größten ist %1 bei %3 = %5 und %4 = %6, mit %2. Am kleinsten ist %1 bei %3 = %7 und %4 = %8, mit %9.</translation>
+    </message>
+    <message>
+        <source>%1
+(filled: no other design is better in both)</source>
+        <translation>%1
+(gefüllt: keine andere Auslegung ist in beidem besser)</translation>
+    </message>
+    <message>
+        <source> (%1 compared with the present value)</source>
+        <translation> (%1 gegenüber dem jetzigen Wert)</translation>
     </message>
 </context>
 <context>

@@ -3486,8 +3486,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>fall</translation>
     </message>
     <message>
-        <source>Run %1 s</source>
-        <translation>Kör %1 s</translation>
+        <source>Run (%1 s)</source>
+        <translation>Beräkna (%1 s)</translation>
     </message>
     <message>
         <source>Solving with the most exact method …</source>
@@ -3695,8 +3695,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Ctrl+hjul zoomar · dra flyttar · dubbelklick anpassar</translation>
     </message>
     <message>
-        <source>Largest impact force %1 at %2.</source>
-        <translation>Största stötkraft %1 vid %2.</translation>
+        <source>The largest impact force is %1, at %2.</source>
+        <translation>Den största stötkraften är %1, vid %2.</translation>
     </message>
     <message>
         <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
@@ -12876,6 +12876,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = %7 and %4 = %8, with %9.</source>
         <translation>%1 är störst vid %3 = %5 och %4 = %6, med %2, och minst vid %3 = %7 och %4 = %8, med %9.</translation>
+    </message>
+    <message>
+        <source>%1
+(filled: no other design is better in both)</source>
+        <translation>%1
+(fylld: ingen annan utformning är bättre i båda)</translation>
+    </message>
+    <message>
+        <source> (%1 compared with the present value)</source>
+        <translation> (%1 jämfört med nuvarande värde)</translation>
     </message>
 </context>
 <context>
