@@ -141,7 +141,9 @@ void AccuracyPage::present() {
     takeOver();
     const std::optional<int> seconds = studyPlan(scenario()).accuracySeconds;
     const QString lasts = seconds ? tr("Run (%1 s)").arg(*seconds) : tr("Run");
-    m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? lasts : tr("Run (%1 s)").arg(20));
+    m_run->setText(isRunning()                  ? tr("Cancel")
+                   : proof() == Proof::accuracy ? lasts
+                                                : tr("Run (%1 s)").arg(20));
     m_run->setToolTip(proof() == Proof::accuracy
                           ? tr("Solve this scenario with every method and measure errors and times")
                           : tr("Solve and check some thousand stiff and extreme cases"));

@@ -87,7 +87,8 @@ void TestDrillingScan::theSentenceNamesTheBestAsFarAsTheErrorsTell() {
                  limits);
     const std::optional<Sequence> present = sequenceOf(clear.points[1].result);
     QCOMPARE(saidOf(clear, present),
-             "The highest penetration rate of the scan, 7.2 m/min (+11.1 %), is reached with a feed force of "
+             "The highest penetration rate of the scan, 7.2 m/min (+11.1 % compared with the present value), "
+             "is reached with a feed force of "
              "5 kN." +
                  limits);
     // The present one is no less than the errors.
