@@ -95,7 +95,11 @@ JsonArray lawsJson(const RecordAnswer& answer) {
 
 Json checkJson(const RecordAnswer& answer) {
     if (!answer.check) return {};
-    return Json(JsonObject{{"error", answer.check->error}, {"shift", answer.check->shift}});
+    const BlindCheck& check = *answer.check;
+    return Json(JsonObject{{"error", check.error},
+                           {"gain", check.gain},
+                           {"scaled_error", check.scaledError},
+                           {"shift", check.shift}});
 }
 
 JsonArray remarksJson(const RecordAnswer& answer, const std::vector<std::string>& further,

@@ -178,6 +178,9 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
     for (const IdentifiedParameter& parameter : answer.parameters)
         if (parameter.verdict == ParameterVerdict::notSeen && parameter.reason == "no_unloading")
             return translatable("To know more: record until the rock has unloaded.");
+    if (next->halfWidth > 1)
+        return {translatable("No single measurement would bring the uncertainty of %1 below 100 %."),
+                {namesOf(next->parameter).term}};
     if (next->source == "noise" || next->source == "law" || next->source == "resolution" ||
         next->source == "minimum")
         return {translatable("To know more: average 4 blows: %1."), {gain}};

@@ -10,6 +10,9 @@ namespace drillwave {
 
 namespace {
 
+/// The blind check names a gain if the error with it is less than this share of the error without.
+constexpr double mostAlike = 0.75;
+
 class IdentifyWriter {
   public:
     IdentifyWriter(const IdentifyReport& report, const ReadingStyle& style)
@@ -45,6 +48,9 @@ class IdentifyWriter {
     std::string percent(double share, int digits = 2) const {
         return m_style.number(100 * share, digits) + " %";
     }
+    std::string limitText(double share) const {
+        return share > 1 ? said(translatable("over 100 %")) : percent(share);
+    }
 
     void line(const std::string& head, const std::string& words) {
         m_text += "  " + head + std::string(head.size() < 12 ? 12 - head.size() : 1, ' ') + words + "\n";
@@ -62,8 +68,8 @@ class IdentifyWriter {
         grid.add({said(translatable("Limits of the result")), said(translatable("stiffness")),
                   said(translatable("elasticity")), ""});
         for (const IdentifyLimit& limit : identifyLimits(answer, m_report.question.scenario, m_style))
-            grid.add({"  " + said(limit.cause), percent(std::min(limit.onStiffness, 99.0)),
-                      percent(std::min(limit.onGamma, 99.0)), said(limit.tolerance)});
+            grid.add({"  " + said(limit.cause), limitText(limit.onStiffness), limitText(limit.onGamma),
+                      said(limit.tolerance)});
         m_text += "\n" + grid.text();
         if (const Message next = identifyNext(answer, m_report.question.scenario, m_style); !next.isEmpty())
             m_text += "  " + said(next) + "\n";
@@ -91,7 +97,7 @@ class IdentifyWriter {
                  said({translatable("%1 of the peak, %2 in a millisecond"),
                        {m_style.signedPercent(std::round(1e4 * match.zero[0].offset) / 1e4),
                         m_style.signedPercent(std::round(1e4 * match.zero[0].slope) / 1e4)}}));
-        if (answer.check)
+        if (answer.check) {
             line(said(translatable("check")),
                  said({answer.check->shift < 0
                            ? translatable("the wave behind the specimen is predicted within %1 of its peak; "
@@ -100,6 +106,11 @@ class IdentifyWriter {
                                           "it was measured %2 later"),
                        {percent(answer.check->error),
                         m_style.quantity(std::abs(answer.check->shift), Quantity::time, 2)}}));
+            if (answer.check->scaledError < mostAlike * answer.check->error)
+                line({}, said({translatable("a factor of %1 brings the prediction within %2: the gain of "
+                                            "that gauge or the bar there may differ"),
+                               {m_style.number(answer.check->gain, 3), percent(answer.check->scaledError)}}));
+        }
         if (answer.laws.size() > 1) {
             std::string laws;
             for (const TriedLaw& law : answer.laws)

@@ -12887,6 +12887,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source> (%1 compared with the present value)</source>
         <translation> (%1 gegenüber dem jetzigen Wert)</translation>
     </message>
+    <message>
+        <source>No single measurement would bring the uncertainty of %1 below 100 %.</source>
+        <translation>Keine einzelne Messung brächte die Unsicherheit von %1 unter 100 %.</translation>
+    </message>
+    <message>
+        <source>over 100 %</source>
+        <translation>über 100 %</translation>
+    </message>
+    <message>
+        <source>a factor of %1 brings the prediction within %2: the gain of that gauge or the bar there may differ</source>
+        <translation>mit dem Faktor %1 stimmt die Vorhersage auf %2: die Verstärkung dieser Messstelle oder der Stab dort kann anders sein</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -12887,6 +12887,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source> (%1 compared with the present value)</source>
         <translation> (%1 jämfört med nuvarande värde)</translation>
     </message>
+    <message>
+        <source>No single measurement would bring the uncertainty of %1 below 100 %.</source>
+        <translation>Ingen enskild mätning skulle få osäkerheten hos %1 under 100 %.</translation>
+    </message>
+    <message>
+        <source>over 100 %</source>
+        <translation>över 100 %</translation>
+    </message>
+    <message>
+        <source>a factor of %1 brings the prediction within %2: the gain of that gauge or the bar there may differ</source>
+        <translation>med faktorn %1 stämmer förutsägelsen inom %2: den givarens förstärkning eller stången där kan vara en annan</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

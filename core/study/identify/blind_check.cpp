@@ -14,7 +14,12 @@ constexpr double longestShift = 30e-6;  ///< places of both gauges, and delays o
 constexpr double zeroBefore = 40e-6;    ///< before the wave arrives, beyond its longest shift [s]
 constexpr std::size_t leastCompared = 20;
 
-/// Mean square of measured minus predicted force when the prediction comes `shift` later.
+/// Mean squares of measured minus predicted force, as it is and times the gain that fits best.
+struct ShiftedPower {
+    double power = 0, scaledPower = 0, gain = 1;
+};
+
+/// Compares measured and predicted force when the prediction comes `shift` later.
 class ShiftedComparison {
   public:
     ShiftedComparison(std::vector<double> measured, std::vector<double> predicted, double first, double ratio)
@@ -23,13 +28,19 @@ class ShiftedComparison {
           m_first(first),
           m_ratio(ratio) {}
     /// `shift` in steps of the prediction.
-    double power(double shift) const {
-        double sum = 0;
+    ShiftedPower at(double shift) const {
+        double measuredSquare = 0, predictedSquare = 0, product = 0;
         for (std::size_t i = 0; i < m_measured.size(); ++i) {
-            const double at = m_first + static_cast<double>(i) * m_ratio - shift;
-            sum += std::pow(m_measured[i] - sampleAt(m_predicted, at), 2);
+            const double predicted =
+                sampleAt(m_predicted, m_first + static_cast<double>(i) * m_ratio - shift);
+            measuredSquare += m_measured[i] * m_measured[i];
+            predictedSquare += predicted * predicted;
+            product += m_measured[i] * predicted;
         }
-        return sum / static_cast<double>(m_measured.size());
+        const auto count = static_cast<double>(m_measured.size());
+        const double gain = predictedSquare > 0 ? product / predictedSquare : 1;
+        return {(measuredSquare - 2 * product + predictedSquare) / count,
+                std::max(0.0, measuredSquare - gain * product) / count, gain};
     }
 
   private:
@@ -77,14 +88,17 @@ std::optional<BlindCheck> blindCheck(const GaugeRecord& given, double distance, 
                                        (firstTime - model.gridStart()) / model.gridStep(),
                                        even.step / model.gridStep());
     BlindCheck check;
-    double least = comparison.power(0);
+    ShiftedPower closest = comparison.at(0), alike = closest;
     for (double shift = -longestShift; shift <= longestShift; shift += model.gridStep()) {
-        const double power = comparison.power(shift / model.gridStep());
-        if (power >= least) continue;
-        least = power;
+        const ShiftedPower shifted = comparison.at(shift / model.gridStep());
+        if (shifted.scaledPower < alike.scaledPower) alike = shifted;
+        if (shifted.power >= closest.power) continue;
+        closest = shifted;
         check.shift = shift;
     }
-    check.error = std::sqrt(least) / peak;
+    check.error = std::sqrt(std::max(0.0, closest.power)) / peak;
+    check.gain = alike.gain;
+    check.scaledError = std::sqrt(alike.scaledPower) / peak;
     return check;
 }
 

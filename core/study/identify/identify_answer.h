@@ -118,6 +118,10 @@ struct BlindCheck {
     double error = 0;  ///< rms of the difference, as a share of the largest measured value
     /// Delay of the measured wave behind the predicted one [s]; positive if the measured wave is later.
     double shift = 0;
+    /// Factor of the predicted wave that fits the measured one best. Away from 1, the gains of the two gauges
+    /// or the areas of the two bars differ.
+    double gain = 1;
+    double scaledError = 0;  ///< like `error`, for the prediction times `gain`
 };
 
 struct RecordAnswer {

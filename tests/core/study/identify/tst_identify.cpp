@@ -288,6 +288,12 @@ void TestIdentify::waveBehindTheSpecimen_isPredicted() {
     // places of samples: a step of 1 µs on a rise of 100 µs
     QVERIFY2(answer.check->error < 0.01, qPrintable(QString::number(answer.check->error)));
     QVERIFY(std::abs(answer.check->shift) < 1.5e-6);
+    QVERIFY(std::abs(answer.check->gain - 1) < 0.01);
+    for (double& sample : record.behind) sample *= 1.2;
+    const RecordAnswer louder = answerOf(question);
+    QVERIFY(louder.check->error > 0.05);
+    QVERIFY(std::abs(louder.check->gain / answer.check->gain - 1.2) < 1e-6);
+    QVERIFY(louder.check->scaledError < 0.01);
     question.checkDistance = distance + 0.05;  // 10 µs later
     const RecordAnswer moved = answerOf(question);
     QVERIFY(std::abs(moved.check->shift + 0.05 / scene.rig.speed()) < 1.5e-6);
