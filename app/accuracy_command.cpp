@@ -132,8 +132,8 @@ const Command& accuracyCommand() {
               "segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to "
               "20000)"},
              {"work-limit", "N",
-              "limit the work of the lattice method, counted in moves of a wave by one segment (default: "
-              "1000000000, half a minute)"},
+              "limit the work of the lattice method, counted as time steps times segments (default: "
+              "1000000000, about half a minute)"},
              {"json", "", "print one JSON object instead of the table"},
              {"o", "DIR",
               "also write the table to accuracy.csv in DIR; -o - prints this CSV instead of the table"},

@@ -182,7 +182,8 @@ std::vector<OptionSpec> curveOptions() {
           "vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, "
           "START:STOP:COUNT:log (equal ratios) or A,B,C"},
          {"outputs", "A,B|all",
-          "outputs to follow, listed below (default: cor, the coefficient of restitution)"},
+          "outputs to compute along the parameter, listed below (default: cor, the coefficient of "
+          "restitution)"},
          {"level", "X", "also print where an output crosses this value, in the unit of its column",
           OptionSpec::Times::repeated},
          {"goal", "X",
@@ -193,8 +194,7 @@ std::vector<OptionSpec> curveOptions() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "limit the work: a blow is left out if the exact solver splits its waves into more than N "
-              "polynomial pieces (default: 1000000)"},
+              "skip blows that need more than N wave pieces in the exact solver (default: 1000000)"},
              {"j", "N", "number of threads (default: all)"},
              {"o", "FILE.csv",
               "also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values "

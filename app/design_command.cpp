@@ -152,8 +152,8 @@ const Command& designCommand() {
               "A,B,C; to compare presets: hammer=NAME,NAME",
               Times::list},
              {"aim", "max:OUTPUT@STATISTIC",
-              "objective: a statistic of an output to maximise, or with min:… to minimise; up to three, the "
-              "first ranks the designs",
+              "statistic of an output to maximise, or with min:… to minimise; up to three; the designs are "
+              "ranked by the first",
               Times::repeated},
              {"at-most", "OUTPUT@STATISTIC=VALUE",
               "limit: accept only designs for which this statistic of the output is at most VALUE",

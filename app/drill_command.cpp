@@ -173,8 +173,8 @@ const Command& drillCommand() {
               "glossary 2`)"},
              {"j", "N", "number of threads (default: all)"},
              {"work-limit", "N",
-              "limit the work: refuse a computation if its time steps times the ends of its sections exceed "
-              "N (default: 4e9)"},
+              "refuse a computation of more than N steps, counted as time steps times section ends (default: "
+              "4e9)"},
              {"o", "FILE.csv|DIR",
               "also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files "
               "into DIR; -o - prints the rows"},

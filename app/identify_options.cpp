@@ -132,8 +132,8 @@ std::vector<OptionSpec> identifyOptionSpecs() {
          "gauges on opposite sides",
          Times::repeated},
         {"law", "LAW",
-         "rock law to fit to the record: auto, bilinear or corner; file tests the law of FILE instead "
-         "(default: auto)"},
+         "rock law to fit to the record: auto, bilinear or corner; file checks the law given in FILE without "
+         "a fit (default: auto)"},
         {"known", "KEY=+-TOL",
          "tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its "
          "value with 95 % probability; see the description of the command",

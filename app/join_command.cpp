@@ -199,7 +199,7 @@ const Command& joinCommand() {
     static const Command command{
         .name = "join",
         .operands = "PART…",
-        .summary = "put the parts of a sweep, table or map together that --shard has split",
+        .summary = "combine the parts of a sweep, table or map that were solved with --shard",
         .details =
             "Writes FILE and its record FILE.yaml as the command would have written them without --shard, "
             "and\n"

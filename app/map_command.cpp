@@ -227,8 +227,8 @@ std::vector<OptionSpec> mapOptions() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "limit the work: a point is left out if the exact solver splits the waves of its blow into "
-              "more than N polynomial pieces (default: 1000000, at worst 2 s)"},
+              "skip points whose blow needs more than N wave pieces in the exact solver (default: 1000000, "
+              "at most about 2 s per point)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),

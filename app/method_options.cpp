@@ -9,8 +9,8 @@ namespace drillwave {
 
 std::vector<OptionSpec> methodOptionSpecs() {
     return {{"method", "NAME",
-             "method of solution: exact, lattice or closed_form (default: that of FILE if it is a result, "
-             "else exact)"},
+             "solution method: exact, lattice (time steps) or closed_form (default: exact; for a result "
+             "file, its own method)"},
             {"segments", "N",
              "number of segments into which the lattice method divides the rod (default: 10000, as in the "
              "paper)"}};

@@ -122,8 +122,8 @@ Message couldNotBeSolved(const std::string& path, const Message& reason) {
 
 OptionSpec workLimitSpec() {
     return {"work-limit", "N",
-            "limit the work: a blow is not solved if the exact solver splits its waves into more than N "
-            "polynomial pieces (default: 1000000, at worst some seconds)"};
+            "do not solve a blow that needs more than N wave pieces in the exact solver (default: 1000000, a "
+            "few seconds at most)"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {
@@ -134,8 +134,8 @@ std::vector<OptionSpec> rowOptionSpecs() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "limit the work: a row has no outputs if the exact solver splits the waves of its blow into "
-              "more than N polynomial pieces (default: 1000000, at worst 2 s)"},
+              "leave the outputs of a row empty if its blow needs more than N wave pieces in the exact "
+              "solver (default: 1000000, at most about 2 s per row)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
@@ -150,8 +150,8 @@ std::vector<OptionSpec> rowOptionSpecs() {
 
 OptionSpec shardOptionSpec() {
     return {"shard", "I/N",
-            "solve only the I-th of N parts of the rows, which `drillwave join` puts together; only part 1 "
-            "has the header"};
+            "solve only part I of N parts of the rows; `drillwave join` combines the parts; only part 1 has "
+            "a header"};
 }
 
 OptionSpec resumeOptionSpec() {

@@ -64,8 +64,8 @@ std::vector<OptionSpec> recordOptionSpecs() {
     std::vector<OptionSpec> specs{
         {"signal", "FILE", "use this measured record as the blow; the options below say how to read it"},
         {"all-samples", "",
-         "keep all samples of --signal; by default some are left out, as long as impulse and coefficient of "
-         "restitution change by less than 1e-4"}};
+         "use all samples of --signal; by default samples are left out as long as this changes impulse and "
+         "coefficient of restitution by less than 1e-4"}};
     for (const OptionSpec& option : signalOptionSpecs()) specs.push_back(option);
     return specs;
 }

@@ -267,8 +267,8 @@ constexpr auto drillTable = std::to_array<Output>({
                       "not reproducible and only means count. Needs a second simulation of all blows",
                       Measure::number, "Lyapunov exponent"),
     row<&D::thrustNumber>("drill_thrust_number",
-                          "effective feed force over blow frequency times impulse of a blow (phi); below 1 "
-                          "the machine is pushed back",
+                          "effective feed force divided by the mean force of the blows (phi); below 1 the "
+                          "blows push the machine back",
                           Measure::number, "thrust number"),
     row<&D::roundTrips>(
         "drill_round_trips",

@@ -190,16 +190,13 @@ constexpr OverloadWords yieldWords{
         "The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at "
         "%2 from the hammer and %3 after the start of the blow. Its yield strength is %4.")};
 constexpr OverloadWords fatigueWords{
+    translatable("Every blow loads a section above its fatigue strength of %5: the stress in %1 reaches %2, "
+                 "at %3 from its rear end and %4 after the start of the blow."),
+    translatable("Every blow loads the rod above its fatigue strength of %4: during the blow the stress "
+                 "reaches %1, at %2 from the hammer and %3 after the start of the blow."),
     translatable(
-        "%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear "
-        "end and %4 after the start of the blow. Its fatigue strength is %5."),
-    translatable(
-        "The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the "
-        "hammer and %3 after the start of the blow. Its fatigue strength is %4."),
-    translatable(
-        "The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a "
-        "stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength "
-        "is %4.")};
+        "Every blow loads the rod above its fatigue strength of %4: after the blow the residual waves, "
+        "undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow.")};
 
 Message overload(const Alert& alert, const OverloadWords& words, const ReadingStyle& style) {
     const bool isCompression = alert.has("compression");
@@ -298,9 +295,9 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                              "back by then, switch off “may strike again” (restrike: false in the file)."),
                 {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
-            return {translatable("At the moment of a blow, the shank is up to %1 away from its mean position "
-                                 "in the machine. A real machine would then have another stroke and another "
-                                 "blow. With only a dashpot the shank drifts: add a spring to the damper."),
+            return {translatable("At impact, the shank is up to %1 from its mean position in the machine, so "
+                                 "stroke and blow energy of a real machine would differ. A dashpot alone "
+                                 "lets the shank drift: add a spring to the damper."),
                     {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {

@@ -318,10 +318,15 @@ std::vector<Message> curveSentences(const ComparedCurve& study, std::optional<do
         parts.push_back({translatable("there is no answer in a part of the range: %1"),
                          {output.unsolved.front().reason}});
     std::erase_if(parts, [](const Message& part) { return part.isEmpty(); });
-    Message line;
-    for (Message& part : parts) line = joined(std::move(line), "%1 · %2", std::move(part));
+    if (parts.empty())
+        parts.push_back({translatable("%1 has no extremes in this range"),
+                         {outputMessage(*question.columns.front().output)}});
     std::vector<Message> sentences{
-        about(lineName(study.curve, *marked, CurveKind::curve, isOf(*marked, here), style), line)};
+        {translatable("%1 (%2)."),
+         {parts.front(), lineName(study.curve, *marked, CurveKind::curve, isOf(*marked, here), style)}}};
+    Message details;
+    for (std::size_t i = 1; i < parts.size(); ++i) details = joined(std::move(details), "%1 · %2", parts[i]);
+    if (!details.isEmpty()) sentences.push_back(std::move(details));
     if (!question.goal)
         sentences.push_back({translatable("Enter a goal to find where %1 reaches it."),
                              {outputMessage(*question.columns.front().output)}});

@@ -133,8 +133,9 @@ class ObjectivePanel {
             present.legend = {translatable("present design: %1"), {m_names.design(*design)}};
             if (m_marks == DesignMarks::all) addMark(present, *design, nominal(*design));
         }
-        FigureSeries robust{.legend = named(translatable("best for uncertain rock"), *best.robust),
-                            .points = SeriesPoints::diamonds};
+        const char* robustName = best.ties.empty() ? translatable("best for uncertain rock")
+                                                   : translatable("best by less than the error");
+        FigureSeries robust{.legend = named(robustName, *best.robust), .points = SeriesPoints::diamonds};
         addMark(robust, *best.robust, objective(*best.robust));
         FigureSeries ties{.points = SeriesPoints::circles};
         if (!best.ties.empty()) ties.legend = translatable("equally good");

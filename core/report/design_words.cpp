@@ -247,25 +247,26 @@ Message answerMessage(const DesignReport& report, const DesignNames& names) {
     const std::optional<std::size_t> present = presentDesign(report.study);
     const DesignAim& first = report.study.aims.front();
     if (*headline == DesignHeadline::keep)
-        return {translatable("Keep the present design, %1: none of the %2 designs compared has a better "
-                             "objective (%3 = %4)."),
-                {designWithName(report, *present, names), std::to_string(report.findings.designs.size()),
-                 names.aim(first), names.aimed(report, first, *present)}};
+        return {
+            translatable("Keep the present design, %1: none of the %2 designs compared is better (%3 = %4)."),
+            {designWithName(report, *present, names), std::to_string(report.findings.designs.size()),
+             names.aim(first), names.aimed(report, first, *present)}};
     const std::size_t chosen = *report.findings.best.chosen;
     const std::string name = names.design(chosen);
     if (!present || std::isnan(aimedValue(report, first, *present).value))
         return {
-            translatable("Take the design %1: its objective %2 is %3."),
+            translatable("Choose the design %1, which gives %2 = %3."),
             {designWithName(report, chosen, names), names.aim(first), names.aimed(report, first, chosen)}};
     const SweepAxis* only = onlyParameter(report.study);
     if (!report.findings.feasibility[*present].feasible && only)
-        return {translatable("Change %1 from %2 to %3: the objective %4 is then %5. The present design does "
-                             "not meet all limits."),
-                {names.choice(*only), names.design(*present), name, names.aim(first),
-                 names.aimed(report, first, chosen)}};
+        return {
+            translatable(
+                "Change %1 from %2 to %3, which gives %4 = %5. The present design does not meet all limits."),
+            {names.choice(*only), names.design(*present), name, names.aim(first),
+             names.aimed(report, first, chosen)}};
     if (!report.findings.feasibility[*present].feasible)
-        return {translatable("Change the design from %1 to %2: the objective %3 is then %4. The present "
-                             "design does not meet all limits."),
+        return {translatable("Change the design from %1 to %2, which gives %3 = %4. The present design does "
+                             "not meet all limits."),
                 {names.design(*present), name, names.aim(first), names.aimed(report, first, chosen)}};
     const DesignAim& deciding = decidingAim(report, *present);
     if (only)

@@ -92,10 +92,10 @@ class EstimateMessage {
             case FeedState::belowRequired:
                 return m_estimate.isOfAllGaps()
                            ? Message(translatable("An additional feed force of %1 is enough for this blow, "
-                                                  "one of %2 for every gap between bit and rock."),
+                                                  "and %2 is enough for every gap between bit and rock."),
                                      {more(ofThisBlow), more(largest.thrust)})
                            : Message(translatable("An additional feed force of %1 is enough for this blow, "
-                                                  "one of %2 for rigid rock."),
+                                                  "and %2 is enough for rigid rock."),
                                      {more(ofThisBlow), more(largest.thrust)});
             case FeedState::requiredAtThisGap:
                 return {
@@ -105,11 +105,11 @@ class EstimateMessage {
                         : translatable("An additional feed force of %1 is enough for rigid rock."),
                     {more(largest.thrust)}};
             case FeedState::requiredMet:
-                return {translatable("For single blows, no additional feed force is required. From %1 on, "
+                return {translatable("The installed feed force is enough for single blows. From %1 on, "
                                      "even an undamped rod would return to the rock before each next blow."),
                         {least(largest.thrustUndamped)}};
             case FeedState::returnMet:
-                return translatable("For single blows, no additional feed force is required.");
+                return translatable("The installed feed force is enough for single blows.");
             case FeedState::notApplicable:
                 break;
         }

@@ -82,9 +82,9 @@ Message identifySentence(const RecordAnswer& answer) {
             ? translatable("The record determines stiffness, elasticity and gap of the rock.")
         : hasStiffness && hasGamma
             ? translatable(
-                  "Stiffness and elasticity of the rock are known, the gap between bit and rock is not.")
-        : hasStiffness ? translatable("The stiffness of the rock is known, the elasticity is not.")
-        : hasGamma     ? translatable("The elasticity of the rock is known, the stiffness is not.")
+                  "Stiffness and elasticity of the rock are known, but the gap between bit and rock is not.")
+        : hasStiffness ? translatable("The stiffness of the rock is known, but its elasticity is not.")
+        : hasGamma     ? translatable("The elasticity of the rock is known, but its stiffness is not.")
                    : translatable("Neither stiffness nor elasticity of the rock is known to within 20 %.");
     return {translatable("%1 %2"), {agrees, Message(known)}};
 }

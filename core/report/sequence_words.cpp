@@ -82,10 +82,9 @@ Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style)
     if (!sequence.singleBlowShare)
         return {translatable("The bit penetrates %1 per blow, at a penetration rate of %2."),
                 {penetration, rate}};
-    return {
-        translatable(
-            "The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest."),
-        {penetration, rate, percentText(sequence.singleBlowShare->value, style)}};
+    return {translatable("The bit penetrates %1 per blow. The penetration rate of %2 is %3 of the rate that "
+                         "single blows from rest would give."),
+            {penetration, rate, percentText(sequence.singleBlowShare->value, style)}};
 }
 
 /// The machine is pushed back, by the mean force of these blows.

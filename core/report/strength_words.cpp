@@ -16,13 +16,14 @@ namespace {
 const char* firstPattern(const StrengthUse& use) {
     if (use.of == StrengthUse::Strength::fatigue)
         return translatable(
-            "The section closest to breaking is %1: a tension of %2 is %3 of its fatigue strength of %4.");
+            "The section closest to breaking (%1) has a tension of %2, which is %3 of its fatigue strength "
+            "of %4.");
     return use.isTension ? translatable(
-                               "The section closest to yielding is %1: a tension of %2 is %3 of its yield "
-                               "strength of %4.")
+                               "The section closest to yielding (%1) has a tension of %2, which is %3 of its "
+                               "yield strength of %4.")
                          : translatable(
-                               "The section closest to yielding is %1: a compression of %2 is %3 of its "
-                               "yield strength of %4.");
+                               "The section closest to yielding (%1) has a compression of %2, which is %3 of "
+                               "its yield strength of %4.");
 }
 
 /// Returns the fatigue strength of the rods, or of the first section if no section is a rod.

@@ -2610,8 +2610,8 @@ Trotzdem löschen?</translation>
         <translation>Periode der Bewegung</translation>
     </message>
     <message>
-        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
-        <translation>wirksamer Andruck durch Schlagfrequenz mal Kraftstoß eines Schlags (phi); unter 1 wird die Maschine zurückgedrückt</translation>
+        <source>effective feed force divided by the mean force of the blows (phi); below 1 the blows push the machine back</source>
+        <translation>wirksamer Andruck durch die mittlere Kraft der Schläge (phi); unter 1 schieben die Schläge die Maschine zurück</translation>
     </message>
     <message>
         <source>round trips from blow to blow</source>
@@ -6216,8 +6216,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nachdem sich der Kolben vom Strang getrennt hat, prallt der Strang gegen ihn zurück und übernimmt bis zu %1&#xa0;% seines Impulses. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At the moment of a blow, the shank is up to %1 away from its mean position in the machine. A real machine would then have another stroke and another blow. With only a dashpot the shank drifts: add a spring to the damper.</source>
-        <translation>Im Augenblick eines Schlags ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt. Eine wirkliche Maschine hätte dann einen anderen Hub und einen anderen Schlag. Nur mit einem Dämpfer wandert das Einsteckende: dem Dämpfer eine Feder hinzufügen.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper.</source>
+        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt; Hub und Schlagenergie einer wirklichen Maschine wären also andere. Ein Dämpfer allein lässt das Einsteckende wandern: eine Feder hinzufügen.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
@@ -10424,12 +10424,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>unterbrochen; %1 von %2 Zeilen stehen in %3, derselbe Befehl geht dahinter weiter</translation>
     </message>
     <message>
-        <source>Keep the present design, %1: none of the %2 designs compared has a better objective (%3 = %4).</source>
-        <translation>Die jetzige Auslegung behalten, %1: keine der %2 verglichenen Auslegungen hat eine bessere Zielgröße (%3 = %4).</translation>
+        <source>Keep the present design, %1: none of the %2 designs compared is better (%3 = %4).</source>
+        <translation>Die jetzige Auslegung behalten, %1: keine der %2 verglichenen ist besser (%3 = %4).</translation>
     </message>
     <message>
-        <source>Take the design %1: its objective %2 is %3.</source>
-        <translation>Die Auslegung %1 nehmen: ihre Zielgröße %2 ist %3.</translation>
+        <source>Choose the design %1, which gives %2 = %3.</source>
+        <translation>Die Auslegung %1 wählen; sie gibt %2 = %3.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10524,8 +10524,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Bohrkrone dringt %1 je Schlag ein, bei einem Bohrfortschritt von %2.</translation>
     </message>
     <message>
-        <source>The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest.</source>
-        <translation>Die Bohrkrone dringt %1 je Schlag ein, bei einem Bohrfortschritt von %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
+        <source>The bit penetrates %1 per blow. The penetration rate of %2 is %3 of the rate that single blows from rest would give.</source>
+        <translation>Die Bohrkrone dringt %1 je Schlag ein. Der Bohrfortschritt von %2 ist %3 dessen, was einzelne Schläge aus der Ruhe gäben.</translation>
     </message>
     <message>
         <source>The blows push the machine back without limit: increase the feed force.</source>
@@ -10580,8 +10580,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>rechtzeitige Rückkehr</translation>
     </message>
     <message>
-        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
-        <translation>Der Kraftstoß eines Schlags ist der an der Stirnfläche des Hammers. Die Spalte eines Strangs haben keine Periode, daher sind weder ein Anteil von ihnen noch der schlechteste bekannt.</translation>
+        <source>The impulse of a blow is taken at the hammer&apos;s face. For a drill string, results do not repeat with the gap between bit and rock, so neither a share of all gaps nor the worst gap is known.</source>
+        <translation>Der Kraftstoß eines Schlags gilt an der Stirnfläche des Hammers. Bei einem Strang wiederholen sich die Ergebnisse nicht mit dem Spalt zwischen Krone und Gestein; weder ein Anteil aller Spalte noch der schlimmste ist daher bekannt.</translation>
     </message>
     <message>
         <source>sequences of blows</source>
@@ -10640,12 +10640,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1&#xa0;%: es werden Hämmer verschiedener Leistung verglichen.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: the objective %3 is then %4. The present design does not meet all limits.</source>
-        <translation>Die Auslegung von %1 auf %2 wechseln: die Zielgröße %3 ist dann %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <source>Change the design from %1 to %2, which gives %3 = %4. The present design does not meet all limits.</source>
+        <translation>Die Auslegung von %1 auf %2 ändern; das gibt %3 = %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: the objective %4 is then %5. The present design does not meet all limits.</source>
-        <translation>%1 von %2 auf %3 ändern: die Zielgröße %4 ist dann %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <source>Change %1 from %2 to %3, which gives %4 = %5. The present design does not meet all limits.</source>
+        <translation>%1 von %2 auf %3 ändern; das gibt %4 = %5. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11268,16 +11268,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 weitere Abschnitte</translation>
     </message>
     <message>
-        <source>The section closest to breaking is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
-        <translation>Am nächsten am Bruch ist %1: eine Zugspannung von %2 ist %3 der Dauerfestigkeit von %4.</translation>
+        <source>The section closest to breaking (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
+        <translation>Der Abschnitt, der dem Bruch am nächsten ist (%1), hat eine Zugspannung von %2; das sind %3 seiner Dauerfestigkeit von %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding is %1: a tension of %2 is %3 of its yield strength of %4.</source>
-        <translation>Am nächsten am Fließen ist %1: eine Zugspannung von %2 ist %3 der Streckgrenze von %4.</translation>
+        <source>The section closest to yielding (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Der Abschnitt, der dem Fließen am nächsten ist (%1), hat eine Zugspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding is %1: a compression of %2 is %3 of its yield strength of %4.</source>
-        <translation>Am nächsten am Fließen ist %1: eine Druckspannung von %2 ist %3 der Streckgrenze von %4.</translation>
+        <source>The section closest to yielding (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Der Abschnitt, der dem Fließen am nächsten ist (%1), hat eine Druckspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
         <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
@@ -11772,15 +11772,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung bestimmt Steifigkeit, Elastizität und Spalt des Gesteins.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
+        <source>Stiffness and elasticity of the rock are known, but the gap between bit and rock is not.</source>
         <translation>Steifigkeit und Elastizität des Gesteins sind bekannt, der Spalt zwischen Bohrkrone und Gestein nicht.</translation>
     </message>
     <message>
-        <source>The stiffness of the rock is known, the elasticity is not.</source>
+        <source>The stiffness of the rock is known, but its elasticity is not.</source>
         <translation>Die Steifigkeit des Gesteins ist bekannt, die Elastizität nicht.</translation>
     </message>
     <message>
-        <source>The elasticity of the rock is known, the stiffness is not.</source>
+        <source>The elasticity of the rock is known, but its stiffness is not.</source>
         <translation>Die Elastizität des Gesteins ist bekannt, die Steifigkeit nicht.</translation>
     </message>
     <message>
@@ -12164,12 +12164,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>stimmt nicht überein</translation>
     </message>
     <message>
-        <source>For single blows, no additional feed force is required. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
-        <translation>Für einzelne Schläge ist kein zusätzlicher Andruck erforderlich. Ab %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückkehren.</translation>
+        <source>The installed feed force is enough for single blows. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
+        <translation>Der installierte Andruck reicht für einzelne Schläge. Ab %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückkehren.</translation>
     </message>
     <message>
-        <source>For single blows, no additional feed force is required.</source>
-        <translation>Für einzelne Schläge ist kein zusätzlicher Andruck erforderlich.</translation>
+        <source>The installed feed force is enough for single blows.</source>
+        <translation>Der installierte Andruck reicht für einzelne Schläge.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12532,16 +12532,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Stange würde fließen: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
     </message>
     <message>
-        <source>%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its fatigue strength is %5.</source>
-        <translation>%1 ermüdet mit jedem Schlag: die Spannung in diesem Abschnitt erreicht %2, %3 von seinem hinteren Ende und %4 nach Beginn des Schlags. Seine Dauerfestigkeit ist %5.</translation>
+        <source>Every blow loads a section above its fatigue strength of %5: the stress in %1 reaches %2, at %3 from its rear end and %4 after the start of the blow.</source>
+        <translation>Jeder Schlag belastet einen Abschnitt über seine Dauerfestigkeit von %5: die Spannung in %1 erreicht %2, in %3 von seinem hinteren Ende und %4 nach Beginn des Schlags.</translation>
     </message>
     <message>
-        <source>The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
-        <translation>Die Stange ermüdet mit jedem Schlag: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Dauerfestigkeit ist %4.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Jeder Schlag belastet die Stange über ihre Dauerfestigkeit von %4: während des Schlags erreicht die Spannung %1, in %2 vom Hammer und %3 nach Beginn des Schlags.</translation>
     </message>
     <message>
-        <source>The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
-        <translation>Die Stange ermüdet mit jedem Schlag: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Dauerfestigkeit ist %4.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Jeder Schlag belastet die Stange über ihre Dauerfestigkeit von %4: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, in %2 vom Hammer und %3 nach Beginn des Schlags.</translation>
     </message>
     <message>
         <source>%1 in compression</source>
@@ -12778,11 +12778,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for every gap between bit and rock.</source>
         <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for rigid rock.</source>
         <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
     </message>
     <message>
@@ -12898,6 +12898,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>a factor of %1 brings the prediction within %2: the gain of that gauge or the bar there may differ</source>
         <translation>mit dem Faktor %1 stimmt die Vorhersage auf %2: die Verstärkung dieser Messstelle oder der Stab dort kann anders sein</translation>
+    </message>
+    <message>
+        <source>%1 has no extremes in this range</source>
+        <translation>%1 hat in diesem Bereich keine Extrema</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>best by less than the error</source>
+        <translation>besser um weniger als der Fehler</translation>
     </message>
 </context>
 <context>
@@ -15053,14 +15065,14 @@ flexion</translation>
         <translation>Die Voreinstellung, aus der der Abschnitt ist</translation>
     </message>
     <message>
-        <source>of
-strength</source>
-        <translation>von der
-Festigkeit</translation>
-    </message>
-    <message>
         <source>preset</source>
         <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>strength
+used</source>
+        <translation>genutzte
+Festigkeit</translation>
     </message>
 </context>
 <context>
@@ -15813,8 +15825,8 @@ und jeder Wert des anderen ergibt eine Kurve.</translation>
         <translation>Ergebnisse in SI-Einheiten schreiben, mit Einheiten im Kopf</translation>
     </message>
     <message>
-        <source>solve only the I-th of N parts of the rows, which `drillwave join` puts together; only part 1 has the header</source>
-        <translation>nur den I-ten von N Teilen der Zeilen lösen, die `drillwave join` zusammenfügt; nur Teil 1 hat den Kopf</translation>
+        <source>solve only part I of N parts of the rows; `drillwave join` combines the parts; only part 1 has a header</source>
+        <translation>nur Teil I von N Teilen der Zeilen lösen; `drillwave join` fügt die Teile zusammen; nur Teil 1 hat einen Kopf</translation>
     </message>
     <message>
         <source>with -o, also write the picture of the window in these formats</source>
@@ -15901,7 +15913,7 @@ springt.</translation>
         <translation>auch die Punkte der Karte nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml, und die Höhenlinien nach FILE_contours.csv; -o - gibt die Punkte anstelle der Zusammenfassung aus</translation>
     </message>
     <message>
-        <source>put the parts of a sweep, table or map together that --shard has split</source>
+        <source>combine the parts of a sweep, table or map that were solved with --shard</source>
         <translation>die Teile von sweep, table oder map zusammenfügen, in die --shard sie geteilt hat</translation>
     </message>
     <message>
@@ -15987,8 +15999,8 @@ ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abge
         <translation>die Stichproben unsicherer Größen aus dieser Tabelle nehmen, eine je Zeile; ihr Kopf nennt Parameter</translation>
     </message>
     <message>
-        <source>objective: a statistic of an output to maximise, or with min:… to minimise; up to three, the first ranks the designs</source>
-        <translation>Zielgröße: eine Statistik eines Ergebnisses, die maximiert wird, oder mit min:… minimiert; bis zu drei, die erste ordnet die Auslegungen</translation>
+        <source>statistic of an output to maximise, or with min:… to minimise; up to three; the designs are ranked by the first</source>
+        <translation>Statistik eines Ergebnisses, die maximiert oder mit min:… minimiert wird; bis zu drei; die erste ordnet die Auslegungen</translation>
     </message>
     <message>
         <source>give every design the blow energy of FILE, by scaling its impulse or hammer velocity</source>
@@ -16159,10 +16171,6 @@ Kolbenschlägen.</translation>
         <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
-        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
-        <translation>wirksamer Andruck durch Schlagfrequenz mal Kraftstoß eines Schlags (phi); unter 1 wird die Maschine zurückgedrückt</translation>
-    </message>
-    <message>
         <source>number of round trips that a wave makes through rod or string between two blows (n_b)</source>
         <translation>Zahl der Hin- und Rückläufe einer Welle durch Stange oder Strang zwischen zwei Schlägen (n_b)</translation>
     </message>
@@ -16259,7 +16267,7 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
         <translation>diese gemessene Aufzeichnung als Schlag verwenden; die Optionen darunter sagen, wie sie gelesen wird</translation>
     </message>
     <message>
-        <source>keep all samples of --signal; by default some are left out, as long as impulse and coefficient of restitution change by less than 1e-4</source>
+        <source>use all samples of --signal; by default samples are left out as long as this changes impulse and coefficient of restitution by less than 1e-4</source>
         <translation>alle Abtastwerte von --signal behalten; in der Vorgabe werden einige weggelassen, solange sich Kraftstoß und Stoßzahl um weniger als 1e-4 ändern</translation>
     </message>
     <message>
@@ -16406,40 +16414,40 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>ein JSON-Objekt anstelle der Zusammenfassung ausgeben</translation>
     </message>
     <message>
-        <source>method of solution: exact, lattice or closed_form (default: that of FILE if it is a result, else exact)</source>
-        <translation>Lösungsverfahren: exact, lattice oder closed_form (Vorgabe: das von FILE, wenn es ein Ergebnis ist, sonst exact)</translation>
+        <source>solution method: exact, lattice (time steps) or closed_form (default: exact; for a result file, its own method)</source>
+        <translation>Lösungsverfahren: exact, lattice (Zeitschritte) oder closed_form (Vorgabe: exact; bei einer Ergebnisdatei deren Verfahren)</translation>
     </message>
     <message>
         <source>number of segments into which the lattice method divides the rod (default: 10000, as in the paper)</source>
         <translation>Zahl der Segmente, in die das Gitterverfahren die Stange teilt (Vorgabe: 10000, wie im Artikel)</translation>
     </message>
     <message>
-        <source>limit the work: a blow is not solved if the exact solver splits its waves into more than N polynomial pieces (default: 1000000, at worst some seconds)</source>
-        <translation>den Aufwand begrenzen: ein Schlag wird nicht gelöst, wenn das exakte Verfahren seine Wellen in mehr als N Polynomstücke teilt (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
+        <source>do not solve a blow that needs more than N wave pieces in the exact solver (default: 1000000, a few seconds at most)</source>
+        <translation>einen Schlag nicht lösen, der im exakten Verfahren mehr als N Wellenstücke braucht (Vorgabe: 1000000, höchstens einige Sekunden)</translation>
     </message>
     <message>
         <source>outputs to write as columns, listed below (default: cor, the coefficient of restitution)</source>
         <translation>Ergebnisse, die als Spalten geschrieben werden, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
-        <source>limit the work: a row has no outputs if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
-        <translation>den Aufwand begrenzen: eine Zeile hat keine Ergebnisse, wenn das exakte Verfahren die Wellen ihres Schlags in mehr als N Polynomstücke teilt (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>leave the outputs of a row empty if its blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per row)</source>
+        <translation>die Ergebnisse einer Zeile leer lassen, deren Schlag im exakten Verfahren mehr als N Wellenstücke braucht (Vorgabe: 1000000, höchstens etwa 2 s je Zeile)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
         <translation>Zahl der Threads (Vorgabe: alle)</translation>
     </message>
     <message>
-        <source>outputs to follow, listed below (default: cor, the coefficient of restitution)</source>
-        <translation>Ergebnisse, die verfolgt werden, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
+        <source>outputs to compute along the parameter, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>Ergebnisse entlang des Parameters, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the tables</source>
         <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
     </message>
     <message>
-        <source>limit the work: a blow is left out if the exact solver splits its waves into more than N polynomial pieces (default: 1000000)</source>
-        <translation>den Aufwand begrenzen: ein Schlag wird ausgelassen, wenn das exakte Verfahren seine Wellen in mehr als N Polynomstücke teilt (Vorgabe: 1000000)</translation>
+        <source>skip blows that need more than N wave pieces in the exact solver (default: 1000000)</source>
+        <translation>Schläge auslassen, die im exakten Verfahren mehr als N Wellenstücke brauchen (Vorgabe: 1000000)</translation>
     </message>
     <message>
         <source>output to map, listed below (default: cor, the coefficient of restitution)</source>
@@ -16450,8 +16458,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>ein JSON-Objekt mit den Höhenlinien anstelle der Zusammenfassung ausgeben</translation>
     </message>
     <message>
-        <source>limit the work: a point is left out if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
-        <translation>den Aufwand begrenzen: ein Punkt wird ausgelassen, wenn das exakte Verfahren die Wellen seines Schlags in mehr als N Polynomstücke teilt (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+        <source>skip points whose blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per point)</source>
+        <translation>Punkte auslassen, deren Schlag im exakten Verfahren mehr als N Wellenstücke braucht (Vorgabe: 1000000, höchstens etwa 2 s je Punkt)</translation>
     </message>
     <message>
         <source>number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)</source>
@@ -16466,8 +16474,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Zahlen in SI-Einheiten ausgeben (Vorgabe)</translation>
     </message>
     <message>
-        <source>limit the work: refuse a computation if its time steps times the ends of its sections exceed N (default: 4e9)</source>
-        <translation>den Aufwand begrenzen: eine Rechnung ablehnen, deren Zeitschritte mal Enden ihrer Abschnitte N überschreiten (Vorgabe: 4e9)</translation>
+        <source>refuse a computation of more than N steps, counted as time steps times section ends (default: 4e9)</source>
+        <translation>eine Rechnung mit mehr als N Schritten ablehnen; sie zählen als Zeitschritte mal Abschnittsenden (Vorgabe: 4e9)</translation>
     </message>
     <message>
         <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>
@@ -16494,8 +16502,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Segmentzahlen des Gitterverfahrens, die verglichen werden, etwa 100,1000 (Vorgabe: von 100 bis 20000)</translation>
     </message>
     <message>
-        <source>limit the work of the lattice method, counted in moves of a wave by one segment (default: 1000000000, half a minute)</source>
-        <translation>den Aufwand des Gitterverfahrens begrenzen, gezählt in Schritten einer Welle um ein Segment (Vorgabe: 1000000000, eine halbe Minute)</translation>
+        <source>limit the work of the lattice method, counted as time steps times segments (default: 1000000000, about half a minute)</source>
+        <translation>den Aufwand des Gitterverfahrens begrenzen, gezählt als Zeitschritte mal Segmente (Vorgabe: 1000000000, etwa eine halbe Minute)</translation>
     </message>
     <message>
         <source>find stiffness and elasticity of the rock from strain gauges, with uncertainty</source>
@@ -16707,8 +16715,8 @@ widerspricht dem Modell. Die Intervalle können zu eng sein, wenn das Gestein ni
 Geraden be- und längs einer anderen entlastet (commands §4.17).</translation>
     </message>
     <message>
-        <source>rock law to fit to the record: auto, bilinear or corner; file tests the law of FILE instead (default: auto)</source>
-        <translation>Gesteinsgesetz, das an die Aufzeichnung angepasst wird: auto, bilinear oder corner; file prüft stattdessen das Gesetz von FILE (Vorgabe: auto)</translation>
+        <source>rock law to fit to the record: auto, bilinear or corner; file checks the law given in FILE without a fit (default: auto)</source>
+        <translation>Gesetz des Gesteins für die Anpassung: auto, bilinear oder corner; file prüft das Gesetz in FILE ohne Anpassung (Vorgabe: auto)</translation>
     </message>
     <message>
         <source>date printed in the report, any text (default: none)</source>
@@ -16792,6 +16800,10 @@ drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, 
     <message>
         <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
         <translation>Auslegungen mit ihrer eigenen Schlagenergie vergleichen, auch wenn FILE keep_energy setzt</translation>
+    </message>
+    <message>
+        <source>effective feed force divided by the mean force of the blows (phi); below 1 the blows push the machine back</source>
+        <translation>wirksamer Andruck durch die mittlere Kraft der Schläge (phi); unter 1 schieben die Schläge die Maschine zurück</translation>
     </message>
 </context>
 </TS>

@@ -2610,8 +2610,8 @@ Ta bort ändå?</translation>
         <translation>rörelsens period</translation>
     </message>
     <message>
-        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
-        <translation>effektiv matningskraft genom slagfrekvens gånger ett slags impuls (phi); under 1 trycks maskinen tillbaka</translation>
+        <source>effective feed force divided by the mean force of the blows (phi); below 1 the blows push the machine back</source>
+        <translation>verkande matningskraft delad med slagens medelkraft (phi); under 1 skjuter slagen maskinen bakåt</translation>
     </message>
     <message>
         <source>round trips from blow to blow</source>
@@ -6216,8 +6216,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Efter att kolven har skilts från strängen studsar strängen mot den och tar över upp till %1&#xa0;% av dess rörelsemängd. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>At the moment of a blow, the shank is up to %1 away from its mean position in the machine. A real machine would then have another stroke and another blow. With only a dashpot the shank drifts: add a spring to the damper.</source>
-        <translation>I slagögonblicket är nacken upp till %1 från sitt medelläge i maskinen. En verklig maskin skulle då ha en annan slaglängd och ett annat slag. Med bara en dämpare vandrar nacken: lägg till en fjäder i dämparen.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper.</source>
+        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen, så slaglängd och slagenergi hos en verklig maskin skulle bli andra. En dämpare ensam låter nacken vandra: lägg till en fjäder.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
@@ -8401,11 +8401,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
-        <translation>Den bästa utformningen för osäkert berg ligger i övre änden av området för %1: vidga det området.</translation>
+        <translation>Den bästa konstruktionen för osäkert berg ligger i övre änden av området för %1: vidga det området.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the lower end of the range of %1: extend that range.</source>
-        <translation>Den bästa utformningen för osäkert berg ligger i nedre änden av området för %1: vidga det området.</translation>
+        <translation>Den bästa konstruktionen för osäkert berg ligger i nedre änden av området för %1: vidga det området.</translation>
     </message>
     <message>
         <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
@@ -10424,12 +10424,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avbruten; %1 av %2 rader finns i %3, och samma kommando fortsätter efter dem</translation>
     </message>
     <message>
-        <source>Keep the present design, %1: none of the %2 designs compared has a better objective (%3 = %4).</source>
-        <translation>Behåll den nuvarande konstruktionen, %1: ingen av de %2 jämförda konstruktionerna har en bättre målstorhet (%3 = %4).</translation>
+        <source>Keep the present design, %1: none of the %2 designs compared is better (%3 = %4).</source>
+        <translation>Behåll den nuvarande konstruktionen, %1: ingen av de %2 jämförda är bättre (%3 = %4).</translation>
     </message>
     <message>
-        <source>Take the design %1: its objective %2 is %3.</source>
-        <translation>Ta konstruktionen %1: dess målstorhet %2 är %3.</translation>
+        <source>Choose the design %1, which gives %2 = %3.</source>
+        <translation>Välj konstruktionen %1, som ger %2 = %3.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10524,8 +10524,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Borrkronan tränger in %1 per slag, med en borrsjunkning på %2.</translation>
     </message>
     <message>
-        <source>The bit penetrates %1 per blow, at a penetration rate of %2: %3 of a single blow from rest.</source>
-        <translation>Borrkronan tränger in %1 per slag, med en borrsjunkning på %2: %3 av ett enstaka slag från vila.</translation>
+        <source>The bit penetrates %1 per blow. The penetration rate of %2 is %3 of the rate that single blows from rest would give.</source>
+        <translation>Borrkronan tränger in %1 per slag. Borrsjunkningen %2 är %3 av den som enstaka slag från vila skulle ge.</translation>
     </message>
     <message>
         <source>The blows push the machine back without limit: increase the feed force.</source>
@@ -10580,8 +10580,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>återkomst i tid</translation>
     </message>
     <message>
-        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
-        <translation>Ett slags impuls är den vid hammarens ändyta. Spalterna i en borrsträng har ingen period, så varken en andel av dem eller den sämsta är känd.</translation>
+        <source>The impulse of a blow is taken at the hammer&apos;s face. For a drill string, results do not repeat with the gap between bit and rock, so neither a share of all gaps nor the worst gap is known.</source>
+        <translation>Slagets impuls tas vid hammarens ändyta. För en borrsträng upprepas resultaten inte med spalten mellan krona och berg, så varken en andel av alla spalter eller den sämsta spalten är känd.</translation>
     </message>
     <message>
         <source>sequences of blows</source>
@@ -10640,12 +10640,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Slagenergin skiljer sig med upp till %1&#xa0;% mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
     </message>
     <message>
-        <source>Change the design from %1 to %2: the objective %3 is then %4. The present design does not meet all limits.</source>
-        <translation>Byt konstruktion från %1 till %2: målstorheten %3 är då %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+        <source>Change the design from %1 to %2, which gives %3 = %4. The present design does not meet all limits.</source>
+        <translation>Ändra konstruktionen från %1 till %2, vilket ger %3 = %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
-        <source>Change %1 from %2 to %3: the objective %4 is then %5. The present design does not meet all limits.</source>
-        <translation>Ändra %1 från %2 till %3: målstorheten %4 är då %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+        <source>Change %1 from %2 to %3, which gives %4 = %5. The present design does not meet all limits.</source>
+        <translation>Ändra %1 från %2 till %3, vilket ger %4 = %5. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -11268,16 +11268,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 andra sektioner</translation>
     </message>
     <message>
-        <source>The section closest to breaking is %1: a tension of %2 is %3 of its fatigue strength of %4.</source>
-        <translation>Närmast brott är %1: en dragspänning på %2 är %3 av utmattningsgränsen %4.</translation>
+        <source>The section closest to breaking (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
+        <translation>Sektionen närmast brott (%1) har en dragspänning på %2, vilket är %3 av utmattningsgränsen %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding is %1: a tension of %2 is %3 of its yield strength of %4.</source>
-        <translation>Närmast flytning är %1: en dragspänning på %2 är %3 av sträckgränsen %4.</translation>
+        <source>The section closest to yielding (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Sektionen närmast flytning (%1) har en dragspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding is %1: a compression of %2 is %3 of its yield strength of %4.</source>
-        <translation>Närmast flytning är %1: en tryckspänning på %2 är %3 av sträckgränsen %4.</translation>
+        <source>The section closest to yielding (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Sektionen närmast flytning (%1) har en tryckspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
         <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
@@ -11772,15 +11772,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen bestämmer bergets styvhet, elasticitet och spel.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity of the rock are known, the gap between bit and rock is not.</source>
+        <source>Stiffness and elasticity of the rock are known, but the gap between bit and rock is not.</source>
         <translation>Bergets styvhet och elasticitet är kända, men inte spalten mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>The stiffness of the rock is known, the elasticity is not.</source>
+        <source>The stiffness of the rock is known, but its elasticity is not.</source>
         <translation>Bergets styvhet är känd, men inte dess elasticitet.</translation>
     </message>
     <message>
-        <source>The elasticity of the rock is known, the stiffness is not.</source>
+        <source>The elasticity of the rock is known, but its stiffness is not.</source>
         <translation>Bergets elasticitet är känd, men inte dess styvhet.</translation>
     </message>
     <message>
@@ -12164,12 +12164,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>stämmer inte</translation>
     </message>
     <message>
-        <source>For single blows, no additional feed force is required. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
-        <translation>För enstaka slag krävs ingen ytterligare matningskraft. Från %1 skulle till och med en odämpad stång återvända till berget före varje nästa slag.</translation>
+        <source>The installed feed force is enough for single blows. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
+        <translation>Den installerade matningskraften räcker för enstaka slag. Från %1 skulle även en odämpad stång återvända till berget före varje nästa slag.</translation>
     </message>
     <message>
-        <source>For single blows, no additional feed force is required.</source>
-        <translation>För enstaka slag krävs ingen ytterligare matningskraft.</translation>
+        <source>The installed feed force is enough for single blows.</source>
+        <translation>Den installerade matningskraften räcker för enstaka slag.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12532,16 +12532,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Stången skulle flyta: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
     </message>
     <message>
-        <source>%1 suffers fatigue at every blow: the stress in this section reaches %2, at %3 from its rear end and %4 after the start of the blow. Its fatigue strength is %5.</source>
-        <translation>%1 utmattas vid varje slag: spänningen i denna sektion når %2, %3 från dess bakände och %4 efter slagets början. Dess utmattningsgräns är %5.</translation>
+        <source>Every blow loads a section above its fatigue strength of %5: the stress in %1 reaches %2, at %3 from its rear end and %4 after the start of the blow.</source>
+        <translation>Varje slag belastar en sektion över dess utmattningsgräns på %5: spänningen i %1 når %2, %3 från bakre änden och %4 efter slagets början.</translation>
     </message>
     <message>
-        <source>The rod suffers fatigue at every blow: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
-        <translation>Stången utmattas vid varje slag: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess utmattningsgräns är %4.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Varje slag belastar stången över dess utmattningsgräns på %4: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början.</translation>
     </message>
     <message>
-        <source>The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its fatigue strength is %4.</source>
-        <translation>Stången utmattas vid varje slag: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess utmattningsgräns är %4.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Varje slag belastar stången över dess utmattningsgräns på %4: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början.</translation>
     </message>
     <message>
         <source>%1 in compression</source>
@@ -12778,11 +12778,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for every gap between bit and rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for every gap between bit and rock.</source>
         <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, one of %2 for rigid rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for rigid rock.</source>
         <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
     </message>
     <message>
@@ -12881,7 +12881,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1
 (filled: no other design is better in both)</source>
         <translation>%1
-(fylld: ingen annan utformning är bättre i båda)</translation>
+(fylld: ingen annan konstruktion är bättre i båda)</translation>
     </message>
     <message>
         <source> (%1 compared with the present value)</source>
@@ -12898,6 +12898,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>a factor of %1 brings the prediction within %2: the gain of that gauge or the bar there may differ</source>
         <translation>med faktorn %1 stämmer förutsägelsen inom %2: den givarens förstärkning eller stången där kan vara en annan</translation>
+    </message>
+    <message>
+        <source>%1 has no extremes in this range</source>
+        <translation>%1 har inga extremvärden i detta område</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>best by less than the error</source>
+        <translation>bättre med mindre än felet</translation>
     </message>
 </context>
 <context>
@@ -15053,14 +15065,14 @@ i skarv</translation>
         <translation>Förvalet som sektionen kommer från</translation>
     </message>
     <message>
-        <source>of
-strength</source>
-        <translation>av håll-
-fastheten</translation>
-    </message>
-    <message>
         <source>preset</source>
         <translation>förval</translation>
+    </message>
+    <message>
+        <source>strength
+used</source>
+        <translation>utnyttjad
+hållfasthet</translation>
     </message>
 </context>
 <context>
@@ -15812,8 +15824,8 @@ varje värde på den andra ger en kurva.</translation>
         <translation>skriv resultat i SI-enheter, angivna i huvudet</translation>
     </message>
     <message>
-        <source>solve only the I-th of N parts of the rows, which `drillwave join` puts together; only part 1 has the header</source>
-        <translation>lös bara den I:te av N delar av raderna, som `drillwave join` sätter ihop; bara del 1 har huvudet</translation>
+        <source>solve only part I of N parts of the rows; `drillwave join` combines the parts; only part 1 has a header</source>
+        <translation>lös bara del I av N delar av raderna; `drillwave join` sätter ihop delarna; bara del 1 har rubrikrad</translation>
     </message>
     <message>
         <source>with -o, also write the picture of the window in these formats</source>
@@ -15898,7 +15910,7 @@ punkter, hur nära X var och en ligger, och var resultatet hoppar över X.</tran
         <translation>skriv även kartans punkter till FILE.csv, med protokollet FILE.csv.yaml, och nivåkurvorna till FILE_contours.csv; -o - skriver ut punkterna i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>put the parts of a sweep, table or map together that --shard has split</source>
+        <source>combine the parts of a sweep, table or map that were solved with --shard</source>
         <translation>sätt ihop de delar av sweep, table eller map som --shard har delat upp</translation>
     </message>
     <message>
@@ -15984,8 +15996,8 @@ noll är avskurna.</translation>
         <translation>ta stickproven av osäkra storheter ur denna tabell, ett per rad; dess huvud anger parametrar</translation>
     </message>
     <message>
-        <source>objective: a statistic of an output to maximise, or with min:… to minimise; up to three, the first ranks the designs</source>
-        <translation>målstorhet: en statistik av ett resultat att maximera, eller med min:… att minimera; upp till tre, den första rangordnar konstruktionerna</translation>
+        <source>statistic of an output to maximise, or with min:… to minimise; up to three; the designs are ranked by the first</source>
+        <translation>statistik av ett resultat att maximera, eller med min:… minimera; upp till tre; konstruktionerna rangordnas efter den första</translation>
     </message>
     <message>
         <source>give every design the blow energy of FILE, by scaling its impulse or hammer velocity</source>
@@ -16154,10 +16166,6 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
         <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
-        <source>effective feed force over blow frequency times impulse of a blow (phi); below 1 the machine is pushed back</source>
-        <translation>effektiv matningskraft genom slagfrekvens gånger ett slags impuls (phi); under 1 trycks maskinen tillbaka</translation>
-    </message>
-    <message>
         <source>number of round trips that a wave makes through rod or string between two blows (n_b)</source>
         <translation>antal varv som en våg gör fram och åter genom stång eller sträng mellan två slag (n_b)</translation>
     </message>
@@ -16253,7 +16261,7 @@ med slutkod 5.</translation>
         <translation>använd denna mätning som slag; alternativen nedan säger hur den läses</translation>
     </message>
     <message>
-        <source>keep all samples of --signal; by default some are left out, as long as impulse and coefficient of restitution change by less than 1e-4</source>
+        <source>use all samples of --signal; by default samples are left out as long as this changes impulse and coefficient of restitution by less than 1e-4</source>
         <translation>behåll alla mätvärden från --signal; som standard utelämnas några, så länge impuls och studstal ändras med mindre än 1e-4</translation>
     </message>
     <message>
@@ -16399,40 +16407,40 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv ut ett JSON-objekt i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>method of solution: exact, lattice or closed_form (default: that of FILE if it is a result, else exact)</source>
-        <translation>lösningsmetod: exact, lattice eller closed_form (standard: den i FILE om det är ett resultat, annars exact)</translation>
+        <source>solution method: exact, lattice (time steps) or closed_form (default: exact; for a result file, its own method)</source>
+        <translation>lösningsmetod: exact, lattice (tidssteg) eller closed_form (förval: exact; för en resultatfil dess egen metod)</translation>
     </message>
     <message>
         <source>number of segments into which the lattice method divides the rod (default: 10000, as in the paper)</source>
         <translation>antal segment som gittermetoden delar stången i (standard: 10000, som i artikeln)</translation>
     </message>
     <message>
-        <source>limit the work: a blow is not solved if the exact solver splits its waves into more than N polynomial pieces (default: 1000000, at worst some seconds)</source>
-        <translation>begränsa arbetet: ett slag löses inte om den exakta metoden delar dess vågor i fler än N polynombitar (standard: 1000000, i värsta fall några sekunder)</translation>
+        <source>do not solve a blow that needs more than N wave pieces in the exact solver (default: 1000000, a few seconds at most)</source>
+        <translation>lös inte ett slag som kräver mer än N vågbitar i den exakta metoden (förval: 1000000, högst några sekunder)</translation>
     </message>
     <message>
         <source>outputs to write as columns, listed below (default: cor, the coefficient of restitution)</source>
         <translation>resultat att skriva som kolumner, listade nedan (standard: cor, studstalet)</translation>
     </message>
     <message>
-        <source>limit the work: a row has no outputs if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
-        <translation>begränsa arbetet: en rad får inga resultat om den exakta metoden delar slagets vågor i fler än N polynombitar (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>leave the outputs of a row empty if its blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per row)</source>
+        <translation>lämna resultaten i en rad tomma om dess slag kräver mer än N vågbitar i den exakta metoden (förval: 1000000, högst omkring 2 s per rad)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
         <translation>antal trådar (standard: alla)</translation>
     </message>
     <message>
-        <source>outputs to follow, listed below (default: cor, the coefficient of restitution)</source>
-        <translation>resultat att följa, listade nedan (standard: cor, studstalet)</translation>
+        <source>outputs to compute along the parameter, listed below (default: cor, the coefficient of restitution)</source>
+        <translation>resultat att beräkna längs parametern, listade nedan (förval: cor, studstalet)</translation>
     </message>
     <message>
         <source>print one JSON object instead of the tables</source>
         <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
     </message>
     <message>
-        <source>limit the work: a blow is left out if the exact solver splits its waves into more than N polynomial pieces (default: 1000000)</source>
-        <translation>begränsa arbetet: ett slag utelämnas om den exakta metoden delar dess vågor i fler än N polynombitar (standard: 1000000)</translation>
+        <source>skip blows that need more than N wave pieces in the exact solver (default: 1000000)</source>
+        <translation>hoppa över slag som kräver mer än N vågbitar i den exakta metoden (förval: 1000000)</translation>
     </message>
     <message>
         <source>output to map, listed below (default: cor, the coefficient of restitution)</source>
@@ -16443,8 +16451,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv ut ett JSON-objekt med konturerna i stället för sammanfattningen</translation>
     </message>
     <message>
-        <source>limit the work: a point is left out if the exact solver splits the waves of its blow into more than N polynomial pieces (default: 1000000, at worst 2 s)</source>
-        <translation>begränsa arbetet: en punkt utelämnas om den exakta metoden delar slagets vågor i fler än N polynombitar (standard: 1000000, i värsta fall 2 s)</translation>
+        <source>skip points whose blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per point)</source>
+        <translation>hoppa över punkter vars slag kräver mer än N vågbitar i den exakta metoden (förval: 1000000, högst omkring 2 s per punkt)</translation>
     </message>
     <message>
         <source>number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)</source>
@@ -16459,8 +16467,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv tal i SI-enheter (standard)</translation>
     </message>
     <message>
-        <source>limit the work: refuse a computation if its time steps times the ends of its sections exceed N (default: 4e9)</source>
-        <translation>begränsa arbetet: avvisa en beräkning vars tidssteg gånger dess sektionsändar överstiger N (standard: 4e9)</translation>
+        <source>refuse a computation of more than N steps, counted as time steps times section ends (default: 4e9)</source>
+        <translation>avvisa en beräkning med mer än N steg, räknade som tidssteg gånger sektionsändar (förval: 4e9)</translation>
     </message>
     <message>
         <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>
@@ -16487,8 +16495,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>segmentantal för gittermetoden att jämföra, till exempel 100,1000 (förval: från 100 till 20000)</translation>
     </message>
     <message>
-        <source>limit the work of the lattice method, counted in moves of a wave by one segment (default: 1000000000, half a minute)</source>
-        <translation>begränsa gittermetodens arbete, räknat i steg av en våg med ett segment (standard: 1000000000, en halv minut)</translation>
+        <source>limit the work of the lattice method, counted as time steps times segments (default: 1000000000, about half a minute)</source>
+        <translation>begränsa gittermetodens arbete, räknat som tidssteg gånger segment (förval: 1000000000, omkring en halv minut)</translation>
     </message>
     <message>
         <source>find stiffness and elasticity of the rock from strain gauges, with uncertainty</source>
@@ -16695,8 +16703,8 @@ Slutkod 6: ingen av dem är känd, eller mätningen motsäger modellen. Interval
 om berget inte belastas längs en rät linje och avlastas längs en annan (commands §4.17).</translation>
     </message>
     <message>
-        <source>rock law to fit to the record: auto, bilinear or corner; file tests the law of FILE instead (default: auto)</source>
-        <translation>berglag som anpassas till mätningen: auto, bilinear eller corner; file prövar i stället lagen i FILE (standard: auto)</translation>
+        <source>rock law to fit to the record: auto, bilinear or corner; file checks the law given in FILE without a fit (default: auto)</source>
+        <translation>berglag som anpassas till mätningen: auto, bilinear eller corner; file prövar lagen i FILE utan anpassning (förval: auto)</translation>
     </message>
     <message>
         <source>date printed in the report, any text (default: none)</source>
@@ -16778,6 +16786,10 @@ stelt berg skrivs ut.</translation>
     <message>
         <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
         <translation>jämför konstruktioner vid deras egen slagenergi, även om FILE anger keep_energy</translation>
+    </message>
+    <message>
+        <source>effective feed force divided by the mean force of the blows (phi); below 1 the blows push the machine back</source>
+        <translation>verkande matningskraft delad med slagens medelkraft (phi); under 1 skjuter slagen maskinen bakåt</translation>
     </message>
 </context>
 </TS>

@@ -126,9 +126,9 @@ const std::vector<Example>& examples() {
            {"place", 0.915, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 150e6, Quantity::stress}}},
-         "The rod suffers fatigue at every blow: after the blow the residual waves, undamped here, give a "
-         "stress of 160 MPa in tension, at 915 mm from the hammer and 4 ms after the start of the blow. Its "
-         "fatigue strength is 150 MPa."},
+         "Every blow loads the rod above its fatigue strength of 150 MPa: after the blow the residual waves, "
+         "undamped here, give a stress of 160 MPa in tension, at 915 mm from the hammer and 4 ms after the "
+         "start of the blow."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
          "The waves of a blow make only 4.5 round trips in the string before the next blow and still act on "
          "it (undamped). Penetration may change by up to 10 % with blow frequency and string length; to "
@@ -197,9 +197,9 @@ const std::vector<Example>& examples() {
          "to 12.3 % of its momentum. If the machine has drawn the piston back by then, switch off “may "
          "strike again” (restrike: false in the file)."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
-         "At the moment of a blow, the shank is up to 6 mm away from its mean position in the machine. A "
-         "real machine would then have another stroke and another blow. With only a dashpot the shank "
-         "drifts: add a spring to the damper."},
+         "At impact, the shank is up to 6 mm from its mean position in the machine, so stroke and blow "
+         "energy "
+         "of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper."},
         {{note,
           AlertCode::frequencyRounded,
           "",

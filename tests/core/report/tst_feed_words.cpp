@@ -119,13 +119,15 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     row("pushed back", "t38_medium_rock", 2e3,
         "The feed force of 2 kN is less than the mean force of the blows, 3.06 kN: the machine is pushed "
         "back.",
-        "An additional feed force of 2.38 kN is enough for this blow, one of 5.26 kN for every gap between "
+        "An additional feed force of 2.38 kN is enough for this blow, and 5.26 kN is enough for every gap "
+        "between "
         "bit "
         "and rock.");
     row("below required", "t38_medium_rock", 3.5e3,
         "A feed force of 3.5 kN is below the 4.375 kN that this blow requires: penetration will probably be "
         "lost.",
-        "An additional feed force of 875 N is enough for this blow, one of 3.76 kN for every gap between bit "
+        "An additional feed force of 875 N is enough for this blow, and 3.76 kN is enough for every gap "
+        "between bit "
         "and "
         "rock.");
     row("required at this gap", "t38_medium_rock", 6e3,
@@ -135,12 +137,12 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "An additional feed force of 1.26 kN is enough for every gap between bit and rock.");
     row("required met", "t38_medium_rock", 8e3,
         "A feed force of 8 kN is enough for every single blow (7.253 kN required).",
-        "For single blows, no additional feed force is required. From 11.5 kN on, even an undamped rod would "
+        "The installed feed force is enough for single blows. From 11.5 kN on, even an undamped rod would "
         "return to the rock before each next blow.");
     row("return met", "t38_medium_rock", 12e3,
         "A feed force of 12 kN is enough for every single blow. It even returns an undamped rod to the rock "
         "before the next blow at every gap, which requires 11.45 kN.",
-        "For single blows, no additional feed force is required.");
+        "The installed feed force is enough for single blows.");
     row("a string, at this gap", "t38_string", 8e3,
         "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "
         "required); "
@@ -150,13 +152,13 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "A feed force of 10 kN is enough for this blow and for rigid rock (9.017 kN required); other gaps "
         "between bit "
         "and rock were not examined.",
-        "For single blows, no additional feed force is required. From 13.6 kN on, even an undamped rod would "
+        "The installed feed force is enough for single blows. From 13.6 kN on, even an undamped rod would "
         "return to the rock before each next blow.");
     row("a string, return met", "t38_string", 14e3,
         "A feed force of 14 kN is enough for this blow and for rigid rock, and even returns an undamped rod "
         "to the rock "
         "in time (13.53 kN required); other gaps between bit and rock were not examined.",
-        "For single blows, no additional feed force is required.");
+        "The installed feed force is enough for single blows.");
     row("waves on their way", "t38_string", 14e3,
         "The single-blow estimate does not apply: the waves of a blow are still in the string at the next "
         "blow.",

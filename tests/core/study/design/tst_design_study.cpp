@@ -354,8 +354,8 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         QTest::newRow(name) << problem << headline << begins << widens;
     };
     row("the present one is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}}, "keep",
-        "Keep the present design, pulse.duration = 200 us: none of the 5 designs compared has a better "
-        "objective (efficiency mean = 0.7");
+        "Keep the present design, pulse.duration = 200 us: none of the 5 designs compared is better "
+        "(efficiency mean = 0.7");
     row("another is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.5}}, "change",
         "Change pulse.duration from 200 us to 250 us: this improves efficiency mean from 0.");
     row("another is better by less than the errors", {.first = {0.5, 0.6, 0.7, 0.701, 0.5}, .error = 1e-2},
@@ -375,7 +375,7 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
     row("the end is no better than its neighbour", {.first = {0.5, 0.6, 0.7, 0.9, 0.9001}, .error = 1e-2},
         "change", "Change pulse.duration from 200 us to 300 us");
     row("the present one has no answer", {.first = {0.5, 0.6, NAN, 0.7, 0.5}}, "change",
-        "Take the design pulse.duration = 250 us: its objective efficiency mean is 0.7");
+        "Choose the design pulse.duration = 250 us, which gives efficiency mean = 0.7");
     row("none is feasible", {.first = {NAN, NAN, NAN, NAN, NAN}}, "none_feasible", "");
     row("a limit excludes the best",
         {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 1, 3}, .bound = 2}, "change",
@@ -385,11 +385,11 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         "Keep the present design, pulse.duration = 200 us");
     row("a limit excludes the present one",
         {.first = {0.5, 0.6, 0.7, 0.5, 0.4}, .second = {1, 1, 3, 1, 1}, .bound = 2}, "change",
-        "Change pulse.duration from 200 us to 150 us: the objective efficiency mean is then 0.6 +- 5e-05. "
+        "Change pulse.duration from 200 us to 150 us, which gives efficiency mean = 0.6 +- 5e-05. "
         "The present design does not meet all limits.");
     row("a limit excludes all", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .bound = 0.5}, "none_feasible", "");
     row("the present hammer is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}, .isNamed = true}, "keep",
-        "Keep the present design, medium drifter: none of the 5 designs compared has a better objective "
+        "Keep the present design, medium drifter: none of the 5 designs compared is better "
         "(efficiency mean");
     row("the last hammer is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .isNamed = true}, "change",
         "Change the design from medium drifter to heavy drifter, piston: this improves efficiency mean "
@@ -399,7 +399,7 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         "The choice of hammer makes no difference: the objective efficiency mean is 0.7, within ");
     row("the present hammer is none of them",
         {.first = {0.5, 0.6, 0.7, 0.8, 0.5}, .isNamed = true, .isForeign = true}, "change",
-        "Take the design Montabert HC 50: its objective efficiency mean is 0.8");
+        "Choose the design Montabert HC 50, which gives efficiency mean = 0.8");
 }
 
 void TestDesignStudy::headlinesFollowTheAims() {
@@ -437,7 +437,8 @@ void TestDesignStudy::headlinesWarnOfOverloadedRods() {
     QCOMPARE(report.findings.recommended, std::optional<std::size_t>(1));
     const Scenario heavy = designScenario(study, 1);
     study.base.rod.fatigueStrength = 350e6;
-    QVERIFY2(headline().contains("Warning for heavy drifter, piston: The rod suffers fatigue at every blow"),
+    QVERIFY2(headline().contains(
+                 "Warning for heavy drifter, piston: Every blow loads the rod above its fatigue strength"),
              qPrintable(headline()));
     QCOMPARE(report.findings.alerts.front().code, AlertCode::stressAboveFatigue);
     QVERIFY(designJson(report).find("\"stress_above_fatigue\"") != std::string::npos);
@@ -446,7 +447,7 @@ void TestDesignStudy::headlinesWarnOfOverloadedRods() {
     study.choices.clear();
     study.base = heavy;
     study.base.rod.fatigueStrength = 350e6;
-    QVERIFY2(headline().startsWith("Warning: The rod suffers fatigue"), qPrintable(headline()));
+    QVERIFY2(headline().startsWith("Warning: Every blow loads the rod above"), qPrintable(headline()));
     for (const Alert& alert : report.findings.alerts) QCOMPARE(alert.code, AlertCode::stressAboveFatigue);
 }
 
