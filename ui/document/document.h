@@ -55,7 +55,8 @@ class Document : public QObject {
     /// Returns the path of the file from which the scenario was read; empty if there is none. It may be a
     /// result, to which saving does not write.
     const QString& origin() const { return m_origin; }
-    /// Returns a path to suggest for saving: path(), or else a scenario file next to origin().
+    /// Returns a path to suggest for saving: that of the scenario file, else a .yaml file beside the file
+    /// from which the scenario was read. A new scenario gets a file name made from its title.
     QString suggestedPath() const;
     /// Returns the title of the scenario, or else the name of its file, or else "Untitled".
     QString displayName() const;
@@ -70,8 +71,9 @@ class Document : public QObject {
     /// Returns the present scenario with the text from which it was read; saving keeps comments and layout of
     /// that text.
     ScenarioDocument contents() const;
-    /// Returns true if the scenario is a built-in example that has been changed. Its title and leading
-    /// comment, which describe the original values, are then changed or dropped.
+    /// Returns true if the scenario is a built-in example whose values have been changed. Its title is then
+    /// marked as changed. Saving omits the comment at the top of its text, which describes the original
+    /// values.
     bool isChangedExample() const;
     /// Sets `changed` to a copy of the scenario with other values, set in this order, and with the text that
     /// saving would write. Leaves the document unchanged. Returns the reason on failure, else an empty text.
@@ -89,7 +91,8 @@ class Document : public QObject {
     /// Sets several parameters in this order as one undo step, such as both axes of a map. Requires at least
     /// one parameter, each only once. Returns why a value is refused; empty if all were set.
     QString assign(const std::vector<ParameterValue>& values, int gesture);
-    /// Resets an optional parameter to "not given", and any other parameter to its value before the gesture.
+    /// Resets an optional parameter to "not given". Any other parameter gets the value from before the group
+    /// of edits with the number `gesture`; nothing happens if there is no such value.
     void clear(const Parameter& parameter, int gesture);
     /// Returns true if the scenario would be valid with that pulse shape; a table, for example, needs points.
     bool canHaveShape(PulseShape shape) const;
@@ -102,8 +105,8 @@ class Document : public QObject {
     /// which leaves the document unchanged, else an empty text.
     QString useScenario(const Scenario& scenario, const QString& step);
     /// Replaces the scenario and its text, byte for byte, as one undo step; `step` is the step's name. The
-    /// name of its table is converted to be relative to this document's folder. Returns the reason on
-    /// failure, which leaves the document unchanged, else an empty text.
+    /// name of its table file (CSV of the hammer force) is converted to be relative to this document's
+    /// folder. Returns the reason on failure, which leaves the document unchanged, else an empty text.
     QString useContents(const ScenarioDocument& contents, const QString& step);
     /// Reads the hammer force from a CSV file of times and forces, as one undo step. Returns the reasons on
     /// failure, one per line, which leaves the document unchanged, else an empty text.
@@ -127,9 +130,10 @@ class Document : public QObject {
     /// Reads the scenario file again, as one undo step. Returns the reasons on failure, which leaves the
     /// document unchanged, else an empty text.
     QString reload();
-    /// Restores a scenario that was never saved and has no path(). `origin` is the file from which it was
-    /// read; may be empty. Returns the reasons on failure, one per line, which leaves the document unchanged,
-    /// else an empty text.
+    /// Restores a scenario that was never saved, so that it has no file of its own. `text` is its YAML text;
+    /// `origin` is the file from which it was read, and may be empty. If `isUnsaved`, the document counts as
+    /// modified. Returns the reasons on failure, one per line, which leaves the document unchanged, else an
+    /// empty text.
     QString restore(const std::string& text, const QString& origin, bool isUnsaved = true);
     /// Restores unsaved changes of the file `path`, whose contents were `saved`; undo leads back to these.
     /// Returns the reasons on failure, one per line, else an empty text.
@@ -151,8 +155,8 @@ class Document : public QObject {
     void scenarioChanged();
     /// Emitted when the settings of the design study have changed; the scenario may have changed just before.
     void designChanged();
-    /// Emitted after the points of the hammer force were read from the file tablePath(), if there is one.
-    /// Follows scenarioChanged().
+    /// Emitted after another scenario was opened or files were read again. The points of the hammer force are
+    /// then those of their CSV file, if there is one. It follows scenarioChanged().
     void tableRead();
     /// Emitted before a preset changes the scenario.
     void presetTaken();

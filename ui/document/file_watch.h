@@ -36,7 +36,8 @@ class FileWatch : public QObject {
     /// Compares the file with the document. Emits differs() if a new difference is found, and agrees() if
     /// there is none.
     void check();
-    /// Accepts the present difference: it is not reported again, and saving needs no confirmation.
+    /// Accepts the present difference between file and document: it is not reported again, and saving needs
+    /// no confirmation.
     void accept();
     /// Returns true if saving would overwrite a change of the file that the user has not accepted.
     bool savingNeedsConsent() const;
@@ -97,7 +98,8 @@ class TableWatch : public QObject {
     };
     static Stamp stampOf(const QString& path, const Stamp& before);
     static bool isSame(const Stamp& a, const Stamp& b);
-    /// Points with the fingerprint that their file had when they were read.
+    /// Points of the hammer force, with the fingerprint (size, time and digest) of their CSV file when they
+    /// were read.
     struct Reading {
         QString path;
         TablePoints points;

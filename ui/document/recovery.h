@@ -26,13 +26,15 @@ class Document;
 
 // Reading the unsaved changes of instances of the program that have crashed.
 
-/// Pinned runs and measured signals of a window, which recovery stores with the document.
+/// Pinned runs (results kept for comparison) and measured signals of a window, which are stored in the
+/// recovery file with the scenario.
 struct WorkBeside {
     std::vector<KeptRun> runs;  ///< pinned runs: results kept for comparison
     std::vector<MeasuredSignal> measured;
 };
 
-/// Contents of a recovery file: an unsaved scenario, its files, and what else the window had.
+/// Contents of a recovery file: an unsaved scenario, the paths of its files, and the pinned runs and measured
+/// signals of its window.
 struct UnsavedScenario {
     QString name;    ///< name of the scenario as shown in the window
     QString origin;  ///< file from which the scenario was read; may be empty
@@ -43,12 +45,13 @@ struct UnsavedScenario {
     WorkBeside beside;
     QStringList problems;   ///< reasons why runs could not be read, one line each
     bool isUnsaved = true;  ///< false only if a window without changes is to be opened again
-    /// The user has restarted the window: restore without asking.
+    /// True if the user restarted the window, for example to change its language. The contents are then
+    /// restored without asking.
     bool isRestart = false;
 };
 
-/// Returns the bytes of a recovery file with the text of `contents`. Throws ScenarioError if the scenario
-/// exceeds the size limit of scenario files.
+/// Returns the bytes of a recovery file: the scenario text written from `contents`, and all other data of
+/// `record`. Throws ScenarioError if the scenario exceeds the size limit of scenario files.
 QByteArray recoveryBytes(const ScenarioDocument& contents, const UnsavedScenario& record);
 
 /// Recovery file of an instance that has crashed. While this object exists, no other instance takes the file.
@@ -84,19 +87,19 @@ class Recovery : public QObject {
   public:
     /// Makes the folder and starts watching the document, which must outlive this object.
     Recovery(const Document& document, const QString& folder, QObject* parent = nullptr);
-    /// Does not delete the file; call end() first if nothing needs recovery.
+    /// Leaves the recovery file on the disk; call end() first if nothing needs recovery.
     ~Recovery() override;
 
-    /// Sets the function that returns the runs and signals to store with the scenario.
+    /// Sets the function that returns the pinned runs and measured signals to store with the scenario.
     void keepBeside(std::function<WorkBeside()> beside) { m_beside = std::move(beside); }
     /// Writes the file soon, because pinned runs or measured signals have changed.
     void writeSoon();
-    /// Writes what is unsaved now, and returns when it is on the disk.
+    /// Writes the unsaved changes to the recovery file at once, and returns when they are on the disk.
     void writeNow();
-    /// Writes everything, even if saved, for a new window that restores it without asking. Returns false on
-    /// failure.
+    /// Writes the recovery file even if nothing is unsaved, for a new window that restores its contents
+    /// without asking. Returns false on failure.
     bool writeForRestart();
-    /// Deletes the file, because nothing needs recovery any more. A later change writes it again.
+    /// Deletes the recovery file, because nothing needs recovery any more. A later change writes it again.
     void end();
     QString file() const { return m_file; }
 

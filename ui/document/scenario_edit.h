@@ -16,8 +16,9 @@ namespace drillwave {
 /// kinds of the undo stack of a document, so that no two share a number.
 enum class UndoKind { scenario = 1, design, measured };
 
-/// Undo step that swaps the document's scenario with the stored one, so that nothing is copied. Texts are set
-/// to their values before or after the step. Edits of the same parameter within one gesture are merged.
+/// Undo step that swaps the document's scenario with a stored one, so that nothing is copied. Text and design
+/// settings, if the step changes them, are set from stored copies. Edits of the same parameter within one
+/// gesture (such as a drag) are merged.
 class ScenarioEdit : public QUndoCommand {
   public:
     /// Makes a step that changes `current` to `after` and calls `changed` after each swap. Both must stay

@@ -7,9 +7,9 @@
 
 namespace drillwave {
 
-/// Returns the name of a table as seen from the file `path`, given its name `table` in the file `origin`.
-/// Relative names are relative to the folder of the file that contains them. Returns `table` unchanged if
-/// either path is empty.
+/// Returns the name of a table file (CSV of the hammer force) as written in the scenario file `path`. `table`
+/// is its name in the scenario file `origin`. Relative names are relative to the folder of the file that
+/// contains them. Returns `table` unchanged if either path is empty.
 std::string tableSeenFrom(const QString& path, const QString& origin, const std::string& table);
 
 }  // namespace drillwave

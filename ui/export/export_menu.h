@@ -17,7 +17,7 @@ class ExportMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Functions that provide the data for the exports.
+    /// Functions that provide the data of the blow that the menu exports.
     struct Sources {
         /// Returns the result for the present scenario, solved or failed; nullptr until it is computed.
         std::function<SolvedBlowPtr()> blow;

@@ -29,20 +29,21 @@ struct PaperPlot {
     Millimetres size;
 };
 
-/// Language, number format and units of a plot in a file; by default those of the commands: English, C
+/// Language, number format and units of a plot in a file. The default is that of the command line: English, C
 /// locale, SI.
 struct PaperReader {
     UnitSystem system = UnitSystem::si;  ///< units for scenarios given in physical units
     /// Units chosen for individual kinds of quantity, which override `system`.
     ChosenUnits chosen = {};
     QLocale locale = QLocale::c();
-    /// True if words are in the language of the program, which is then not English.
+    /// True if words are in another language than English, namely that set by speak().
     bool isSpokenTo = false;
 
-    /// Returns the present language, number format and units of the window; the default object if they equal
-    /// those of the commands.
+    /// Returns the present language, number format and units of the window; a default object if they equal
+    /// those of the command line.
     static PaperReader of(const UnitChoice& units);
-    /// Returns true if language, number format and units are those of the commands.
+    /// Returns true if language, number format and units are those of the command line: English, C locale,
+    /// SI.
     bool isPlain() const;
     ShownUnits unitsFor(const Scenario& scenario) const;
     const Unit& unitFor(const Parameter& parameter) const;
@@ -71,8 +72,9 @@ PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
                         const std::vector<MeasuredSignal>& measured = {});
 /// Returns the first signal that was measured inside the rod or string; nullptr if there is none.
 const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured);
-/// Returns the position x/L, 0 … 1, at which blowPaperPlot() shows the waves. It is that of firstInside(),
-/// else the middle of the rod or of the string's longest section.
+/// Returns the position x/L, 0 … 1, at which blowPaperPlot() shows the waves. It is that of the first signal
+/// measured inside the rod or string. Without one it is the middle of the rod, or of the string's longest
+/// section.
 double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured);
 /// Returns the plot of force on the rock over penetration.
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
@@ -86,13 +88,14 @@ PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// Returns the plot of a figure that a study has made for a scenario, with a mark at `here`.
 PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader = {},
                           const std::optional<FigurePoint>& here = {});
-/// Returns the plot of many blows in sequence, or of the reason why there is nothing to show. A stop leaves
-/// out one curve.
+/// Returns the plot of many blows in sequence, or of the reason why there is nothing to show. If `stop` is
+/// requested, the curve of e over the gap is missing.
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
                             const PaperReader& reader = {});
-/// Returns the plot of the results over the scanned parameter.
+/// Returns the plot of a scan: results of many blows over the parameter that the scan varies.
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader = {});
-/// Returns the plot of the designs of a study. Requires that a design is best for uncertain rock.
+/// Returns the plot of the designs of a design study. Requires that the study has found a design that is best
+/// for the uncertain inputs.
 PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader = {});
 
 }  // namespace drillwave

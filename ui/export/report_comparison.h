@@ -11,8 +11,8 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Returns the runs, the solved ones with the margin of their feed force that a report shows. This solves
-/// blows with many gaps for each run, so do not call it in the window's thread.
+/// Returns a copy of the pinned runs (results kept for comparison) in which each solved run has the margin of
+/// its feed force. This solves blows with many gaps for each run, so do not call it in the window's thread.
 RunList withMargins(const RunList& runs, const std::stop_token& stop);
 
 /// Returns a table of inputs that differ and of results, for a solved blow and the solved runs, in the units

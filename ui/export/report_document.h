@@ -27,8 +27,8 @@ class ReportDocument {
     void draw(QPainter& painter, int page);
 
   private:
-    /// Start of the report's last part, after pictures, scenario and errors of the solution: in the flow of
-    /// the text, or on a new page.
+    /// Position of the last part of a report (its final heading and text): directly after the text before it,
+    /// or on a new page.
     enum class Ending { inFlow, ownPage };
 
     void layOut(double plotHeight, Ending place);

@@ -10,7 +10,8 @@
 
 namespace drillwave {
 
-/// Plot of a report with its caption. The source of its picture is its name.
+/// Plot of a report with its caption. `picture.source` is the name under which the text of the report refers
+/// to the plot.
 struct ReportPlot {
     ReportPicture picture;
     PaperPlot paper;

@@ -24,7 +24,7 @@ class ReportWriter : public QObject {
     /// Makes the commands. `window` becomes the parent; document and questions must outlive the writer.
     ReportWriter(Document& document, Questions& questions, QWidget* window);
 
-    /// Sets the pinned runs with which later reports compare the blow.
+    /// Sets the pinned runs (results kept for comparison) with which later reports compare the blow.
     void setRuns(RunListPtr runs);
     /// Sets the function that returns the studies of future reports.
     void setStudies(std::function<ReportStudies()> studies) { m_studies = std::move(studies); }
@@ -48,7 +48,8 @@ class ReportWriter : public QObject {
 
   signals:
     void begun();
-    /// Emitted when the report is written, shown, printed, failed or stopped.
+    /// Emitted when the work on a report has ended: the report was written, shown or printed, or the work
+    /// failed or was stopped.
     void ended();
     /// Emitted when the report is written or printed; `message` says in one line where.
     void written(const QString& message);

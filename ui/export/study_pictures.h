@@ -17,11 +17,13 @@ namespace drillwave {
 
 /// Returns pictures of a study of curves: the first view of its page; see renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// Returns pictures of the designs of a study. Requires that a design is best for uncertain rock.
+/// Returns pictures of the designs of a design study. Requires that the study has found a design that is best
+/// for the uncertain inputs.
 Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Returns pictures of many blows in sequence, or of the reason why there is nothing to show.
 Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, const PaperReader& reader = {});
-/// Returns pictures of a scan. Requires that its axis is a numerical parameter.
+/// Returns pictures of a scan: results of many blows over one varied parameter. Requires that this parameter
+/// is numerical.
 Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});

@@ -9,8 +9,9 @@
 
 namespace drillwave {
 
-/// Returns one panel for each output. Its curves run along the lineAxis(), one for each value of the other
-/// axis. A row that was not solved leaves a gap. Requires that pictureProblem() is empty.
+/// Returns one panel for each output of a sweep. Its curves run over the axis with the most values; each
+/// value of the other axis has a curve. A row that was not solved leaves a gap. Requires that
+/// pictureProblem() is empty.
 std::vector<FigurePanel> sweepPanels(const SweepRows& rows);
 
 }  // namespace drillwave

@@ -14,7 +14,8 @@
 
 namespace drillwave {
 
-/// Rows of the hammer force that are no single parameters, in the grid of that section.
+/// Form rows of the hammer force that are not single parameters: its shape, its plot and its table of
+/// measured forces.
 class PulseSection : public QObject {
     Q_OBJECT
 
@@ -22,8 +23,8 @@ class PulseSection : public QObject {
     /// Adds the rows at the end of `grid`. Document and questions must outlive this object.
     PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
 
-    /// Choice whether to check again which shapes the scenario permits, which validates a scenario for each
-    /// shape.
+    /// Choice whether to check again which pulse shapes the scenario permits (`asked`), or to use the earlier
+    /// answers (`asBefore`). The check validates the scenario once for each shape.
     enum class Shapes { asked, asBefore };
     void present(const Scenario& scenario, Shapes shapes);
 

@@ -59,7 +59,8 @@ class QuantityField : public QAbstractSpinBox {
     void setTaker(Taker taker) { m_taker = std::move(taker); }
     /// Permits an empty field, which then shows `placeholder`; emptying it emits cleared().
     void setOptional(const QString& placeholder);
-    /// Sets the step size (SI) for a value of zero. Other steps are one unit of the value's second digit.
+    /// Sets the step size (SI) for a value of zero. For other values, a step is one unit of the second
+    /// significant digit.
     void setStepAtZero(double si) { m_stepAtZero = si; }
 
     const Unit& unit() const { return *m_unit; }

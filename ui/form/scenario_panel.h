@@ -49,7 +49,8 @@ class StringSection : public QObject {
     Q_OBJECT
 
   public:
-    /// Adds the summary at the end of `grid`. The document must outlive this object.
+    /// Adds a row with a summary of the drill string at the end of `grid`. The document must outlive this
+    /// object.
     StringSection(Document& document, QGridLayout* grid, QWidget* parent);
 
     /// Adds the check box for repeated strikes of the hammer at the end of `grid`, below the rows of the

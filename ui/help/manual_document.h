@@ -37,8 +37,8 @@ struct ManualColours {
 };
 ManualColours manualColours(const QPalette& palette);
 
-/// Fills a document with a chapter, `width` pixels wide. Places and names become links, tables get lines, and
-/// code is set apart.
+/// Fills a document with a chapter, `width` pixels wide. References to the manual and names of parameters
+/// become links, tables get lines, and code is set apart.
 void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book, qreal width,
                 const QPalette& palette);
 

@@ -51,10 +51,11 @@ class ImportDialog : public QDialog {
     bool isBusy() const;
     /// Returns the present settings of the recorder: columns, units, gauge and amplifier.
     SignalOptions settings() const;
-    /// Returns the name under which the user wants to store the settings.
+    /// Returns the name under which the user wants to store the present settings for files of one recorder
+    /// (measuring instrument).
     QString recorder() const;
-    /// Offers stored recorders by name, and the settings of the last import; `last` has none if there was no
-    /// import.
+    /// Offers `recorders`, which are stored settings for files of one measuring instrument each, by name.
+    /// Also offers the settings of the last import; `last` has none if there was no import.
     void offer(std::vector<Recorder> recorders, Recorder last);
 
   signals:
@@ -78,7 +79,8 @@ class ImportDialog : public QDialog {
     void showState();
     QString obstacle() const;
 
-    /// Values to propose as soon as the record has been read.
+    /// Values that the dialog proposes as soon as the record has been read: the zero line, then sign and
+    /// times of the signal, or nothing.
     enum class Proposal { zero, signAndTimes, none };
 
     QString m_path;

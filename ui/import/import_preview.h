@@ -28,7 +28,8 @@ struct ImportQuestion {
     SampleSource source;
     SignalRecipe recipe;
     Scenario scenario = {};  ///< scenario of the imported blow, for computing its e
-    /// True to leave out samples as far as thinningError permits, because the user chose no number of points.
+    /// True to leave out samples as long as the error stays below thinningError. It is set if the user chose
+    /// no number of points.
     bool isThinned = false;
     bool operator==(const ImportQuestion&) const = default;
 };

@@ -70,9 +70,10 @@ class SignalFields : public QWidget {
     /// Returns true if the user has chosen no number of points. A hammer blow then keeps as few as the
     /// permitted error allows.
     bool leavesPoints() const;
-    /// Returns the position x of a normal force, from the struck end [m]; negative in a hammer.
+    /// Returns the position x at which a normal force was measured [m], from the struck end of the rod;
+    /// negative in a hammer.
     double place() const;
-    /// Returns why the choices are incomplete or wrong; empty if recipe() can be used.
+    /// Returns why the choices are incomplete or wrong; empty if recipe() returns usable settings.
     QString problem() const;
 
   signals:

@@ -34,7 +34,8 @@ class TableFields : public QWidget {
     /// Sets the fields to the values in `settings` as if the user had chosen them. Unknown columns are
     /// ignored.
     void use(const SignalOptions& settings);
-    /// Adds to `settings` what the user has chosen, but not what was detected.
+    /// Adds the columns and the format that the user has chosen to `settings`, but not those that were only
+    /// detected.
     void addTo(SignalOptions& settings) const;
 
     SampleSource source() const;
@@ -44,7 +45,7 @@ class TableFields : public QWidget {
     SignalKind valueKind() const;
     /// Proposes a sample rate [Hz] estimated from the record, unless the table or the user gives one.
     void proposeRate(double rate);
-    /// Returns why the choices are incomplete or wrong; empty if source() can be used.
+    /// Returns why the choices are incomplete or wrong; empty if source() returns usable settings.
     QString problem() const;
 
   signals:

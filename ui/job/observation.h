@@ -7,7 +7,8 @@
 
 namespace drillwave {
 
-/// Position and time cursor that the pages and the result panel share.
+/// Position in the rod and time in the blow that the user has selected. The pages and the result panel share
+/// them.
 class Observation : public QObject {
     Q_OBJECT
 

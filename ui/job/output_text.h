@@ -25,7 +25,8 @@ bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow&
 /// dimensionless; shares always in per cent. Nothing if the blow has no such value or no units.
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);
 
-/// Returns the text of an output in the units of the blow; empty if it has no value.
+/// Returns the value of an output as text with its unit, in the units chosen for the blow; empty if it has no
+/// value.
 QString outputText(const Output& output, const SolvedBlow& blow);
 
 /// Returns an impulse with its unit, and as a multiple of the hammer's impulse: "72.92 N s = 1.43 I₀".
@@ -39,7 +40,8 @@ QString corErrorText(const SolvedBlow& blow);
 
 /// Returns where and when a largest force in the rod occurs, in words; empty if not known.
 QString placeText(const Output& output, const SolvedBlow& blow);
-/// Returns the place of a section: "1.2 m from the struck end"; x/L for a scenario without units.
+/// Returns a position in the rod in words: "1.2 m from the struck end"; as x/L for a scenario without units.
+/// `section` is x/L.
 QString placeText(const SolvedBlow& blow, double section);
 /// Returns "Largest compression 361 MPa, 0.52 m from the hammer, 1.9 ms; largest tension …"; empty if not
 /// known.

@@ -22,7 +22,8 @@ struct SolvedBlow;
 
 // Data that a page shows beside the blow. Only the page knows their type.
 
-/// Value of a page's own type, made in the job's thread and constant afterwards.
+/// Data that a page shows, in a type of its own. They are made in the solver's thread and constant
+/// afterwards.
 class PageData {
   public:
     PageData() = default;
@@ -45,8 +46,8 @@ class PageData {
     const std::type_info* m_type = nullptr;
 };
 
-/// Function that makes a page's data from a solved blow, in the job's thread. It must own copies of all its
-/// inputs. It should end early, with any result, when the blow's `request.stop` is set.
+/// Function that makes a page's data from a solved blow, in the solver's thread. It must own copies of all
+/// its inputs. It should end early, with any result, when the blow's `request.stop` is set.
 using PreparePage = std::function<PageData(const SolvedBlow& blow)>;
 
 /// One blow out of a computed sequence of blows under a feed force.

@@ -34,16 +34,18 @@ class SolveStatus : public QWidget {
     /// Sets how long a request may wait for its answer before the old result is marked as out of date.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
 
-    /// Must be called when the input has changed or another result is needed: the result shown is out of
-    /// date.
+    /// Marks the result shown as not current. Must be called when the input has changed or another result is
+    /// needed.
     void asked();
-    /// Must be called when the answer to the present input is shown; `summary` describes it in one line. Runs
-    /// the waiting action.
+    /// Marks the result shown as current and runs the waiting action. Must be called when the answer to the
+    /// present input is shown. `summary` describes the answer in one line.
     void answered(const QString& summary);
-    /// Must be called when a quick answer of reduced accuracy is shown, while the accurate one is being
-    /// computed. Nothing is out of date, but a waiting action still waits.
+    /// Notes that a quick answer of reduced accuracy is shown, while the accurate one is being computed. The
+    /// result does not count as out of date, but an action passed to whenCurrent() waits for the accurate
+    /// one. `summary` describes the answer in one line.
     void answeredQuickly(const QString& summary);
-    /// Must be called when an answer to an earlier input is shown; restarts the waiting time.
+    /// Restarts the waiting time after which the result is marked as out of date. Must be called when an
+    /// answer to an earlier input is shown.
     void answeredEarlier();
 
     /// Returns true if the accurate answer to the present input is shown.
@@ -52,7 +54,7 @@ class SolveStatus : public QWidget {
     bool isMarked() const { return m_marked; }
 
     /// Calls `then` as soon as the result is current: now, or when it arrives. `what` names the action in the
-    /// status line. Solves again if solving was stopped. Only the last action waits.
+    /// status line. Solves again if solving was stopped. A later call replaces a waiting action.
     void whenCurrent(const QString& what, std::function<void()> then);
     /// Cancels the waiting action, if any, and emits the reason with calledOff().
     void callOff(const QString& reason);
@@ -69,7 +71,8 @@ class SolveStatus : public QWidget {
   signals:
     /// Emitted when isCurrent() has changed.
     void currentChanged(bool current);
-    /// Emitted when the result shown should be marked as out of date, or no longer.
+    /// Emitted when the result shown should be marked as out of date (`outOfDate` is true), or as current
+    /// again (false).
     void marked(bool outOfDate);
     /// Emitted when the user stops the solver.
     void stopRequested();
@@ -128,7 +131,7 @@ class StudyStatus : public QWidget {
 
     /// Sets how long a study may run before its status is shown.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
-    /// Follows this study from now on, with its name in front; nullptr for none.
+    /// Shows the status of this study from now on, with the study's `name` before it; nullptr for no study.
     void follow(StudyActivity* activity, const QString& name);
 
     /// Returns the text of the line; empty while it is hidden.

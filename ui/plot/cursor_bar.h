@@ -64,7 +64,7 @@ class CursorBar : public QFrame {
     QToolButton* m_copy;
     QToolButton* m_close;
     Form m_form = Form::usual;
-    QList<QPointer<QCPGraph>> m_curves;  // may be deleted when a plot is rebuilt
+    QList<QPointer<QCPGraph>> m_curves;  // curves to choose from; the plot may delete them
     ReadingCells m_cells;
     QString m_text;
 };

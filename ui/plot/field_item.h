@@ -15,8 +15,8 @@ namespace drillwave {
 /// Mapping of values to colours: from the smallest to the largest, or about a level that matters.
 struct FieldColours {
     double least = 0;
-    double largest = 1;           ///< > least
-    std::optional<double> level;  ///< in the units of the field, like the others
+    double largest = 1;           ///< largest value; greater than `least`
+    std::optional<double> level;  ///< level with almost no colour, in the units of the field
 
     /// Maps a value to −1 … 1 for ColourScale::colour(); NaN stays NaN.
     double share(double value) const;

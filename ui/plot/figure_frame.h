@@ -112,11 +112,11 @@ class FigureFrame : public StudyFrame {
         QCPGraph* line = nullptr;
         HaloPath* path = nullptr;
         QCPGraph* upper = nullptr;          // second edge of a shaded strip
-        std::vector<QCPItemText*> texts{};  // beside the points
+        std::vector<QCPItemText*> texts{};  // labels beside the points
         QCPAbstractPlottable* plottable() const {
             return line ? static_cast<QCPAbstractPlottable*>(line) : path;
         }
-        void clear() const;  // of its data
+        void clear() const;  // removes the data, not the curves
     };
     struct Panel {
         QCPAxisRect* rect = nullptr;

@@ -39,7 +39,7 @@ class LayerItems : public QObject {
 
     QCPAxis* m_x;
     QCPAxis* m_y;
-    FigureLayers m_layers;  // in values of the axes
+    FigureLayers m_layers;  // layers in the units of the axes
     PlotStyle m_style;
     std::vector<Item> m_items;
 };

@@ -162,7 +162,7 @@ class PlotWidget : public QCustomPlot {
     std::function<void()> m_name;
     bool m_current = true;
     CurveMeanings m_meanings;
-    QHash<QCPAxis*, QString> m_wholeLabels;  // of the axes that have too little room for theirs
+    QHash<QCPAxis*, QString> m_wholeLabels;  // full labels of axes with abbreviated ones
     CurveReader m_reader;
     HoverMark m_hover;
     PlotView m_view;

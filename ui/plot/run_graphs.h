@@ -97,13 +97,13 @@ class RunDrawings : public QObject {
     void makeAnew() {
         QCustomPlot& plot = *m_x->parentPlot();
         for (Plottable* graph : std::as_const(m_graphs)) {
-            if (m_legend) graph->removeFromLegend(m_legend);  // the plot does so only for its own
+            if (m_legend) graph->removeFromLegend(m_legend);  // the plot removes it only from its own legend
             plot.removePlottable(graph);
         }
         m_graphs.clear();
         for (qsizetype i = 0; i < m_drawings.size(); ++i) {
             Plottable* graph = add(m_x, m_y);
-            graph->removeFromLegend();  // of the plot, which may have taken it in by itself
+            graph->removeFromLegend();  // the plot may have added it to its own legend
             graph->setLayer(ghostLayer(plot));
             graph->setSelectable(QCP::stNone);
             if constexpr (std::is_same_v<Plottable, QCPGraph>) graph->setAdaptiveSampling(false);

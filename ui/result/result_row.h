@@ -61,9 +61,9 @@ struct ResultEntry {
     QString objectName = {};
     Number number = nullptr;
     const Output* place = nullptr;  ///< output whose place the text links to; nullptr for no link
-    Change change = nullptr;        ///< nullptr: the difference is shown in percent
+    Change change = nullptr;        ///< text of the difference; nullptr for a difference in percent
     Warning warning = nullptr;
-    Concern concerns = nullptr;      ///< nullptr: the row exists for every scenario
+    Concern concerns = nullptr;      ///< condition for the row; nullptr if every scenario has it
     const Output* output = nullptr;  ///< output that the row shows; nullptr if it shows none
 };
 

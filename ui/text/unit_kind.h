@@ -17,8 +17,8 @@ enum class UnitSystem { dimensionless, si, us };
 /// penetrations in millimetres.
 enum class UnitKind {
     length,
-    penetration,  ///< also other small lengths: diameters, gaps
-    force,        ///< including feed forces
+    penetration,  ///< penetrations and other small lengths: diameters, gaps
+    force,        ///< forces, including feed forces
     impulse,
     energy,
     power,

@@ -66,10 +66,10 @@ class AccuracyPage : public StudyPage {
     QPushButton* m_run;
     QTabWidget* m_tabs;
     FigureFrame* m_frame = nullptr;
-    std::array<StudyAnswerPtr, 2> m_answers;  // by Proof
+    std::array<StudyAnswerPtr, 2> m_answers;  // answers of both studies, indexed by Proof
     StudyAnswerPtr m_shown;
     int m_runs = 0;
-    StudyRunner<ProofQuestion, StudyAnswerPtr> m_study;  // goes first: its thread works
+    StudyRunner<ProofQuestion, StudyAnswerPtr> m_study;  // destroyed first: its thread works
 };
 
 }  // namespace drillwave

@@ -33,7 +33,7 @@ struct BlowCurves {
     std::optional<StringPlace> place;
     /// Name of the observed section of a drill string, such as "2nd rod" or "hammer 1".
     QString sectionWords;
-    /// Distance of the place from the rear end of its section of the drill string [m].
+    /// Distance of the observed position from the rear end of its section of the drill string [m].
     double fromRear = 0;
     GraphData force;           ///< impact force on the rock, in the unit units.force
     GraphData faceForce = {};  ///< force between hammer and drill string; empty for a uniform rod
@@ -42,7 +42,7 @@ struct BlowCurves {
     GraphData momentum;
     /// Curve of the closed form; empty if it is not wanted or not valid.
     std::optional<ClosedFormCurve> closedForm;
-    /// End of the events of interest, in units.time; curves may be longer.
+    /// End of the default plot range, in units.time; curves may be longer.
     double timeEnd = 0;
     std::vector<RunOverlay<BlowCurves>> runs = {};  ///< curves of pinned runs (results kept for comparison)
 };

@@ -27,7 +27,8 @@ struct BlowMeanings {
 /// Returns the meaning of a measured or approximate force over time, with units but without exact functions.
 CurveMeaning forceMeaning(const ShownUnits& units);
 
-/// Returns the meanings of the curves of a solved blow. Requires a blow that holds its BlowCurves.
+/// Returns the meanings of the curves of a solved blow. Requires that the blow contains page data of type
+/// BlowCurves.
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
 
 }  // namespace drillwave

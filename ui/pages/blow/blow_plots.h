@@ -35,7 +35,8 @@ class BlowPlots : public StudyFrame {
     /// Names curves and axes in the present language.
     void name();
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
-    /// Returns the graph of N at the section, the sum of all waves there.
+    /// Returns the graph of the normal force N at the observed position of the rod, which is the sum of all
+    /// waves there.
     QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
     /// Returns the graph of wave number 0 … 3: N0p, N1n, N2p, N3n.
     QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[1 + number]; }
@@ -48,9 +49,10 @@ class BlowPlots : public StudyFrame {
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs[1]; }
     /// Returns the graph of the force between hammer and drill string.
     QCPGraph* faceForceGraph() const { return m_plots[1].graphs[2]; }
-    /// Returns the graphs of N at the section of the pinned runs (results kept for comparison).
+    /// Returns the graphs of the normal force N at the observed position, one for each pinned run (result
+    /// kept for comparison).
     const QVector<QCPGraph*>& sumsOfRuns() const { return m_plots[0].runs->graphs(); }
-    /// Returns the graphs of the impact force of the pinned runs.
+    /// Returns the graphs of the impact force, one for each pinned run (result kept for comparison).
     const QVector<QCPGraph*>& forcesOfRuns() const { return m_plots[1].runs->graphs(); }
     QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }
     QCPGraph* momentumGraph() const { return m_plots[3].graphs.first(); }
@@ -75,7 +77,8 @@ class BlowPlots : public StudyFrame {
     void showClosedForm();
     void nameWaves();
     void summarizeString();
-    /// Sets the data of a graph. The graph has a legend entry only while it has data, or always if `always`.
+    /// Sets the data of a graph of plot `index`. The graph has a legend entry only while it has data, or
+    /// always if `always`.
     void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data, bool always = false);
     void showRuns();
     void addGhost(std::size_t index, int kind, const GraphData& data);

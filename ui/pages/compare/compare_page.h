@@ -71,7 +71,7 @@ class ComparePage : public Page {
     QComboBox* m_reference = nullptr;
     QPushButton* m_revert = nullptr;
     QTableView* m_view;
-    std::map<int, std::unique_ptr<WorstNeed>> m_needs;  // by number of the run, or `present result`
+    std::map<int, std::unique_ptr<WorstNeed>> m_needs;  // by number of the run; see presentResult
     // Number of the run whose column is chosen; empty for the present result.
     std::optional<int> m_chosen;
     CompareModel* m_model;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Page Curve, whose tab is COR–stiffness: any result over any parameter, at first e over the stiffness of the
-// rock, of a drill string the efficiency.
+// Page Curve, with the tab COR–stiffness: any result over any parameter. At first it shows the coefficient of
+// restitution e over the stiffness of the rock; for drill strings it shows the efficiency.
 #pragma once
 
 #include <map>
@@ -26,7 +26,9 @@ class OutputBox;
 class FigureFrame;
 class GoalField;
 
-/// A click loads the point under it, on a curve with the value of its family.
+/// Page that plots a result over one parameter, with a curve for each value of a second parameter (the
+/// family). A click on the plot sets the parameter to the value there. On a curve it also sets the second
+/// parameter to the value of that curve.
 class CurvePage : public StudyPage {
     Q_OBJECT
 
@@ -35,16 +37,19 @@ class CurvePage : public StudyPage {
 
     QString title() const override;
     FigureFrame& figureFrame() const { return *m_frame; }
-    /// Nothing before the first answer.
+    /// Returns the figure that is shown; nothing before the first answer of the study, and while it shows an
+    /// error.
     const std::optional<StudyFigure>& figure() const { return m_figure; }
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     GoalField* goal() const { return m_goal; }
     const StudyRunner<ComparedCurveQuestion, ComparedCurve>& study() const { return m_study; }
-    /// Varies the gap, from none to a few times what the bit moves in a blow.
+    /// Plots the result over the gap between bit and rock, from 0 to at least 4 d0 (d0 is the scale of
+    /// penetrations).
     void varyGap();
-    /// Varies that parameter around its value, for a goal to be typed. Requires that it can be varied.
+    /// Plots the result over `parameter`, in a range around its present value, and puts the focus into the
+    /// field for the goal. Requires that the parameter can be varied.
     void seek(const KeptParameter& parameter);
     QString command() const override;
     const RunStudies<CurveQuestion, CurveStudy>& runLines() const { return m_runLines; }
@@ -58,23 +63,24 @@ class CurvePage : public StudyPage {
     void showEvent(QShowEvent* event) override;
 
   private:
-    /// State of the controls: a question, or why there is none. Neither before the first scenario.
+    /// Study that the controls describe, or the reason why they describe none. Both are empty before the
+    /// first scenario.
     struct Wish {
         std::optional<ComparedCurveQuestion> question;
         QString problem;
     };
-    /// Contents of the picture.
+    /// Data from which the plot was drawn: the study, its units, and the values that are marked.
     struct Shown {
         std::shared_ptr<const ComparedCurve> study;
         ShownUnits units;
         const Unit* xUnit = nullptr;
-        std::optional<double> here;  // of the family, in the present scenario
+        std::optional<double> here;  // value of the family in the present scenario
         std::vector<Preset> presets;
         bool operator==(const Shown&) const = default;
     };
     QList<QWidget*> makeControls();
     QWidget* makePointsBox();
-    /// Takes the controls that the form of the scenario has.
+    /// Shows the controls that suit the kind of scenario: uniform rod or drill string.
     void followForm();
     std::string axisText() const;
     OutputColumn column() const;
@@ -84,7 +90,7 @@ class CurvePage : public StudyPage {
     Wish wish() const;
     StudyFamily askedFamily() const;
     std::optional<double> hereOf(const KeptParameter& parameter) const;
-    /// Requires a study and a blow.
+    /// Returns the data to be drawn now. Requires that a study and a blow exist.
     Shown wanted() const;
     void refuse(const QString& problem);
     void draw();
@@ -92,7 +98,7 @@ class CurvePage : public StudyPage {
     void askRuns();
     void showRuns();
     struct Point {
-        std::optional<double> x, y;  // as shown
+        std::optional<double> x, y;  // in the units shown
     };
     Point pointOf(const SolvedBlow& blow) const;
     void click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
@@ -102,7 +108,7 @@ class CurvePage : public StudyPage {
     QCheckBox* m_own;
     OutputBox* m_output;
     GoalField* m_goal;
-    /// The last goal of each output, in SI or dimensionless as the results were then.
+    /// Goal that the user typed last for an output: a value in SI or dimensionless, as the results were then.
     struct Goal {
         double value = 0;
         OutputUnits units = OutputUnits::dimensionless;
@@ -110,18 +116,18 @@ class CurvePage : public StudyPage {
     std::map<const Output*, Goal> m_goals;
     QCheckBox* m_closedForm;
     QComboBox* m_reference;
-    QComboBox* m_points;  // of a curve that is sampled
+    QComboBox* m_points;  // number of points of a curve of a drill string
     QWidget* m_pointsPart = nullptr;
     bool m_isSampled = false;
     FigureFrame* m_frame = nullptr;
     std::optional<StudyFigure> m_figure;
     PresetLibrary m_presets;
-    QString m_problem;  // why the controls give no curve
+    QString m_problem;  // reason why the controls describe no study
     Shown m_shown;
-    std::shared_ptr<const RunStudies<CurveQuestion, CurveStudy>::Answers> m_shownLines;  // of runs, as drawn
+    std::shared_ptr<const RunStudies<CurveQuestion, CurveStudy>::Answers> m_shownLines;  // as drawn
     RunListPtr m_shownRuns;
-    StudyRunner<ComparedCurveQuestion, ComparedCurve> m_study;  // goes first: its threads work
-    RunStudies<CurveQuestion, CurveStudy> m_runLines;           // goes even before
+    StudyRunner<ComparedCurveQuestion, ComparedCurve> m_study;  // its threads use other members
+    RunStudies<CurveQuestion, CurveStudy> m_runLines;           // destroyed first
 };
 
 }  // namespace drillwave

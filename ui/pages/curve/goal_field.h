@@ -9,26 +9,27 @@
 
 namespace drillwave {
 
-/// "0.7" or "240 kN" in the numbers of the user; none where it is empty. Text that is neither stays, marked
-/// with the reason, and changes nothing.
+/// Field for the value that a result should reach, such as "0.7" or "240 kN", in the number format of the
+/// user. It is empty without a goal. Invalid text stays, is marked with its reason, and changes nothing.
 class GoalField : public QLineEdit {
     Q_OBJECT
 
   public:
     explicit GoalField(QWidget* parent = nullptr);
 
-    /// The target in SI; a ratio as it is.
+    /// Returns the goal in SI, or as a plain number for a dimensionless result; nothing without a goal.
     std::optional<double> value() const { return m_value; }
-    /// Shows another value in that unit, which bare numbers have too, without a signal. Text being typed
-    /// stays if none of the three has changed.
+    /// Shows a goal (in SI) in a unit, which numbers typed without a unit also have. Emits no signal. Text
+    /// being typed stays if value, quantity and unit are the same as before.
     void present(std::optional<double> value, Quantity quantity, const Unit& unit);
-    /// Why the text is no goal; empty when it is.
+    /// Returns why the text is not a valid goal; empty if it is valid.
     const QString& problem() const { return m_problem; }
-    /// "240 kN", as the command line takes it back. Requires a value.
+    /// Returns the goal as an argument of the command line, such as "240 kN". Requires that value() is not
+    /// empty.
     std::string commandText() const;
 
   signals:
-    /// value() is another one.
+    /// Reports that value() has changed.
     void changed();
 
   private:

@@ -13,7 +13,7 @@ namespace drillwave {
 class ChoiceBox;
 class OutputBox;
 
-/// Row for one objective: largest or smallest value of a result, by a statistic.
+/// Row of controls for one objective of a design study, such as the largest mean of the efficiency.
 class AimRow : public QWidget {
     Q_OBJECT
 

@@ -20,8 +20,8 @@ class DesignCard : public QTextBrowser {
     /// Returns the sentence that recommends what to do; the warning of the report if it recommends nothing.
     /// Requires a report with a best design.
     static QString headline(const DesignReport& report, const DesignUnits& units);
-    /// Returns the sentences after headline(): the warning, and a design that is equally good as the
-    /// recommended present one. Requires a report with a best design.
+    /// Returns the sentences to show after headline(): a warning, if there is one. If the present design is
+    /// recommended but another is best, also a sentence that the other is equally good.
     static QStringList besideHeadline(const DesignReport& report, const DesignUnits& units);
     /// Returns the index of the design to change to; nothing if the present design should stay or nothing is
     /// varied.

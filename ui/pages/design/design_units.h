@@ -16,7 +16,7 @@ namespace drillwave {
 /// Returns the name of an objective, such as "efficiency in the worst 5 %".
 QString aimName(const DesignAim& aim);
 
-/// Holder of a style, constructed before the names that refer to it.
+/// Base class that holds the style, so that the style is constructed before the names that refer to it.
 struct DesignStyle {
     LocalStyle own;
 };

@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Rows of a widget, which owns them as well as layout and button. A `Row` is a QWidget with a signal
-/// removed() and a function setRemovable().
+/// List of rows of controls in a widget. The widget owns the rows, their layout and the button that adds a
+/// row. A `Row` is a QWidget with a signal removed() and a function setRemovable().
 template <class Row>
 class RowList {
   public:

@@ -73,7 +73,7 @@ class DrillingPage : public StudyPage {
     void scanIfQuick(const DrillingAnswer& answer);
     void startScan(const DrillingScanQuestion& question);
     void stopScan();
-    /// Returns whether the blow sequence, or the scan, belongs to the present scenario and is complete.
+    /// Returns whether the blow sequence belongs to the present scenario and is complete.
     bool isMarchNew() const;
     /// Returns whether the scan belongs to the present scenario and is complete.
     bool isScanNew() const;

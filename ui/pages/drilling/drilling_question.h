@@ -68,7 +68,8 @@ inline constexpr std::uint64_t scanPoints = 25;
 /// Damping of the strong damper, as a multiple of the impedance of the first section of the string.
 inline constexpr double strongDashpot = 0.5;
 
-/// Returns the question for a scan of `range`; see DrillingScanQuestion::hasBracket.
+/// Returns the question for a scan over `range`. If `hasBracket`, the scan is repeated with a constant feed
+/// force and with a strong damper.
 DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyRange& range, bool hasBracket);
 /// Returns the estimated time of a scan on a typical computer [s].
 double scanSeconds(const DrillingScanQuestion& question);

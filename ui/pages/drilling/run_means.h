@@ -18,7 +18,8 @@ struct RunMeans {
 
 using RunDrilling = RunStudies<DrillingQuestion, RunMeans>;
 
-/// Returns the question for the blow sequence of a run, with the time step of a scan, which is coarser.
+/// Returns the question for the blow sequence of a pinned run (a result kept for comparison). Its time step
+/// is as coarse as that of a scan.
 DrillingQuestion runQuestion(const Scenario& scenario);
 
 /// Returns the means of a blow sequence. Nothing if the scenario is refused, or if the machine is pushed back

@@ -19,7 +19,8 @@ namespace drillwave {
 struct RecordQuestion {
     Scenario scenario;  ///< scenario without the parts that do not affect the answer
     QStringList paths;  ///< paths of the files, in their order along the hole
-    /// Number of times that files were opened, because their contents may have changed.
+    /// Number of times that the user has opened files. It distinguishes questions about the same files,
+    /// because their contents may have changed.
     int opened = 0;
     SignalOptions settings;  ///< settings for reading the tables
     std::vector<GaugeChoice> gauges;

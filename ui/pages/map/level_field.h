@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The levels of which a map has contours, in a line to type them.
+// Field for typing the values at which a map has contours.
 #pragma once
 
 #include <QLineEdit>
@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// "1; 1.2" in the numbers of the user. Text that is no list of numbers stays, marked with the reason, and
-/// changes nothing.
+/// Field for the values at which a map has contours, such as "1; 1.2", in the number format of the user.
+/// Invalid text stays, is marked with its reason, and changes nothing.
 class LevelField : public QLineEdit {
     Q_OBJECT
 
@@ -18,15 +18,15 @@ class LevelField : public QLineEdit {
 
     explicit LevelField(QWidget* parent = nullptr);
 
-    /// The levels in shown units; none for no contours.
+    /// Returns the values of the contours, in the units shown; empty for no contours.
     const std::vector<double>& levels() const { return m_levels; }
-    /// Shows other levels, without a signal.
+    /// Shows these values of contours, in the units shown. Emits no signal.
     void setLevels(const std::vector<double>& levels);
-    /// Why the text is no list of levels; empty when it is.
+    /// Returns why the text is not a list of numbers; empty if it is one.
     const QString& problem() const { return m_problem; }
 
   signals:
-    /// levels() are others.
+    /// Reports that levels() has changed.
     void changed();
 
   private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Map: a result over two parameters, with contours, cuts, and a crosshair that moves both of them.
+// The page Map: a result over two parameters, with contours and cuts. The user drags a crosshair that sets
+// both parameters.
 #pragma once
 
 #include "core/report/map_figure.h"
@@ -24,9 +25,9 @@ class MapPage : public StudyPage {
 
     QString title() const override { return tr("Map"); }
     FigureFrame& figureFrame() const { return *m_frame; }
-    /// How many studies were started.
+    /// Returns the number of studies that were started.
     int studies() const { return m_study.started(); }
-    /// The map so far, for the last question or for an earlier one; nullptr at first.
+    /// Returns the map as far as it is computed. It may belong to an earlier question; nullptr at first.
     const MapReport* report() const { return m_study.value(); }
 
   protected:
@@ -43,7 +44,8 @@ class MapPage : public StudyPage {
     OutputColumn column() const;
     QString axisWord(const AxisFields& fields) const;
     MapStudy study() const;
-    /// Takes axes and points that suit a drill string, or a uniform rod.
+    /// Selects ranges of the axes and a number of points that suit the kind of scenario: uniform rod or drill
+    /// string.
     void followForm();
     void offer(AxisFields& fields);
     void takeUsualLevels();
@@ -60,15 +62,15 @@ class MapPage : public StudyPage {
     ChoiceBox* m_points;
     LevelField* m_levels;
     FigureFrame* m_frame = nullptr;
-    QString m_problem;       // why the controls give no map
-    QString m_readout;       // of what is below the pointer
-    int m_gesture = 0;       // of the crosshair
-    bool m_hasSize = false;  // of a section, on the x axis
+    QString m_problem;       // reason why the controls describe no map
+    QString m_readout;       // text on the point below the mouse pointer
+    int m_gesture = 0;       // number of the present drag of the crosshair
+    bool m_hasSize = false;  // whether x is a size of a section of a string
     std::shared_ptr<const MapReport> m_shown;
-    MapSection m_section;  // through the present scenario, as shown
+    MapSection m_section;  // cuts through the present scenario, as shown
     ShownUnits m_shownUnits;
     std::shared_ptr<std::atomic<int>> m_newest;
-    StudyRunner<MapQuestion, MapReport> m_study;  // goes first: its thread works
+    StudyRunner<MapQuestion, MapReport> m_study;  // destroyed first: its thread works
 };
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of the page Map: its question, and the answer while it grows.
+// The study of the page Map: its question, and its answer, which is shown while it is computed.
 #pragma once
 
 #include <atomic>
@@ -11,21 +11,22 @@
 
 namespace drillwave {
 
-/// A map to be computed.
+/// Question for a map: a result over two parameters, with values for contours.
 struct MapQuestion {
     MapStudy study;
-    std::vector<double> levels;  ///< in the units of the map
-    int number = 0;              ///< of the page's questions
-    /// The number of the page's newest question: who sees that it is another one makes room for it.
+    std::vector<double> levels;  ///< values of the contours, in the units of the map
+    int number = 0;              ///< number of this question on its page
+    /// Number of the page's latest question. A study whose own `number` differs ends early to make way for
+    /// that question; nullptr for none.
     std::shared_ptr<const std::atomic<int>> newest;
 
-    /// Whether the answer is the same. The two parameters that vary may have any value, so that dragging a
-    /// crosshair makes no new question; the title does not matter.
+    /// Returns whether both questions have the same answer. Title and present values of the two varied
+    /// parameters may differ, so that dragging them starts no new study.
     bool operator==(const MapQuestion& other) const;
 };
 
-/// Throws nothing; a stopped map keeps its points. Feeds a first part within about 100 ms even if blows are
-/// slow, and further parts now and then.
+/// Returns the map of a question. It shows a first part within about 100 ms even if blows are slow, and
+/// further parts later. A stop returns the points computed so far. Throws nothing.
 MapReport answerMap(const MapQuestion& question, const StudyFeed<MapReport>& feed);
 
 }  // namespace drillwave

@@ -26,7 +26,7 @@ struct RodStretch {
     QString name;
     /// Name for sentences, such as "3rd rod" or "hammer 1".
     QString words;
-    std::optional<double> yieldStrength, fatigueStrength;  ///< [Pa]
+    std::optional<double> yieldStrength, fatigueStrength;  ///< strengths of the section [Pa]
 
     /// Returns the position within the section, from 0 (rear end) to 1; `place` is in lengths of the string.
     double shareAt(double place) const;

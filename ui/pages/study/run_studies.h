@@ -57,7 +57,7 @@ class RunCurveFinder {
                 RunAnswer<Question, Curve>{question, std::move(curve)}));
             feed.show(found);
         }
-        // A stopped study continues from there.
+        // After a stop, the next call continues from these answers.
         *m_known = found;
         return found;
     }

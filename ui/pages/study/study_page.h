@@ -149,9 +149,9 @@ class StudyPage : public PlotPage {
     ScrolledLabel* m_words = nullptr;
     SectionBox* m_settings = nullptr;
     bool m_isLow = false;            // whether the window is too low for open settings
-    bool m_hasFolded = false;        // whether the settings are folded because of that
+    bool m_hasFolded = false;        // whether the settings are folded because of m_isLow
     QBoxLayout* m_center = nullptr;  // the plot and the widget beside it
-    int m_stackBelow = 0;            // width [px]
+    int m_stackBelow = 0;            // width below which they are stacked [px]
     QString m_sentence;
     QString m_more;
     QString m_refusal;         // reason why a value could not be taken into the scenario

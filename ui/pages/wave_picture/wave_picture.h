@@ -24,7 +24,7 @@ struct PictureWindow {
 /// Contents that a wave picture must have: field, part and resolution.
 struct WavePictureNeed {
     WaveQuantity field = WaveQuantity::force;
-    std::optional<PictureWindow> window;  ///< part to show; empty for the whole span of interest
+    std::optional<PictureWindow> window;  ///< part to show; empty for WavePicture::whole()
     int columns = 0, rows = 0;            ///< resolution in device pixels
     bool operator==(const WavePictureNeed&) const = default;
 };
@@ -47,8 +47,8 @@ PictureUnits pictureUnits(const Blow& blow, const ShownUnits& units);
 
 /// Upper limits of the waves of a pinned run. The waves themselves are computed when they are drawn.
 struct RunWaves {
-    double largestForce = 0;     ///< largest force magnitude [F0] in the time span of interest
-    double largestVelocity = 0;  ///< largest particle velocity [F0/Z] in the time span of interest
+    double largestForce = 0;     ///< largest force magnitude [F0] in the default time span
+    double largestVelocity = 0;  ///< largest particle velocity [F0/Z] in the default time span
 
     double largest(WaveQuantity field) const {
         return field == WaveQuantity::force ? largestForce : largestVelocity;
@@ -72,7 +72,7 @@ struct WavePicture {
     PictureUnits units;
     WaveRaster raster;
     double rear = 0;       ///< x/L where the picture begins: 0, or the rear of a string's hammer
-    TimeSpan interesting;  ///< time span of interest [t0], BlowWaves::interesting()
+    TimeSpan interesting;  ///< times that the picture shows at first [t0], BlowWaves::interesting()
     /// Largest magnitude of the field in that span [F0 or F0/Z], where the colour scale ends.
     double limit = 1;
     /// Smallest value in the raster [F0 or F0/Z], or 0 if all are positive.
