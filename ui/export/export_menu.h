@@ -19,10 +19,11 @@ class ExportMenu : public QMenu {
   public:
     /// Functions that provide the data of the blow that the menu exports.
     struct Sources {
-        /// Returns the result for the present scenario, solved or failed; nullptr until it is computed.
+        /// Function that returns the result for the present scenario, solved or failed; nullptr until it is
+        /// computed.
         std::function<SolvedBlowPtr()> blow;
-        /// Calls `then` once the result is solved and shown: at once, later, or never if cancelled. `what` is
-        /// the name of the waiting export for messages.
+        /// Function that calls `then` once the result is solved and shown: at once, later, or never if
+        /// cancelled. `what` is the name of the waiting export for messages.
         std::function<void(const QString& what, std::function<void()> then)> whenSolved;
     };
 

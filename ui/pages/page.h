@@ -32,7 +32,8 @@ class Page : public QWidget {
     /// Returns why the page does not show the present scenario and where the answer is, in one line. Empty if
     /// its tab lets the user create a scenario that it can show.
     virtual QString elsewhere() const { return {}; }
-    /// Returns whether elsewhereRequested() opens the place named by elsewhere().
+    /// Returns whether the window can open the place that elsewhere() names. If so, the user can ask for it,
+    /// which emits elsewhereRequested().
     virtual bool leadsElsewhere() const { return false; }
     /// Returns the function that computes the data of this page from a blow; called only while the page is
     /// visible. Empty if the page needs only the blow.
@@ -41,7 +42,7 @@ class Page : public QWidget {
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
     /// Returns whether the page can show one blow of a sequence as well as a single blow.
     virtual bool showsMarched() const { return false; }
-    /// Brings everything into view.
+    /// Sets axis ranges, or heights of table rows, so that everything on the page is visible.
     virtual void fit() = 0;
     /// Returns the exports of the page, in the order of the menu.
     virtual QList<PageExport> exports() const = 0;
@@ -74,11 +75,11 @@ class Page : public QWidget {
     void exportRequested(const drillwave::PageExport& wanted);
 
   protected:
-    /// Creates the label of the answer, in bold, and the button that copies it. Returns their layout. Call it
-    /// once.
+    /// Creates the label for the page's answer (its main result in one sentence), in bold, and the button
+    /// that copies the answer. Returns their layout. Call it once.
     QLayout* makeAnswer();
     QLabel* answerLabel() const { return m_answerLabel; }
-    /// Returns the answer as text for the clipboard.
+    /// Returns the page's answer (its main result in one sentence) as text for the clipboard.
     virtual QString answerText() const;
     QPushButton* newButton(const QString& name, const QString& text, const QString& tip);
 

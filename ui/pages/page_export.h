@@ -15,10 +15,10 @@ namespace drillwave {
 /// called.
 struct PageExport {
     struct Picture {
-        /// Returns the bytes of the file; empty if it cannot be drawn. `title` goes into the file's
-        /// properties.
+        /// Function that returns the bytes of the file; empty if it cannot be drawn. `title` goes into the
+        /// file's properties.
         std::function<QByteArray(const PictureChoice& choice, const QString& title)> file;
-        /// Returns the width divided by the height of the picture on screen.
+        /// Function that returns the width divided by the height of the picture on screen.
         std::function<double()> aspectRatio;
         std::function<void()> copy;  ///< copies the picture to the clipboard
     };
@@ -30,8 +30,8 @@ struct PageExport {
     std::function<QByteArray()> csv;
     /// Content that csv() returns: rows to be written below a header with the blow, or a whole file.
     enum class Content { rows, wholeFile } content = Content::rows;
-    /// Returns why the export is impossible now; empty if it is possible. May be nullptr, which means always
-    /// possible.
+    /// Function that returns why the export is impossible now; empty if it is possible. May be nullptr, which
+    /// means always possible.
     std::function<QString()> obstacle = {};
     std::optional<Picture> picture;  ///< picture to export instead of csv
 };

@@ -24,7 +24,7 @@ class Crosshair : public HereMark {
     void setStyle(const PlotStyle& style) override;
 
   signals:
-    /// Reports that the user begins to drag. A key is a drag of one step.
+    /// Reports that the user begins to drag the crosshair. An arrow key counts as a drag of one step.
     void held();
     /// Reports that the user has dragged to a place within the view, in the units of the axes.
     void dragged(QPointF place);

@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Mapping of values to colours: from the smallest to the largest, or about a level that matters.
+/// Mapping of values to colours: from the smallest to the largest value, or with different colours below and
+/// above a level.
 struct FieldColours {
     double least = 0;
     double largest = 1;           ///< largest value; greater than `least`

@@ -45,8 +45,8 @@ class FigureFrame : public StudyFrame {
     /// Shows marks of pinned runs in another panel than the first.
     void setRunsIn(std::size_t panel, const QVector<RunMark>& marks);
     const QVector<RunMark>& runMarksIn(std::size_t panel) const { return m_panels.at(panel).runs->marks(); }
-    /// Returns what a click in `rect` sets: a parameter to a factor times the value at the click. nullptr if
-    /// a click sets nothing.
+    /// Returns the parameter that a click in `rect` sets, with a factor. The parameter becomes factor · value
+    /// at the click (SI). nullptr if a click sets nothing.
     const AxisTarget* targetIn(const QCPAxisRect* rect) const;
     /// Mark, or line with a target, that is nearest to a click in the first panel, within a few pixels.
     struct Target {
@@ -55,20 +55,20 @@ class FigureFrame : public StudyFrame {
         bool isMark = false;
     };
     Target targetAt(QPointF place) const;
-    /// Unit of x in the first panel: shown value = value of the figure · factor.
+    /// Returns the unit of x in the first panel: shown value = value of the figure · factor.
     const ShownUnit& xUnit() const { return m_xUnit; }
-    /// Unit of y in the first panel: shown value = value of the figure · factor.
+    /// Returns the unit of y in the first panel: shown value = value of the figure · factor.
     const ShownUnit& yUnit() const { return m_yUnit; }
     /// Returns the unit of y in a panel: shown value = value of the figure · factor.
     ShownUnit yUnitOf(std::size_t panel) const {
         return m_shown.units.of(panelOf(m_panels[panel].first).y.quantity);
     }
-    /// Curve of the first panel that the user can drag up and down.
+    /// Returns the handler that lets the user drag a curve of the first panel up and down.
     const SeriesDrag& seriesDrag() const { return *m_seriesDrag; }
     /// Returns the parameter that dragging a curve sets, with its factor; nullptr if no curve can be dragged.
     const AxisTarget* dragged() const;
-    /// Passes the units of the curves to the plot, and the exact functions y(x) that the curves of the first
-    /// panel sample.
+    /// Passes the units of all curves to the plot. Curves of the first panel also get the exact functions
+    /// y(x) of which they show samples.
     void giveMeanings(PlotWidget& plot) const;
     /// Returns the places for the keyboard in the first panel: along its lines, with the marks as targets. If
     /// the panel has marked points, the keys go from point to point.

@@ -17,8 +17,8 @@ namespace drillwave {
 /// Points of a graph, shared and never changed once built, so that passing them to a graph copies nothing.
 using GraphData = QSharedPointer<QCPDataContainer<QCPGraphData>>;
 
-/// Treatment of a history after the end of the time span of interest. `kept` keeps the later points, which
-/// the user can pan to; `cut` removes them, for file formats that do not clip.
+/// Treatment of a history after the end of the default plot range. `kept` keeps the later points, which the
+/// user can pan to; `cut` removes them, for file formats that do not clip.
 enum class Tail { kept, cut };
 
 /// Appends a point if time and value are finite. One infinite number in the data would make every rescaling

@@ -26,13 +26,15 @@ struct KeyPlaces {
     /// Axis rect of the places; nullptr if the keys have no places in this plot.
     QCPAxisRect* rect = nullptr;
     On on = On::curves;
-    /// Returns the place where the point appears; if it returns nothing, the middle of the view is used.
+    /// Function that returns the place where the point appears. If it returns nothing, the point appears in
+    /// the middle of the view.
     std::function<std::optional<QPointF>()> start = [] { return std::nullopt; };
-    /// Returns notable places that the key N jumps to, such as extremes, kinks and presets.
+    /// Function that returns notable places that the key N jumps to, such as extremes, kinks and presets.
     std::function<QVector<QPointF>()> marks = [] { return QVector<QPointF>(); };
-    /// Returns further places that a click selects, such as the cells of a coarse map.
+    /// Function that returns further places that a click selects, such as the cells of a coarse map.
     std::function<QVector<QPointF>()> targets = [] { return QVector<QPointF>(); };
-    /// Returns a description of a place, which is shown above the numbers of the curve; may be empty.
+    /// Function that returns a description of a place, which is shown above the numbers of the curve; may be
+    /// empty.
     std::function<QString(QPointF)> words = [](QPointF) { return QString(); };
 };
 

@@ -18,7 +18,8 @@ class PlotView {
     /// Returns the axis rect used last, which the keys act on. At first it is the first one; nullptr if the
     /// plot has none.
     QCPAxisRect* activeRect() const;
-    /// Makes the axis rect at a point the active one, if there is an axis rect.
+    /// Makes the axis rect at a point the active one, on which the keys act. Does nothing if no axis rect is
+    /// there.
     void activateAt(QPointF point);
     /// Returns whether a point is between the axes of the axis rect used last; false before one has been
     /// used.

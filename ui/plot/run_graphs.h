@@ -62,8 +62,8 @@ class RunDrawings : public QObject {
     /// name of the quantity; the legend shows it with the letter of the run, such as "N A".
     void setBands(const QString& name) { m_bands = name; }
 
-    /// Replaces the curves. If the runs are the same as before, hidden curves stay hidden and the curve that
-    /// is read stays chosen.
+    /// Replaces the curves. If the runs are the same as before, hidden curves stay hidden, and the curve
+    /// chosen for readings stays chosen.
     void present(const QVector<Drawing>& drawings) {
         const bool isSame = std::ranges::equal(drawings, m_drawings, [](const auto& a, const auto& b) {
             return a.number == b.number && a.title == b.title;
@@ -72,7 +72,7 @@ class RunDrawings : public QObject {
         if (!isSame) makeAnew();
         for (qsizetype i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_drawings[i].data);
     }
-    /// Moves the runs' entries to the end of the legend.
+    /// Moves the entries of the pinned runs to the end of the legend.
     void standLast() {
         if (!m_legend) return;
         for (Plottable* graph : std::as_const(m_graphs)) {

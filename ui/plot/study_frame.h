@@ -42,9 +42,9 @@ class StudyFrame : public QObject {
         return m_runCurves ? m_runCurves->graphs() : none;
     }
     void setStyle(const PlotStyle& style);
-    /// Brings everything into view.
+    /// Sets the ranges of the axes so that everything in the plot is in view.
     void fit();
-    /// Brings everything into view, unless the user has chosen another view.
+    /// Sets the ranges of the axes so that everything is in view, unless the user has zoomed or panned.
     void fitUnlessZoomed();
     /// Returns the places that the keys can reach in this plot. The default has no axis rect, so that the
     /// keys do nothing.

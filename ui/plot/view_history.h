@@ -24,7 +24,8 @@ class ViewHistory {
     void rememberBurst();
     /// Returns whether a saved view differs from the present one.
     bool canGoBack() const;
-    /// Restores the last saved view that differs from the present one, and discards the views after it.
+    /// Restores the newest saved view that differs from the present one. Removes it and all newer views from
+    /// the stack.
     void goBack();
 
   private:

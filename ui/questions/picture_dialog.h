@@ -32,7 +32,8 @@ struct PictureChoice {
 PictureChoice rememberedPictureChoice(double aspectRatio);
 void remember(const PictureChoice& choice);
 
-/// Dialog that can be accepted only if the choice is possible; otherwise it shows why not.
+/// Dialog for format, size and resolution of a picture. It can be accepted only if such a picture can be
+/// made; otherwise it shows why not.
 class PictureDialog : public QDialog {
     Q_OBJECT
 

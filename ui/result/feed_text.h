@@ -87,13 +87,14 @@ QString thrustMarginText(const SolvedBlow& blow);
 /// percentage, because a margin can be zero.
 QString marginChangeText(double margin, double reference, const SolvedBlow& blow);
 
-/// Estimate by which the feed is judged. `isAwaited` says whether its cases of all gaps are still being
-/// computed.
+/// Estimate of the required feed force with which the installed feed force is compared. `isAwaited` is true
+/// while an estimate from blows at all gaps is still being computed.
 struct FeedEstimateOnShow {
     std::optional<FeedEstimate> estimate = {};
     bool isAwaited = false;
 };
-/// Returns the estimate of all gaps if it belongs to this blow, else that of the blow.
+/// Returns the estimate of the required feed force from blows at all gaps, if it was computed for this blow.
+/// Otherwise returns the estimate from this blow only.
 FeedEstimateOnShow estimateOnShow(const WorstNeed& worst, const SolvedBlow& blow);
 
 /// Returns one sentence on the feed force required by single blows, with an ellipsis while a better estimate

@@ -93,7 +93,8 @@ class ResultPanel : public SteadyScrollArea {
     void placeChosen(double section, double time);
     /// Reports that the user wants to open the page Drilling.
     void drillingChosen();
-    /// Reports that the user wants to set a wave loss, so that a sequence of blows can be resolved.
+    /// Reports that the user wants to set a wave loss (share that waves lose in a round trip). Without one,
+    /// the results of the blow sequence are uncertain.
     void waveLossWanted();
     /// Reports that the user has clicked the parameter of an alert; `key` is its key as in parameters().
     void parameterChosen(const QString& key);

@@ -39,15 +39,17 @@ class PlaceLink : public QLabel {
 
 /// Description of one row of the result panel: how to get its texts and numbers from a blow.
 struct ResultEntry {
-    /// Returns the value as text; empty if there is none.
+    /// Function that returns the value as text; empty if there is none.
     using Text = std::function<QString(const SolvedBlow&)>;
-    /// Returns the number that is compared with that of a reference; nothing if a comparison has no meaning.
+    /// Function that returns the number that is compared with that of a reference; nothing if a comparison
+    /// has no meaning.
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
-    /// Returns the difference between the number of the blow shown and that of the reference as text.
+    /// Function that returns the difference between the number of the blow shown (`now`) and that of the
+    /// reference (`then`) as text.
     using Change = std::function<QString(double now, double then, const SolvedBlow&)>;
-    /// Returns whether the row exists for a scenario; otherwise it is hidden.
+    /// Function that returns whether the row exists for a scenario; otherwise it is hidden.
     using Concern = std::function<bool(const Scenario&)>;
-    /// Returns whether the text is a warning, which has a special colour.
+    /// Function that returns whether the text is a warning, which has a special colour.
     using Warning = std::function<bool(const SolvedBlow&)>;
     enum class Weight { usual, heavy };
 
@@ -107,7 +109,7 @@ void makeSelectable(QLabel& label);
 
 // Entries of the rows of the result panel.
 
-/// Object name of the rows that wait for the study of all gaps (see WorstNeed).
+/// Object name of the rows whose values need blows at all gaps (see WorstNeed) and so are shown later.
 inline const QString worstName = QStringLiteral("worstNeed");
 
 /// Returns the entries of all outputs of a group in their order. An entry of a largest stress is followed by

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Returns units that show the dimensionless numbers of a run like those of the present blow, by the scales
-/// of the run. `units` and `scales` are those of the present blow. Nothing if `units` are physical and the
-/// run is dimensionless.
+/// Returns the units for the dimensionless numbers of a pinned run, with the same names as `units`, those of
+/// the present blow. The factors follow from the scales of the run instead of `scales`. Nothing if `units`
+/// are physical and the run is dimensionless.
 std::optional<ShownUnits> unitsOf(const SolvedBlow& run, const ShownUnits& units, const Scales& scales);
 
 /// Returns whether all units of `a` and `b` have the same names. Factors are not compared: for one run they

@@ -84,7 +84,8 @@ class Runs : public QObject {
   signals:
     /// Reports that the list, one of its runs or the reference has changed.
     void changed();
-    /// Reports that a stored run now has another result than in its file, in a sentence.
+    /// Reports that a stored run, computed again, has another result than in its file. `sentence` describes
+    /// the difference.
     void differs(const QString& sentence);
 
   private:

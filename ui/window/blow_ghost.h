@@ -26,7 +26,8 @@ class BlowGhost : public QObject {
     BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown, QObject* parent);
 
   private:
-    /// How long the blow from before a preset stays visible.
+    /// Time for which the blow from before a preset stays visible: not at all, during this change, or until
+    /// the next change.
     enum class Stay { no, overThisChange, untilTheNextChange };
 
     void set(const SolvedBlowPtr& before);

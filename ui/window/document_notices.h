@@ -58,7 +58,7 @@ class FormNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the actions of conversion. The document must outlive this object.
+    /// Makes the actions that convert the scenario between its forms. The document must outlive this object.
     explicit FormNotice(Document& document, QWidget* parent = nullptr);
 
     /// Returns the menu action that converts a uniform rod to a drill string. Like all actions of this class,
@@ -96,10 +96,10 @@ class ExampleNote : public Notice {
     /// Sets the example with which the program starts. Its explanation is not shown if the user has ever
     /// closed it.
     void explainFirst(const Example& example);
-    /// Must be called when the example has been changed (true) or is unchanged again (false). If changed, a
-    /// hint says that the explanation may not fit.
+    /// Shows a hint that the explanation may not fit if the example has been changed (true), and hides the
+    /// hint otherwise.
     void setChanged(bool changed);
-    /// Must be called when another scenario is opened; removes the explanation.
+    /// Removes the explanation. Must be called when another scenario is opened.
     void forget();
     /// Returns the action that shows and hides the notice; disabled if there is no explanation.
     QAction* action() const { return m_action; }

@@ -16,7 +16,8 @@ class PageTabs;
 
 // Notice of why a page is not available for this scenario, and which page has the answer instead.
 
-/// Notice that disappears when another page is shown, or when its page becomes available again.
+/// Notice of why a page is not available for the scenario. It disappears when another page is shown, or when
+/// this page becomes available again.
 class ElsewhereNotice : public Notice {
     Q_OBJECT
 
@@ -45,7 +46,7 @@ class MarchedNotice : public Notice {
 
     /// Shows this blow of a sequence on the pages that can; `what` describes it in words.
     void open(const MarchedQuestion& blow, const QString& what);
-    /// Must be called when the scenario changes: the single blow is shown again.
+    /// Shows the single blow again, instead of one of a sequence. Must be called when the scenario changes.
     void forget();
     /// Returns the blow of a sequence that a page should show; nothing for the single blow.
     std::optional<MarchedQuestion> blowOf(const Page& page) const;
@@ -63,7 +64,8 @@ class MarchedNotice : public Notice {
 
 // Notice of which value was taken from a plot, with a button to undo it.
 
-/// Notice that disappears with the next change of the scenario.
+/// Notice that a value was taken from a plot into the scenario, with a button to undo this. It disappears
+/// with the next change of the scenario.
 class TakenNotice : public Notice {
     Q_OBJECT
 
@@ -81,7 +83,8 @@ class TakenNotice : public Notice {
 // Notice of why a page of waves shows a coarser string, with a button to round lengths so that it shows all
 // waves.
 
-/// Notice shown while the page's waves are too many to be stored, if rounding the lengths to 10 mm may help.
+/// Notice shown while the waves on the visible page are too many to be stored, if rounding the section
+/// lengths to 10 mm may help.
 class WavesNotice : public Notice {
     Q_OBJECT
 

@@ -47,7 +47,8 @@ class DesignUnits : private DesignStyle, public DesignNames {
 
     /// Returns the value of a parameter (in SI) with its unit, such as "240 µs" or "0.504".
     QString text(const Parameter& parameter, double si) const;
-    /// Returns the value of an output, as in the study, with its error and unit.
+    /// Returns a text with the value of an output, its error and its unit. `value` and `error` are in the
+    /// units of the study.
     QString text(const Output& output, double value, int digits = 4, std::optional<double> error = {}) const;
     /// Returns the value of an objective for a design with its error and unit.
     QString aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design) const;

@@ -13,16 +13,16 @@
 
 namespace drillwave {
 
-/// Marks of the corners of the loading curve that a blow has passed. The following lines are labelled with
-/// their slopes as multiples of the stiffness k. The plot owns the object.
+/// Marks at the corners of the loading curve (force over penetration) that a blow has passed. Each line after
+/// a corner has a label with its slope, as a multiple of the stiffness k. The plot owns the object.
 class LoadingLines : public QObject {
     Q_OBJECT
 
   public:
     explicit LoadingLines(QCPAxisRect* rect);
 
-    /// Shows the lines after the first one, which has its own label. If there are too many, they have marks
-    /// but no labels.
+    /// Shows marks and labels for all loading lines except the first one, which has a label of its own. If
+    /// there are too many lines, the marks have no labels.
     void present(const QVector<RockLine>& lines, const QLocale& locale);
     /// Places the labels along their lines in the present view.
     void place();

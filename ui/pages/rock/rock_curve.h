@@ -37,7 +37,7 @@ struct RockCurve {
     double residualPenetration = 0;  ///< residual penetration Ur, in units.penetration
     double loading = 0;              ///< stiffness k in primary loading, in units.stiffness
     double unloading = 0;            ///< stiffness k/γ in unloading, in units.stiffness
-    /// Lines up to the largest force; a single one for a law without corners.
+    /// Straight lines of the loading curve up to the largest force; a single one for a law without corners.
     QVector<RockLine> lines = {};
     double energy = 0;       ///< energy left in the rock (the enclosed area), in units.energy
     double energyShare = 0;  ///< energy left in the rock as a share of the energy of the blow, 0 … 1

@@ -34,18 +34,20 @@ struct RodCurves {
 
     const GraphData& curve(Load line) const { return curves[static_cast<std::size_t>(line)]; }
     const EnvelopeLine& forces(Load line) const { return envelope[line]; }
-    /// Returns the loads that have curves. The loads of the residual waves are missing if a string was not
-    /// computed beyond the blow.
+    /// Returns the kinds of largest stress that have curves: compression and tension, during the blow and
+    /// after it (residual waves). The latter are missing if a string was not computed beyond the blow.
     std::span<const Load> lines() const {
         const bool hasAfter = !string || !envelope.tensionAfter.empty();
         return std::span(loads).first(hasAfter ? loads.size() : 2);
     }
-    /// Returns the largest force of a load at x/L; for a string it is a stress and L is the string's length.
+    /// Returns the largest force of the kind `line` at position x/L. For a drill string it is a stress, and L
+    /// is the length of the string.
     RodForce forceAt(Load line, double section) const;
     /// Returns x/L of the rear end of rod, or of hammer and string; negative for a hammer.
     double rear() const { return string ? string->rear() : 0; }
     const RodForce& largest(Load line) const { return envelope.largest[line]; }
-    /// Returns the stress of a force in the unit shown, positive in tension.
+    /// Returns the stress for a largest force, in the unit shown and positive in tension. The kind `line`
+    /// says whether it is a tension or a compression.
     double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
@@ -60,7 +62,8 @@ struct RodCurves {
 /// have time histories. A stop ends the work early, with stresses that are too small.
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
 
-/// Returns position, stress and time for each load in columns side by side, in the units shown.
+/// Returns a table with position, stress and time for each kind of largest stress, side by side, in the units
+/// shown. `separator` stands between the cells.
 QByteArray rodCsv(const RodCurves& curves, char separator);
 
 }  // namespace drillwave

@@ -33,7 +33,8 @@ class RodPlot : public StudyFrame {
     /// Returns the places for the keyboard: along the curves, with the marked extremes as targets.
     KeyPlaces keyPlaces() const override;
     QCPGraph* graph(Load line) const { return m_graphs[static_cast<std::size_t>(line)]; }
-    /// Returns the curves of pinned runs: compression towards the bit and tension back from it.
+    /// Returns the curves of the pinned runs, one for each run. Each curve runs along the compression to the
+    /// bit and back along the tension.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:

@@ -38,7 +38,8 @@ class StringModel : public QAbstractTableModel {
     /// Returns the column of a number of a section, given by its key such as "area".
     static int columnOf(std::string_view field);
 
-    /// Returns a parameter with this key, such as "bore", which gives the unit of the column.
+    /// Returns a parameter with the key `field`, such as "bore". Its unit is the unit of that column of the
+    /// table.
     static KeptParameter ofColumn(std::string_view field);
 
     /// Creates the model. The document must outlive it.

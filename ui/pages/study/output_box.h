@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// Outputs that a study offers: all, or without those that need a study of all gaps for every value, such as
-/// thrust_margin (`ofOneBlow`).
+/// Outputs that a study offers. `ofOneBlow` leaves out outputs such as thrust_margin, which need blows at all
+/// gaps for every value.
 enum class OfferedOutputs { all, ofOneBlow };
 
 /// List of the outputs of a scenario. Selected at first: the coefficient of restitution, or the efficiency

@@ -77,7 +77,8 @@ class RunStudies {
 
     explicit RunStudies(typename Finder::Find find) : m_study(Finder(std::move(find))) {}
 
-    /// Asks the question of each run. Runs with the same question share the answer.
+    /// Starts the computation of a curve for the question of each pinned run, unless it is known. Runs with
+    /// the same question share the curve.
     void ask(const std::vector<Question>& ofRuns) {
         std::vector<Question> questions;
         for (const Question& question : ofRuns)

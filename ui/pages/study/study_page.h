@@ -51,7 +51,8 @@ class StudyPage : public PlotPage {
     virtual void copyCommand();
 
   protected:
-    /// Asks for the study that the controls describe. Called only while the page is visible.
+    /// Requests the study that the controls describe, unless it is the present one. Called only while the
+    /// page is visible.
     virtual void ask() = 0;
     /// Shows the latest answer of the study in the units of blow(), and the place of the present scenario.
     /// Called after any of them has changed. blow() is nullptr before the first blow, and may be unsolved.
@@ -69,10 +70,11 @@ class StudyPage : public PlotPage {
     /// Builds the page: answer, controls in a row that wraps, and the plot with `beside` at its right.
     /// Returns the plot. Call it once.
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
-    /// Places `beside` above the plot if the page is narrower than `width` [px]. On a wider page it has a
-    /// third of the width.
+    /// Places the widget beside the plot above the plot if the page is narrower than `width` [px]. On a wider
+    /// page the widget has a third of the width.
     void stackBelow(int width);
-    /// Group that a widget belongs to; only widgets of the answer are greyed out with it.
+    /// Group that a widget belongs to: `question`, or `answer`. Widgets of the answer are greyed out while
+    /// the answer is out of date.
     enum class PartOf { question, answer };
     /// Adds a widget between the sentences and the controls, visible even while the controls are folded.
     void addAbove(QWidget* widget, PartOf part);
@@ -109,13 +111,16 @@ class StudyPage : public PlotPage {
     /// Requests a pinned run (a result kept for comparison) for a scenario. Shows the reason if this is
     /// impossible.
     void pin(const Scenario& scenario);
-    /// Calls pin() if `modifiers` contains Shift, else load().
+    /// Sets these parameters of the scenario by load(), or pins a run with them by pin() if `modifiers`
+    /// contains Shift.
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
-    /// Returns the units of blow() for a scenario with scales of its own; without a blow, and for
-    /// dimensionless scenarios, the natural ones.
+    /// Returns the units in which values of a scenario are shown: those chosen in the window, with the scales
+    /// of this scenario. Without a blow they are SI units, and for a dimensionless scenario dimensionless
+    /// ones.
     ShownUnits unitsFor(const Scenario& scenario) const;
-    /// Units of figures: those of the form for parameters, `units` for all else.
+    /// Returns the units of figures: those of the input fields for parameters, and `units` for all other
+    /// quantities.
     FigureUnits figureUnits(const ShownUnits& units) const;
     Document& document() const { return m_document; }
     const Scenario& scenario() const { return m_document.scenario(); }

@@ -19,8 +19,8 @@ struct StudyRange {
     bool logarithmic = false;
     bool operator==(const StudyRange&) const = default;
 
-    /// Returns the range as an argument of the command, such as "bit_rock.stiffness=10 MN/m:10000 MN/m",
-    /// without tail() and a number of values. Reading it gives the same doubles.
+    /// Returns the range as an argument of the command, such as "bit_rock.stiffness=10 MN/m:10000 MN/m". The
+    /// suffix tail() and the number of values are left out. Reading the text gives the same doubles.
     std::string text() const;
     /// Returns ":log" for a logarithmic range, else an empty text.
     std::string tail() const { return logarithmic ? ":log" : ""; }

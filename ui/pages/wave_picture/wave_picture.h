@@ -45,7 +45,8 @@ struct PictureUnits {
 /// blow, whose waves must be readable.
 PictureUnits pictureUnits(const Blow& blow, const ShownUnits& units);
 
-/// Upper limits of the waves of a pinned run. The waves themselves are computed when they are drawn.
+/// Largest force and velocity of the waves of a pinned run (a result kept for comparison), which limit the
+/// scale of its curves. The waves themselves are computed when they are drawn.
 struct RunWaves {
     double largestForce = 0;     ///< largest force magnitude [F0] in the default time span
     double largestVelocity = 0;  ///< largest particle velocity [F0/Z] in the default time span
@@ -55,7 +56,8 @@ struct RunWaves {
     }
 };
 
-/// Returns the upper limits of the waves of a blow. Requires a blow whose waves can be read, see BlowWaves.
+/// Returns the largest force and velocity of the waves of a blow. Requires a blow whose waves can be read,
+/// see BlowWaves.
 RunWaves runWaves(const Blow& blow);
 
 /// Additional data of the wave picture of a drill string.
@@ -73,18 +75,20 @@ struct WavePicture {
     WaveRaster raster;
     double rear = 0;       ///< x/L where the picture begins: 0, or the rear of a string's hammer
     TimeSpan interesting;  ///< times that the picture shows at first [t0], BlowWaves::interesting()
-    /// Largest magnitude of the field in that span [F0 or F0/Z], where the colour scale ends.
+    /// Largest magnitude of the force [F0] or velocity [F0/Z] in the time span `interesting`, where the
+    /// colour scale ends.
     double limit = 1;
-    /// Smallest value in the raster [F0 or F0/Z], or 0 if all are positive.
+    /// Smallest value of the picture's cells [F0 or F0/Z], or 0 if all are positive.
     float least = 0;
-    /// Largest value in the raster [F0 or F0/Z], or 0 if all are negative.
+    /// Largest value of the picture's cells [F0 or F0/Z], or 0 if all are negative.
     float largest = 0;
     std::vector<double> fronts;                   ///< starts of the wave fronts [t0], BlowWaves::fronts()
     std::vector<ContactInterval> contacts;        ///< times of contact between bit and rock [t0]
     std::optional<StringPicture> string = {};     ///< data of a drill string; empty for a uniform rod
     std::vector<RunOverlay<RunWaves>> runs = {};  ///< pinned runs whose waves are drawn below the picture
 
-    /// Returns the part with all positions and the time span of interest.
+    /// Returns the default part of the picture: all positions, from the start of the blow to shortly after
+    /// the last contact of the bit.
     PictureWindow whole() const { return {rear, 1, interesting}; }
 };
 
@@ -96,7 +100,8 @@ bool isClippedAbove(const WavePicture& picture);
 /// Returns a time with enough digits to distinguish the instants of a span, at least four: "10000005.3 t₀".
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale);
 
-/// Largest number of cells of a raster. A picture that needs more has a coarser raster.
+/// Largest number of cells (single colours, rows × columns) of a wave picture. A picture that would need more
+/// gets larger cells.
 inline constexpr int mostPictureCells = 4'000'000;
 
 /// Returns the wave picture of a blow. The colour scale ends at the largest force or velocity of the blow.

@@ -12,7 +12,7 @@
 namespace drillwave {
 
 /// Plot with position to the right, time upwards, and force or particle velocity as colour. Fitting shows the
-/// whole rod, or hammer and string, over the time span of interest.
+/// whole rod, or hammer and string, from the start of the blow to shortly after the last contact of the bit.
 class WavePicturePlot : public StudyFrame {
     Q_OBJECT
 
@@ -31,7 +31,8 @@ class WavePicturePlot : public StudyFrame {
     void setField(WaveQuantity field);
     WaveQuantity field() const { return m_field; }
     void setFrontsShown(bool shown);
-    /// Returns the joints and names of a drill string; without any for a uniform rod.
+    /// Returns the plot item that draws the joints and names of the sections of a drill string; it draws
+    /// nothing for a uniform rod.
     const JointMarksItem& joints() const { return *m_joints; }
     bool frontsShown() const { return m_fronts->visible(); }
 
@@ -48,7 +49,7 @@ class WavePicturePlot : public StudyFrame {
     QString readout(const QPointF& pixel) const;
 
   signals:
-    /// Reports that the picture shown no longer fulfils need().
+    /// Reports that the picture shown no longer has the part and the resolution that need() returns.
     void needChanged();
     /// Reports that the part in view has changed.
     void viewChanged();
