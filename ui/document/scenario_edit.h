@@ -26,16 +26,17 @@ class ScenarioEdit : public QUndoCommand {
     /// other.
     ScenarioEdit(Scenario& current, std::function<void()> changed, Scenario after, QString key, int gesture);
 
-    /// Returns the scenario before the edit. Requires that the step is done, not undone.
+    /// Returns the scenario before the edit. Requires that the step has been executed and is not undone at
+    /// present.
     const Scenario& before() const { return m_other; }
     bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
 
-    /// Makes the step also change `current`, the text of the scenario, to `after`; undo restores its present
-    /// value. `current` must outlive this step.
+    /// Extends the step: it also changes `current`, the text of the scenario, to `after`, and undo restores
+    /// its present value. `current` must outlive this step.
     void takeText(std::string& current, std::string after);
 
-    /// Makes the step also change `current`, the settings of the design study, to `after`; undo restores
-    /// their present value. `current` must outlive this step.
+    /// Extends the step: it also changes `current`, the settings of the design study, to `after`, and undo
+    /// restores their present value. `current` must outlive this step.
     void takeDesign(DesignSetup& current, DesignSetup after);
 
     void undo() override { exchange(m_textBefore, m_designBefore); }
@@ -61,8 +62,8 @@ class ScenarioEdit : public QUndoCommand {
 
 // Undo step of the settings of a document's design study.
 
-/// Undo step that swaps the settings of the design study with the stored ones. Consecutive edits of one item
-/// are merged into one step.
+/// Undo step that swaps the settings of the design study with stored ones. Consecutive edits of the same
+/// item, such as one uncertain input, are merged into one step.
 class DesignEdit : public QUndoCommand {
   public:
     /// Makes a step that changes `current` to `after` and calls `changed` after each swap. Both must stay

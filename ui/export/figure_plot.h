@@ -14,7 +14,8 @@ class QCustomPlot;
 
 namespace drillwave {
 
-/// Returns a label of a data file as it is printed: "gamma" becomes γ, "k0" gets a subscript.
+/// Returns a label from a data file with Greek letters and subscripts: "gamma" becomes γ, "k0" gets a
+/// subscript.
 QString figureText(const std::string& text);
 
 /// Replaces the contents of a plot by the panels, one below the other, scaled to the size of the plot.

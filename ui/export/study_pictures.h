@@ -15,7 +15,8 @@
 
 namespace drillwave {
 
-/// Returns pictures of a study of curves: the first view of its page; see renderPictures().
+/// Returns pictures of a study whose result is curves, as in the first view of its page; see
+/// renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Returns pictures of the designs of a design study. Requires that the study has found a design that is best
 /// for the uncertain inputs.
@@ -27,7 +28,8 @@ Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, cons
 Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
 Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});
-/// Returns pictures of the main record of an identification. Requires that the record was not refused.
+/// Returns pictures of the main record of an identification (rock properties from records of strain gauges).
+/// Requires that the record was not refused.
 Pictures drawStudy(const IdentifyReport& report, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Returns pictures of a sweep, which has no page in the window: its rows as curves, see sweepPanels().

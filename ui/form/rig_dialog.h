@@ -16,8 +16,9 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Dialog that asks for rod, mean force and duration, and shows the physical values that follow from the
-/// groups. Accepting changes the document in one undo step.
+/// Dialog that asks for rod, mean force and duration. It shows the physical values that follow from them and
+/// from the dimensionless groups of the scenario (β, γ, τ, δ). Accepting changes the document in one undo
+/// step.
 class RigDialog : public QDialog {
     Q_OBJECT
 

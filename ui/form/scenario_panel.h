@@ -70,8 +70,8 @@ class StringSection : public QObject {
     QCheckBox* m_restrike = nullptr;
 };
 
-/// Form that shows and edits a document. Its rows come only from parameters(), so a parameter added there
-/// appears here.
+/// Form that shows and edits a document. Its rows are made from the list parameters(), so that a parameter
+/// added to that list gets a row.
 class ScenarioPanel : public SteadyScrollArea {
     Q_OBJECT
 

@@ -27,19 +27,21 @@ ManualPlace placeOf(const QUrl& url);
 /// Regular expression for "and" in the languages of the manual.
 inline constexpr char16_t andWords[] = u"(?:and|und|och)";
 
-/// Returns true if `meant` refers to the heading `shown`. For example, "§4.2 sweep and table" is meant by
-/// "§4.2" and by "table", and "rod.length: length L" by "rod.length".
+/// Returns true if `meant`, a heading as written in a link, refers to the heading `shown`. For example, "§4.2
+/// sweep and table" is meant by "§4.2" and by "table", and "rod.length: length L" by "rod.length".
 bool isHeading(const QString& shown, const QString& meant);
 
 /// Name of the widget property that contains the place in the manual, "window §2", which describes everything
 /// inside the widget.
 inline constexpr char helpTopicProperty[] = "helpTopic";
 
-/// Returns the place that describes the parameter with this key; the chapter is empty for other keys.
+/// Returns the place in the manual that describes the parameter with this key; the chapter is empty for other
+/// keys.
 ManualPlace placeOfKey(const QString& key);
 
-/// Returns the place that describes the focused widget, or its nearest parent with one; the chapter is empty
-/// if there is none. Fields have the key of their parameter as object name, sliders the key and ".slider".
+/// Returns the place in the manual that describes the focused widget, or its nearest parent with one. The
+/// chapter is empty if there is none. Fields have the key of their parameter as object name, sliders the key
+/// and ".slider".
 ManualPlace topicOf(const QWidget* focus);
 
 }  // namespace drillwave

@@ -23,8 +23,8 @@ struct ManualLink {
 /// Returns the links in a line of a chapter, in order. Only references to existing places become links.
 QList<ManualLink> linksIn(const QString& line, const QString& chapter, const ManualBook& book);
 
-/// Returns the place that describes a word set as code: a parameter, an output, a command or a page. The
-/// chapter is empty for other code.
+/// Returns the place in the manual that describes a word set as code: a parameter, an output, a command or a
+/// page. The chapter is empty for other code.
 ManualPlace placeOfCode(const QString& code, const ManualBook& book);
 
 /// Colours of the manual that a palette does not have.

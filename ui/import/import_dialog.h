@@ -27,8 +27,8 @@ class ImportPlot;
 class PlotWidget;
 class TableFields;
 
-/// Dialog that stays open beside the window until it is closed. On wanted(), its owner uses the result and
-/// closes it. The file is read in another thread.
+/// Dialog that stays open beside the window until it is closed. When it emits wanted(), its owner should use
+/// the result and close the dialog. The file is read in another thread.
 class ImportDialog : public QDialog {
     Q_OBJECT
 

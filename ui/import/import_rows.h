@@ -20,7 +20,7 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Texts of a row: object name, label and tooltip.
+/// Texts of a form row: object name of its control, label and tooltip.
 struct RowWords {
     const char* name;  ///< object name of the control, for tests
     QString label;
@@ -77,7 +77,7 @@ class GaugeRows {
     /// Sets the rows to the values in `settings`; values that are not given stay. `kind` is the kind of
     /// signal.
     void use(const SignalOptions& settings, SignalKind kind);
-    /// Adds the values that a signal of this kind needs to `settings`.
+    /// Copies the values of the rows that a signal of this kind needs to `settings`.
     void addTo(SignalOptions& settings, SignalKind kind) const;
     const QList<QuantityField*>& fields() const { return m_fields; }
 

@@ -21,8 +21,9 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
 /// compared between a rod and a drill string, whose scales differ.
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units);
 
-/// Returns an output of a blow for comparison: if `units` are physical, in SI with works in J; otherwise
-/// dimensionless; shares always in per cent. Nothing if the blow has no such value or no units.
+/// Returns an output of a blow as a number for comparison. If `units` are physical, it is in SI, with works
+/// in J; otherwise it is dimensionless. Shares are always in per cent. Nothing if the blow has no such value,
+/// or if `units` are physical and its scenario is dimensionless.
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);
 
 /// Returns the value of an output as text with its unit, in the units chosen for the blow; empty if it has no

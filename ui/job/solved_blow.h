@@ -106,8 +106,8 @@ SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);
 
 // Results of long computations are reused when only units or pages change.
 
-/// Returns true if `before` answers the request except for its units and pages. Always false for rods, which
-/// are solved faster than a result is copied.
+/// Returns true if `before` answers the request except for units and page data, so that the blow need not be
+/// solved again. Always false for rods, which are solved faster than a result is copied.
 bool answersAgain(const SolvedBlow& before, const SolveRequest& request);
 
 /// Returns the blow of an earlier answer with the units and page data of the request. Requires

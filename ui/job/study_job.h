@@ -112,7 +112,7 @@ class StudyJob : public StudyActivity {
     /// Stops the study; values shown so far stay.
     void cancel() override;
     void forget() override;
-    /// Returns the result, or the last intermediate value; nullptr before the first.
+    /// Returns the result of the study, or its latest intermediate result; nullptr before there is one.
     const std::shared_ptr<const Value>& value() const { return m_value; }
     bool isCurrent() const override { return m_value && m_valueOf == m_asked; }
 

@@ -60,8 +60,8 @@ class SolveStatus : public QWidget {
     void callOff(const QString& reason);
     bool isWaiting() const { return bool(m_waiting); }
 
-    /// Sets a text to show before the summary, such as the main result if its panel is hidden; empty for
-    /// none.
+    /// Sets a text to show before the summary of the result, such as the main result if its panel is hidden.
+    /// Empty for no text.
     void setLead(const QString& lead);
 
     /// Returns the full text of the line, which may be shown abbreviated.

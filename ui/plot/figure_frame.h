@@ -40,7 +40,7 @@ class FigureFrame : public StudyFrame {
     /// Returns the graph of a series with the given indices (from 0). The panel and series must exist;
     /// nullptr if the series is not drawn as a line.
     QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
-    /// Returns the panel whose axes are `rect`; empty if there is none.
+    /// Returns the index of the panel whose axes are `rect`; empty if there is none.
     std::optional<std::size_t> panelIn(const QCPAxisRect* rect) const;
     /// Shows marks of pinned runs in another panel than the first.
     void setRunsIn(std::size_t panel, const QVector<RunMark>& marks);

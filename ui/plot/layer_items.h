@@ -21,7 +21,7 @@ class LayerItems : public QObject {
   public:
     explicit LayerItems(QCPAxisRect* rect);
 
-    /// Shows the layers. A value of the layers times its factor is a value on the axis.
+    /// Shows the layers. A coordinate of a layer times `xFactor` or `yFactor` is a coordinate on the axes.
     void present(const FigureLayers& layers, double xFactor, double yFactor);
     void setStyle(const PlotStyle& style);
 

@@ -40,7 +40,7 @@ struct BlowCurves {
     GraphData impulse;         ///< impulse of the impact force up to each time, in units.impulse
     /// Momentum of rod or drill string in units.impulse, positive towards the rock.
     GraphData momentum;
-    /// Curve of the closed form; empty if it is not wanted or not valid.
+    /// Impact force by the paper's closed form (analytical solution); empty if it is not wanted or not valid.
     std::optional<ClosedFormCurve> closedForm;
     /// End of the default plot range, in units.time; curves may be longer.
     double timeEnd = 0;

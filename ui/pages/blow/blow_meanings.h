@@ -27,8 +27,8 @@ struct BlowMeanings {
 /// Returns the meaning of a measured or approximate force over time, with units but without exact functions.
 CurveMeaning forceMeaning(const ShownUnits& units);
 
-/// Returns the meanings of the curves of a solved blow. Requires that the blow contains page data of type
-/// BlowCurves.
+/// Returns the meanings (units and exact functions) of the curves of a solved blow. Requires that the blow
+/// contains page data of type BlowCurves.
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
 
 }  // namespace drillwave

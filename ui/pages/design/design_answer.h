@@ -29,7 +29,7 @@ struct DesignAnswer {
     std::vector<Message> problems;  ///< errors of the question; if not empty, there is no result
     /// Estimated time of the remaining stages [s], if the time limit was reached; otherwise empty.
     std::optional<double> secondsLeft = {};
-    /// Returns whether the answer has all the samples wanted.
+    /// Returns whether the answer was computed with the full number of samples.
     bool isRefined() const { return report.study.samples == wanted; }
     /// Returns whether the answer contains a best design.
     bool hasBest() const { return report.findings.best.robust.has_value(); }

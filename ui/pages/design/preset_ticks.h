@@ -21,7 +21,8 @@ class PresetTicks : public QWidget {
   public:
     explicit PresetTicks(QWidget* parent);
 
-    /// Offers the presets that can replace a part of the scenario. Ticks of presets that still fit are kept.
+    /// Lists the presets that can replace the hammer, the rod or the bit of the scenario. Ticks of presets
+    /// that still fit are kept.
     void present(const Scenario& scenario);
     /// Returns the ticked presets as arguments of the command, one text for each part: "hammer=medium
     /// drifter,COP 1838".

@@ -88,7 +88,8 @@ class RangeRows : public QWidget {
     RangeRows(RangeUse use, const QString& words, std::size_t least, std::size_t most,
               const UnitChoice& units, QWidget* parent);
 
-    /// Offers the parameters that apply to the scenario. Proposes ranges at the first call.
+    /// Lists the parameters that apply to the scenario, for the user to choose from. The first call proposes
+    /// ranges.
     void present(const Scenario& scenario);
     /// Notes that the next scenario belongs to another document: present() then proposes ranges again.
     void forget() { m_isProposed = false; }

@@ -35,7 +35,7 @@ class StringModel : public QAbstractTableModel {
         occasional,  // first of the numbers that few sections have
     };
 
-    /// Returns the column of a number of a section, given by its key such as "area".
+    /// Returns the index of the column that shows a number of the sections, given by its key, such as "area".
     static int columnOf(std::string_view field);
 
     /// Returns a parameter with the key `field`, such as "bore". Its unit is the unit of that column of the

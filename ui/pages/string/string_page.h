@@ -33,7 +33,8 @@ class StringPage : public Page {
     QList<PageExport> exports() const override;
     void setCurrent(bool /*current*/) override {}
 
-    /// Selects the cell of a number of a section; for several sections, that of the first one.
+    /// Selects the table cell that shows a number of a section. If the address names several sections,
+    /// selects the cell of the first one.
     void goTo(const SectionAddress& address);
 
     StringDrawing* drawing() const { return m_drawing; }

@@ -29,7 +29,8 @@ class FamilyFields : public QWidget {
     FamilyFields(const QString& words, std::vector<StudyFamily> preferred, const UnitChoice& units,
                  QWidget* parent = nullptr);
 
-    /// Offers the parameters of the scenario. Emits changed() if the family has changed.
+    /// Lists the parameters of the scenario, for the user to choose from. Emits changed() if the family has
+    /// changed.
     void present(const Scenario& scenario);
     const StudyFamily& family() const { return m_family; }
     void setFamily(const StudyFamily& family);

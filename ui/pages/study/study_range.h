@@ -24,8 +24,8 @@ struct StudyRange {
     std::string text() const;
     /// Returns ":log" for a logarithmic range, else an empty text.
     std::string tail() const { return logarithmic ? ":log" : ""; }
-    /// Returns the number of values of a study with at most `most` (≥ 2) values. For a parameter of whole
-    /// numbers, at most the whole numbers in the range.
+    /// Returns the number of values that a study of this range has, at most `most` (≥ 2). For a parameter of
+    /// whole numbers, it is at most the number of whole numbers in the range.
     std::uint64_t pointsWithin(std::uint64_t most) const;
 };
 

@@ -78,9 +78,9 @@ struct WavePicture {
     /// Largest magnitude of the force [F0] or velocity [F0/Z] in the time span `interesting`, where the
     /// colour scale ends.
     double limit = 1;
-    /// Smallest value of the picture's cells [F0 or F0/Z], or 0 if all are positive.
+    /// Smallest force [F0] or velocity [F0/Z] in the picture, or 0 if all are positive.
     float least = 0;
-    /// Largest value of the picture's cells [F0 or F0/Z], or 0 if all are negative.
+    /// Largest force [F0] or velocity [F0/Z] in the picture, or 0 if all are negative.
     float largest = 0;
     std::vector<double> fronts;                   ///< starts of the wave fronts [t0], BlowWaves::fronts()
     std::vector<ContactInterval> contacts;        ///< times of contact between bit and rock [t0]
