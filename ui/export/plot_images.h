@@ -21,8 +21,8 @@ class PlotImages : public QObject, public QTextObjectInterface {
     /// Takes the plots, which must outlive this object. `unit` is the resolution of the text's layout [1/in].
     PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
 
-    /// Scales the heights of plots by `share`, 0 … 1. Plots above 60 mm are not made lower than 60 mm, lower
-    /// plots and all widths do not change. The caller must then lay out the text again.
+    /// Scales the heights of plots by `share`, 0 … 1. Plots above 60 mm are not made lower than 60 mm; the
+    /// heights of lower plots and all widths do not change. The caller must then lay out the text again.
     void setHeight(double share) { m_height = share; }
     /// Sets the page that is drawn, in coordinates of the text. Plots on other pages are left out, because a
     /// plot ignores clipping.

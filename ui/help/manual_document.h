@@ -27,7 +27,7 @@ QList<ManualLink> linksIn(const QString& line, const QString& chapter, const Man
 /// page. The chapter is empty for other code.
 ManualPlace placeOfCode(const QString& code, const ManualBook& book);
 
-/// Colours of the manual that a palette does not have.
+/// Colours of the manual that QPalette does not provide.
 struct ManualColours {
     QColor link;        ///< text of links, legible on the base colour of the palette
     QColor code;        ///< background of code and of table headers

@@ -32,8 +32,9 @@ QVector<QCPGraphData> shownPoints(const std::vector<double>& time, const std::ve
 /// Returns the points as data of a graph. Requires times in ascending order; equal times are allowed.
 GraphData graphData(const QVector<QCPGraphData>& points);
 
-/// Returns a history at the bit as data of a graph, in the units shown. It is 0 from time 0 to the first
-/// point and constant from the last point to `timeEnd`. With Tail::cut it ends at `timeEnd`.
+/// Returns a time history at the bit, such as the impact force, as data of a graph in the units shown. It is
+/// 0 from time 0 to the first point and constant from the last point to `timeEnd`. With Tail::cut it ends at
+/// `timeEnd`.
 GraphData historyData(QVector<QCPGraphData> points, double timeEnd, Tail tail);
 
 }  // namespace drillwave

@@ -64,8 +64,9 @@ class KeyPoint : public QObject {
     /// Moves the point by pixels to the right and upwards (negative: left, down). With On::points the numbers
     /// count points. With On::curves any vertical step changes to the next curve.
     void move(int right, int up);
-    /// Moves the point to the last place in view if `last`, else to the first one. Places are those of the
-    /// curve, of all points, or of the horizontal line through the point.
+    /// Moves the point to the last place in view if `last`, else to the first one. Depending on
+    /// KeyPlaces::On, the places are those of its curve, of all points, or of the horizontal line through the
+    /// point.
     void goToEnd(bool last);
     /// Moves the point to the next mark to the right, or to the left if not `forward`, continuing at the
     /// other end. Returns false if no mark is in view.

@@ -27,8 +27,8 @@ class SeriesDrag : public QObject {
     /// Reports that the user has begun to drag the curve, at a point with the value y (unit of the axis). The
     /// moves until the release belong together.
     void begun(double y);
-    /// Reports that the user has dragged the point of the curve where the drag began to the value y (unit of
-    /// the axis).
+    /// Reports a drag of the curve: the point of the curve where the drag began is now at the value y (unit
+    /// of the axis).
     void moved(double y);
 
   protected:

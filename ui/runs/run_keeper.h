@@ -65,7 +65,7 @@ class RunKeeper : public QObject {
     void failed(const QString& what, const QString& problem);
 
   private:
-    /// Request to write the runs, with their state at the time when writing starts.
+    /// Order to write the runs to files, in the state that they have when writing starts.
     struct Order {
         enum class Reason { wish, change } reason;
         ExistingFiles existing;

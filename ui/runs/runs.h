@@ -102,7 +102,7 @@ class Runs : public QObject {
 
 // Solves the runs that have no blow yet: runs from a file, and pinned points of a study.
 
-/// Solver of the runs without a blow, one after another, on its own thread.
+/// Solver that computes the missing blows of runs, one after another, on its own thread.
 class RunSolver : public QObject {
     Q_OBJECT
 

@@ -35,8 +35,8 @@ class ElsewhereNotice : public Notice {
 // Notice that pages show one blow of a sequence under a feed force, with a button to return to the single
 // blow.
 
-/// Notice that stores which blow of a sequence is shown, until it is closed or reset. It is visible above the
-/// pages that can show that blow.
+/// Notice that pages show one blow of a sequence instead of the single blow. It stores which blow, until it
+/// is closed or reset. It is visible above the pages that can show that blow.
 class MarchedNotice : public Notice {
     Q_OBJECT
 

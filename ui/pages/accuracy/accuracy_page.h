@@ -19,8 +19,8 @@ class FigureFrame;
 /// Study that the page runs: accuracy of this scenario, or stability in the hardest scenarios.
 enum class Proof { accuracy, stability };
 
-/// Request for a study of the computation itself. A repeated request counts as new, so that run times are
-/// measured again.
+/// Request for a study of the program's own accuracy or stability. A repeated request counts as new, so that
+/// run times are measured again.
 struct ProofQuestion {
     Proof proof = Proof::accuracy;
     Scenario scenario;  ///< scenario of the accuracy study; the stability study has its own
