@@ -13,24 +13,28 @@
 
 namespace drillwave {
 
-/// Returns the line that marks and sentences are about: that of the family value `here`, else the last line
-/// with an answer; nullptr if no line has one.
+/// Returns the line of a curve study that marks and sentences describe. It is the line of the family value
+/// `here`, or else the last line with a result. Returns nullptr if no line has a result.
 const CurveLine* markedLine(const CurveStudy& study, std::optional<double> here);
 
-/// Returns a line as a series of a figure whose axes are those of `question`: x in SI, y in the quantity of
-/// its first column. NaN where there is no answer; without points if there is none anywhere.
+/// Returns a line as a series for a figure. Its x is the parameter in SI, its y the first output in the unit
+/// of the y axis (see curveOrdinate()). Points without a result are NaN; the series is empty if no point has
+/// a result.
 FigureSeries curveSeries(const CurveLine& line, const CurveQuestion& question);
 
-/// Returns a value of the first column of `question` as y of such a figure.
+/// Returns a value of the first output, given in the unit of its column, in the unit of the y axis of
+/// curveFigure(). This is a multiple of a scale such as F0, or SI for outputs without a dimensionless form.
 double curveOrdinate(const CurveQuestion& question, double value);
 
-/// Returns the curves of all family values with the marks of markedLine(), the goal, and the presets that lie
-/// in the range. `here` is the present scenario's value of the family [SI]. Numbers in names are in `style`.
+/// Returns the figure of a curve study: one curve for each family value, marks on the line of markedLine(),
+/// the goal, and the presets within the range. `here` is the family value of the present scenario [SI].
+/// Numbers in names are in `style`.
 StudyFigure curveFigure(const ComparedCurve& study, std::optional<double> here,
                         std::span<const Preset> presets, const ReadingStyle& style);
 
-/// Returns the answer in sentences: where the marked line reaches the goal, its least and largest value,
-/// where it is 1, and what is not known. Without a goal, a second sentence asks for one.
+/// Returns sentences on the line of markedLine(): where it reaches the goal, its smallest and largest values,
+/// where it crosses 1, and where results are missing. Without a goal, a second sentence asks the user to
+/// enter one.
 std::vector<Message> curveSentences(const ComparedCurve& study, std::optional<double> here,
                                     const ReadingStyle& style);
 

@@ -9,21 +9,22 @@
 
 namespace drillwave {
 
-/// All that is reported.
+/// Contents of the report of a curve study.
 struct CurveReport {
     CurveStudy study;
-    double runTime = 0;        ///< [s]
-    std::string scenarioText;  ///< gives the same scenario again
+    double runTime = 0;        ///< computing time [s]
+    std::string scenarioText;  ///< scenario file that reproduces the scenario
 };
 
-/// A row for each point of each line: the value of the family, that of the parameter, the outputs; an empty
-/// cell where there is no answer.
+/// Returns the curves as CSV with one row for each point of each line: family value (if any), parameter
+/// value, then the outputs. Cells without a result are empty.
 std::string curveCsv(const CurveStudy& study);
 
-/// The rows of that.
+/// Returns the number of rows of curveCsv(), without the header.
 std::uint64_t rowCount(const CurveStudy& study);
 
-/// One object: `along`, `family`, `lines` with the features of each output, `scenario` and `units`.
+/// Returns the report as one JSON object with the members `along`, `family`, `lines` (with the features of
+/// each output), `scenario` and `units`, among others.
 std::string curveJson(const CurveReport& report);
 
 }  // namespace drillwave

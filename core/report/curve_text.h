@@ -11,18 +11,20 @@ namespace drillwave {
 
 inline constexpr int valueDigits = 6;
 
-/// "105 MN/m", a value of an axis in its unit, rounded for people.
+/// Returns a value of an axis as text in the axis's unit, with `digits` significant digits: "105 MN/m".
+/// `value` is in SI, or the index of a word.
 std::string valueText(const SweepAxis& axis, double value, int digits = valueDigits,
                       const ReadingStyle& style = plainStyle());
 
-/// "gamma = 0.1", which line of a family it is.
+/// Returns the name of the line for one family value: "gamma = 0.1".
 std::string familyText(const SweepAxis& family, double value, const ReadingStyle& style = plainStyle());
 
-/// A line that tells how many of a table are left out where there are more than `most`.
+/// Returns the line "and 7 more; --json has all" that follows a table of `most` rows out of `count`; empty if
+/// count ≤ most.
 std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style = plainStyle());
 
-/// Returns the features of each line and output: places of the goal, a table of features, and ranges where
-/// there is no smooth course or no answer.
+/// Returns the report as text. For each line and output it lists where the goal is reached, a table of
+/// features, and ranges where only points or no results are known.
 std::string curveText(const CurveReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

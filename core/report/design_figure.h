@@ -7,24 +7,27 @@
 
 namespace drillwave {
 
-/// Panels of designFigure(); empty ones are hidden. The table of the study has a row for each design.
+/// Indices of the panels of designFigure(). Panels without data are hidden. The study's table has one row for
+/// each design.
 enum class DesignPanel {
-    /// First objective over the last design variable, with the band from 5 % to 95 % for the best design. For
-    /// two ranges of numbers with enough values, a field over both.
+    /// First objective over the last design variable, with a band from the 5 % to the 95 % quantile for the
+    /// best design. For two design variables with numeric ranges and at least 4 and 2 values, colours over
+    /// both variables instead.
     objective,
-    tradeOff,  ///< second objective over the first
-    causes,    ///< Sobol indices: shares of the uncertain inputs in the scatter
+    tradeOff,  ///< second objective over the first objective
+    causes,    ///< Sobol indices: share of the scatter of each output caused by each uncertain input
 };
 
-/// Marks in the panel of the objective. The window draws the present design itself: it moves with the form.
+/// Selection of marks in the panel of the objective. The window uses `withoutPresent` and draws the present
+/// design itself, because it changes while the user edits the form.
 enum class DesignMarks { all, withoutPresent };
 
-/// Returns the figure of a study. Requires a report with a best design.
+/// Returns the figure of a design study. Requires a report with a best design.
 StudyFigure designFigure(const DesignReport& report, const DesignNames& names,
                          DesignMarks marks = DesignMarks::all);
 
-/// Returns an output as a figure has it: a multiple of its scale, or in SI if it has none. `value` is in the
-/// units of the study.
+/// Returns an output value in the unit of the figure's axis. This is a multiple of its scale (such as F0), or
+/// SI if the output has no scale. `value` is in the unit of the study.
 double designOrdinate(const DesignStudy& study, const Output& output, double value);
 
 }  // namespace drillwave

@@ -10,30 +10,34 @@
 
 namespace drillwave {
 
-/// A sequence of blows, as far as it is solved.
+/// Sequence of blows for the figure; `blows` holds the blows computed so far.
 struct ShownSequence {
     const Scenario& scenario;
     const DrillingSettings& settings;
     const std::vector<DrillingBlow>& blows;
-    const DrillingResult* result = nullptr;  ///< once it is complete
-    FigureSeries corOverGap = {};            ///< corOverPeriod()
-    const ShownSequence* before = nullptr;   ///< shown faintly
+    const DrillingResult* result = nullptr;  ///< result of the complete sequence; nullptr until then
+    FigureSeries corOverGap = {};            ///< curve of corOverPeriod() for the scenario; may be empty
+    /// Sequence of an earlier scenario to draw faintly; nullptr for none.
+    const ShownSequence* before = nullptr;
 };
 
 struct ShownScan {
     const DrillingScan& scan;
     const DrillingScan* constantForce = nullptr;
     const DrillingScan* strongDamper = nullptr;
-    bool isOld = false;  ///< of an earlier scenario, shown faintly
+    /// Whether the scan belongs to an earlier scenario, so that the figure asks for a new scan.
+    bool isOld = false;
 };
 
-/// Panels of drillingFigure(); empty ones are hidden.
+/// Indices of the panels of drillingFigure(). Panels without data are hidden.
 enum class DrillingPanel { rate, penetration, gap, scannedGap, phase, returns, energy };
 
-/// Shows a sequence, a scan or both; without details only rates and penetrations.
+/// Returns the figure of a sequence of blows, of a scan of sequences, or of both; nullptr omits one of them.
+/// If `isDetailed` is false, it has only penetration rates and penetrations.
 StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan, bool isDetailed = true);
 
-/// Returns e of a single blow over the gap [d0], for one period of the gap; empty if there is no period.
+/// Returns the coefficient of restitution e of a single blow over the gap [d0], for one period of the gap.
+/// Empty if results are not periodic in the gap.
 FigureSeries corOverPeriod(const Scenario& scenario, const std::stop_token& stop);
 
 }  // namespace drillwave

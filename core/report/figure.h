@@ -19,24 +19,26 @@
 
 namespace drillwave {
 
-/// Kind of a number without a physical quantity. It is a plain number, a fraction shown as per cent, an error
-/// shown by its power of ten, or a computing time [s].
+/// Kind of a number without a physical quantity: plain number, fraction shown in per cent, error shown as a
+/// power of ten, or computing time [s].
 enum class PlainNumber { number, percent, magnitude, runTime };
 
-/// Characteristic quantity of the blow of which values are multiples (theory §1). In this order: t0, F0, I0,
-/// d0, k0, W0, F0/A, L, v0.
+/// Scale of the blow (theory §1) of which the values of an axis are multiples. The enumerators stand for t0,
+/// F0, I0, d0, k0, W0, F0/A, L and v0, in this order.
 enum class BlowScale { time, force, impulse, penetration, stiffness, energy, stress, length, velocity };
 
-/// Values of a physical quantity in SI units. `size` is their typical magnitude (SI), by which a unit is
-/// chosen.
+/// Axis quantity with values in SI units. `size` is the typical magnitude of the values (SI), from which a
+/// readable unit is chosen.
 struct SiValues {
     Quantity quantity = Quantity::ratio;
     double size = 1;
-    std::string_view kind = {};  ///< "rate": key of the kind of units, of a quantity with several
+    /// Key of a special set of units, "rate" for m/min; empty for the usual units of the quantity.
+    std::string_view kind = {};
     bool operator==(const SiValues&) const = default;
 };
 
-/// Quantity of the numbers of a figure. Values of a parameter (KeptParameter) are in SI units.
+/// Quantity that determines units and format of the numbers on an axis. Values of a parameter (KeptParameter)
+/// are in SI units.
 using FigureQuantity = std::variant<PlainNumber, BlowScale, SiValues, KeptParameter>;
 
 /// Action of a click on an axis: sets `parameter` to `factor` times the value clicked (SI).
@@ -63,21 +65,21 @@ struct FigureAxis {
     Message title = {};
     FigureQuantity quantity = PlainNumber::number;
     bool isLogarithmic = false;
-    /// Fixed range of the axis; empty if all values shall be visible.
+    /// Fixed range of the axis; empty to fit the axis to the values shown.
     std::optional<std::pair<double, double>> range = {};
     /// Parameter that a click on the axis sets; empty if a click has no effect.
     std::optional<AxisTarget> target = {};
     bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
-    /// Names of the values 0, 1, 2, … instead of numbers; empty for numbers. Between the names of an x axis,
-    /// lines have no values.
+    /// Names shown at the values 0, 1, 2, … instead of numbers; empty for numbers. Curves over a named x axis
+    /// show no values between the names.
     std::vector<FigureText> names = {};
 };
 
-/// Kind of a series. `line` is y over ascending x, or marked points in any order. `path` joins the points in
-/// their order; `area` is a closed, filled path.
+/// Kind of a series. `line` is a function y of ascending x, or only marked points in any order. `path` joins
+/// the points in the given order; `area` is a closed, filled path.
 enum class SeriesKind { line, path, area };
 
-/// Colour and dashes of a series. Numbers beyond those named here give further pens.
+/// Role of a series, which selects its colour and dashes. Values beyond `fourth` select further colours.
 enum class SeriesRole { result, second, third, fourth };
 
 /// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes),
@@ -85,9 +87,9 @@ enum class SeriesRole { result, second, third, fourth };
 /// with its colour if it is `strong`, else shaded.
 enum class SeriesStroke { usual, wide, dotted, dashed, strong, shortDashed, none };
 
-/// Marks at the points of a line: none; marks or small discs (`beads`) with the line; or marks without the
-/// line. `apart`, `stars`, `dots` and `discs` have the colour of the role, all others the text colour; `here`
-/// is the mark of the present scenario.
+/// Marks at the points of a series: `none`; marks (`joined`) or small discs (`beads`) together with the line;
+/// all others are marks without the line. `apart`, `stars`, `dots` and `discs` have the colour of the role,
+/// the others the text colour. `here` marks the present scenario.
 enum class SeriesPoints {
     none,
     joined,
@@ -104,39 +106,41 @@ enum class SeriesPoints {
     here
 };
 
-/// Effect of a click near a line: `parameter`, if there is one, becomes `value` [SI], besides that of the x
-/// axis.
+/// Effect of a click near a line: sets `parameter` to `value` [SI], in addition to the parameter of the x
+/// axis. Only the x axis counts if `parameter` is empty.
 struct SeriesTarget {
     KeptParameter parameter = {};
     double value = 0;
 };
 
-/// Place of the texts beside the points of a series: to the upper right, to the lower left, or over them.
+/// Position of the texts beside the points of a series: `above` to the upper right, `below` to the lower
+/// left, `over` centred on the points.
 enum class TextSide { above, below, over };
 
 struct FigureSeries {
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::result;
     SeriesStroke stroke = SeriesStroke::usual;
-    Message legend = {};  ///< text in the legend; the series is not listed if it is empty
+    Message legend = {};  ///< name in the legend; a series with an empty name is not listed
     std::vector<double> x = {};
     std::vector<double> y = {};
     bool isOnTop = false;  ///< whether its x values belong to the top axis of the panel
-    /// Function that gives y between the points of a line; may be empty.
+    /// Function that returns y at an x between the points of a line; may be empty.
     std::function<double(double x)> value = nullptr;
     bool isFaint = false;  ///< whether the series is drawn faintly, behind the others
-    /// Second edge of a strip that begins at the line y, drawn thin; empty for a simple line.
+    /// Upper edge of a strip whose lower edge is `y`, drawn as a thin line; empty for a simple line.
     std::vector<double> upper = {};
     bool isFilled = false;  ///< whether the strip between y and `upper` is shaded
     SeriesPoints points = SeriesPoints::none;
-    /// Texts beside the first points; empty texts for points without one.
+    /// Texts beside the points, starting at the first one. An empty text leaves a point without one.
     std::vector<FigureText> texts = {};
     TextSide textSide = TextSide::above;
-    std::vector<std::size_t> rows = {};  ///< row of the study's table for each point
-    /// Effect of a click near the line; empty if only the place of the click counts.
+    /// Index of the row of the study's table for each point; empty without such rows.
+    std::vector<std::size_t> rows = {};
+    /// Effect of a click near the line, in addition to that of the axes; empty for none.
     std::optional<SeriesTarget> target = {};
-    /// Parameter that changes by the distance by which the user drags the line up or down; empty if it cannot
-    /// be dragged.
+    /// Parameter that the user changes by dragging the line up or down, in proportion to the distance; empty
+    /// if the line cannot be dragged.
     std::optional<AxisTarget> dragged = {};
     bool isOnRight = false;  ///< whether its y values belong to the right axis of the panel
 };
@@ -150,24 +154,25 @@ struct FigureMark {
     double y = 0;
 };
 
-/// Level of y, drawn as a line through all panels of a row and labelled in the last panel.
+/// Horizontal line at the value `y` through all panels of a row, labelled in the last panel.
 struct FigureLevel {
     Message name;
     double y = 0;
-    bool isMain = false;  ///< whether the level is drawn more prominently than others
+    bool isMain = false;  ///< whether the line is drawn more prominently than other levels
     std::size_t row = 0;
-    bool isInView = true;  ///< whether axes reach it at any rate; else only if curves keep half of the height
+    /// Whether the y axis always includes the level; otherwise only if this at most doubles its range.
+    bool isInView = true;
 };
 
-/// Zone of all values of y above `from`, shaded and labelled.
+/// Zone of all values of y above `from`, shaded and labelled with `name`.
 struct FigureZone {
     Message name;
     double from = 0;
 };
 
-/// Band of all values of x from `from` to `to`, shaded and labelled: at the top in the middle, or, with `at`,
-/// at the foot at that x if the labels of other bands leave room. A band of one value is a line labelled at
-/// the foot.
+/// Vertical band from x = `from` to `to`, shaded and labelled. The label is at the top in the middle; if `at`
+/// is given, at the bottom at this x, unless other labels are in the way. A band with from = to is a line
+/// labelled at the bottom.
 struct FigureBand {
     Message name;
     double from = 0;
@@ -175,47 +180,51 @@ struct FigureBand {
     std::optional<double> at = {};
 };
 
-/// Layers of y along x, from bottom to top; lower layers are darker.
+/// Shaded layers between curves over x, from bottom to top; lower layers are darker.
 struct FigureLayers {
     std::vector<Message> names = {};
     std::vector<double> x = {};
-    /// Boundaries between neighbouring layers, each as values of y at `x`.
+    /// Boundaries between neighbouring layers, each given by its y values at the positions `x`.
     std::vector<std::vector<double>> edges = {};
-    /// Line that the names of the layers must not cover, as values of y at `x`; may be empty.
+    /// Curve that the names of the layers must not cover, given by its y values at the positions `x`; may be
+    /// empty.
     std::vector<double> clear = {};
 };
 
-/// Vertical line at a value of x that the reader can drag.
+/// Vertical line at a value of x, which the user can drag.
 struct FigureHandle {
     Message name;
     double x = 0;
-    /// Value that the line snaps to when it is within a few pixels; empty for none.
+    /// Value of x to which the dragged line snaps within a few pixels; empty for none.
     std::optional<double> snap = {};
 };
 
-/// Point of the first panel of a figure; without y, a vertical line at x.
+/// Point of the first panel of a figure, in the units of its axes. Without `y` it means a vertical line at
+/// `x`.
 struct FigurePoint {
     double x = 0;
     std::optional<double> y = {};
 };
 
-/// Values over x and y of a panel as colours, with their scale at the right of the row. The values of the
-/// grid are along the axes of the panel, evenly spaced or, on a logarithmic axis, in equal ratios.
+/// Colour map of values over the x and y axes of a panel, with a colour scale to the right of the row. The
+/// points of the grid are evenly spaced along each axis, or in equal ratios on a logarithmic axis.
 struct FigureField {
     std::shared_ptr<const MapGrid> grid;
-    double perValue = 1;  ///< number of the figure for 1 in the grid
+    double perValue = 1;  ///< factor from values of the grid to numbers on the colour scale
     FigureAxis scale = {};
-    /// Value in the grid on whose two sides the colours differ; empty if they only rise.
+    /// Value of the grid at which the colours change from one hue to another; empty for a single sequence of
+    /// colours.
     std::optional<double> level = {};
-    bool hasRows = false;  ///< whether its points, row by row, are the rows of the study's table
+    bool hasRows = false;  ///< whether the points of the grid, row by row, are the rows of the study's table
 };
 
-/// Returns the smallest and the largest value so far, with room about a single value; 0 and 1 without values.
+/// Returns the smallest and the largest value of the grid so far, slightly widened if they are equal; 0 and 1
+/// without values.
 std::pair<double, double> rangeOf(const MapGrid& grid);
 
-/// One plot of a figure. Panels in the same row share their y axis.
+/// Plot of a figure. Panels in the same row share a y axis unless `hasOwnY` is set.
 struct StudyPanel {
-    /// Row of the panel, counted from the top. Panels are listed row by row.
+    /// Row of the panel, counted from 0 at the top. Panels are listed row by row.
     std::size_t row = 0;
     double width = 1;   ///< width relative to the first panel of its row
     double height = 1;  ///< height relative to the first row; only that of the first panel in a row is used
@@ -224,33 +233,38 @@ struct StudyPanel {
     FigureAxis y = {};                   ///< y axis; only that of the first panel in a row is used
     std::optional<FigureAxis> top = {};  ///< second x axis, along the top; empty for none
     /// Ratio of values on the top axis to values on the x axis. It is 0 if the top axis has its own values,
-    /// for series with `isOnTop`.
+    /// which then belong to series with `isOnTop`.
     double topPerX = 0;
     std::vector<FigureSeries> series = {};
-    std::vector<FigureMark> marks = {};  ///< marks on the series with the index `marked`
+    std::vector<FigureMark> marks = {};  ///< marks on points of the series with index `marked`
     std::size_t marked = 0;
     std::optional<FigureZone> zone = {};
     std::vector<FigureBand> bands = {};
     FigureLayers layers = {};
     std::optional<FigureHandle> handle = {};
-    std::optional<FigureAxis> right = {};  ///< a second y axis
-    bool hasOwnY = false;                  ///< its y axis is not that of its row
-    bool isHidden = false;                 ///< leaves its room to the others
+    std::optional<FigureAxis> right = {};  ///< second y axis, along the right side; empty for none
+    bool hasOwnY = false;                  ///< whether the panel has its own y axis, not that of its row
+    bool isHidden = false;  ///< whether the panel is hidden, so that other panels take its space
     std::optional<FigureField> field = {};
-    FigureText title = {};       ///< text above the panel; empty for none
-    bool hasRowsAlongX = false;  ///< whether a click takes the row that is nearest along x, at any height
+    FigureText title = {};  ///< text above the panel; empty for none
+    /// Whether a click selects the table row nearest along x, regardless of its y.
+    bool hasRowsAlongX = false;
 };
 
-/// Figure of panels in rows, with a caption above them. From one result to the next, series, marks and levels
-/// may change. A different number of panels means a different figure.
+/// Figure of panels in rows, with a caption above them. A newer result of the same study may change series,
+/// marks and levels. A different number of panels makes it a different figure.
 struct StudyFigure {
     std::vector<FigureText> caption = {};
     std::vector<StudyPanel> panels = {};
     std::vector<FigureLevel> levels = {};
-    bool isPreview = false;  ///< whether this is a preview that lacks what needs the whole result
-    std::vector<FigureText> summary = {};  ///< summary in words, if the caption says less
-    bool hasCrosshair = false;  ///< whether the present scenario is a crosshair that the reader can drag
-    int paperHeight = 110;      ///< height on paper for a width of 180 mm [mm]
+    /// Whether this is a preview, which lacks everything that needs the complete result.
+    bool isPreview = false;
+    /// Description of the figure in sentences, for readers who cannot see it; empty if the caption is
+    /// sufficient.
+    std::vector<FigureText> summary = {};
+    /// Whether the present scenario is shown as a crosshair that the user can drag.
+    bool hasCrosshair = false;
+    int paperHeight = 110;  ///< height on paper for a width of 180 mm [mm]
 };
 
 }  // namespace drillwave

@@ -15,18 +15,19 @@ namespace drillwave {
 /// Beginning of the header of the CSV of goalCsv(), by which such files are recognised.
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
-/// Returns the number of significant digits of goals and places.
+/// Returns the number of significant digits with which goals and the parameter values that reach them are
+/// shown.
 int goalDigits(const ReadingStyle& style);
 
-/// Returns a value of the only output with its unit: "0.7", "240 kN".
+/// Returns a value of the question's first output with its unit: "0.7", "240 kN".
 std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style);
 
 /// Returns the goal in words, such as "cor = 0.7" or, in print, "peak force = 240 kN". Requires that the
 /// question has a goal.
 std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style = plainStyle());
 
-/// Returns that a line does not reach the goal, with the nearest value: "no beta from 0.1 to 10 gives cor =
-/// 2: the nearest is 1.4140683, at 0.29982658".
+/// Returns the message that a line does not reach the goal, with the nearest value. Example: "no beta from
+/// 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at 0.29982658".
 Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style);
 
 /// Returns a table of the parameter values for which an output takes the goal value, and whether there may be

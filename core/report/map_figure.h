@@ -13,40 +13,45 @@
 
 namespace drillwave {
 
-/// Panels of mapFigure().
+/// Indices of the panels of mapFigure(): the map, and the output over y and over x through one point.
 enum class MapPanel { map, alongY, alongX };
 
-/// Column and row of a map that are nearest to a scenario, for the sections through it.
+/// Point of a map (column and row) through which the panels `alongY` and `alongX` show the output, usually
+/// the one nearest to the present scenario.
 struct MapSection {
     MapGrid::Place point;
-    bool isAtX = true, isAtY = true;  ///< whether the point has the values of the scenario, to five digits
+    /// Whether the point has the x (y) of the scenario to five significant digits.
+    bool isAtX = true, isAtY = true;
     bool operator==(const MapSection&) const = default;
 };
 
-/// Returns the values of the two parameters in a scenario; empty if one of them is missing.
+/// Returns the values of the map's two parameters in a scenario, in SI; empty if the scenario lacks one of
+/// them.
 std::optional<FigurePoint> mapPlaceOf(const MapStudy& study, const Scenario& scenario);
 
-/// Returns the sections nearest to a place; those through the middle if there is none or it is outside.
+/// Returns the point of the map nearest to the position `here` (SI). Returns the middle of the map if `here`
+/// is empty or outside.
 MapSection mapSectionAt(const MapReport& report, const std::optional<FigurePoint>& here);
 
-/// Returns the figure of a map, even if the map is not complete. It shares the grid of the report.
+/// Returns the figure of a map, even if some points are not solved yet. The figure shares ownership of the
+/// grid of the report.
 StudyFigure mapFigure(const std::shared_ptr<const MapReport>& report, const MapSection& section,
                       std::span<const Preset> presets);
 
-/// Returns an output of the map as an axis of a figure. Numbers there are values of the map · `perValue`.
+/// Axis for the output of a map. A value of the map times `perValue` is the number on the axis.
 struct MapOutput {
     FigureAxis axis;
     double perValue = 1;
 };
 MapOutput mapOutput(const MapStudy& study);
 
-/// Returns the side of the deciding level, or else of the largest level with a contour, on which the output
-/// exceeds it. Without such a side, returns where the output is largest and smallest. Empty for a map that is
-/// not complete.
+/// Returns a sentence on one contour: the range of y outside which the output does not exceed its level. The
+/// contour is that of 1 for e, of 0 for the feed margin, otherwise of the largest level. If there is no such
+/// range, the sentence says where the output is largest and smallest. Empty for an incomplete map.
 std::optional<FigureText> mapAnswer(const MapReport& report);
 
-/// Returns the default levels for contours of an output: the level that decides (1 for e, 0 for the margin of
-/// the feed force), or tenths of an efficiency.
+/// Returns the default contour levels of an output. They are 1 for e, 0 for the margin of the feed force, 0.4
+/// … 0.7 for the efficiency; none for other outputs.
 std::vector<double> usualLevels(const Output& output);
 
 }  // namespace drillwave

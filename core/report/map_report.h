@@ -11,30 +11,33 @@
 
 namespace drillwave {
 
-/// All that is reported.
+/// Contents of the report of a map.
 struct MapReport {
     MapStudy study;
-    MapGrid grid;                   ///< complete
-    std::vector<Contour> contours;  ///< of the levels, in the order in which they were asked for
-    double runTime = 0;             ///< [s]
-    std::string scenarioText;       ///< gives the same scenario again
+    MapGrid grid;                   ///< values of the output at all points of the map
+    std::vector<Contour> contours;  ///< contours, one for each requested level, in the order of the levels
+    double runTime = 0;             ///< computing time [s]
+    std::string scenarioText;       ///< scenario file that reproduces the base scenario
 };
 
-/// "delta = 0 to 2, 100 values" or "rod.length = 3 m to 6 m, 4 values, log".
+/// Returns an axis of the map as text: "delta = 0 to 2, 100 values" or "rod.length = 3 m to 6 m, 4 values,
+/// log".
 std::string axisText(const SweepAxis& axis, const ReadingStyle& style = plainStyle());
 
-/// Summary for people: the range of the output and where it ends, unsolved points, contours.
+/// Returns the report as text: smallest and largest output with their positions, numbers of unsolved points,
+/// and contours.
 std::string mapText(const MapReport& report, const ReadingStyle& style = plainStyle());
 
-/// One object: axes, range, unsolved points by reason, and the contours with all their points (commands
-/// §4.9).
+/// Returns the report as one JSON object: axes, range of the output, unsolved points by reason, and the
+/// contours with all their points (commands §4.9).
 std::string mapJson(const MapReport& report);
 
-/// How the file of contours begins.
+/// Beginning of the header of the CSV of contoursCsv(), by which such files are recognised.
 inline constexpr std::string_view contoursCsvBegin = "level,line,";
 
-/// The points of all contours: level, number of the line (from 1, through all levels), the two parameters in
-/// the units of the map, output, residual, and the width of the jump where it is one.
+/// Returns all points of the contours as CSV. Columns are level, number of the line (from 1, counted through
+/// all levels), x and y in the units of the axes, and output. Residual and width of the jump follow; the
+/// width is empty if the output does not jump at the point.
 std::string contoursCsv(const MapReport& report);
 
 }  // namespace drillwave

@@ -8,11 +8,12 @@
 
 namespace drillwave {
 
-/// Returns what a box or an axis calls an output: "peak force", "COR e".
+/// Returns the name of an output for selection boxes and axis titles: "peak force", "COR e".
 Message outputMessage(const Output& output);
 
-/// Returns the quantity of a column on the axis of a figure. Values there are the column's values divided by
-/// its scale; those without a dimensionless number are in SI, most of them about as large as `size`.
+/// Returns the kind of quantity that a figure's axis shows for a column. It is a multiple of a scale such as
+/// F0, a plain number, or an SI value for outputs without a dimensionless form. `size` is the typical
+/// magnitude of such SI values.
 FigureQuantity figureQuantity(const OutputColumn& column, double size);
 
 }  // namespace drillwave

@@ -11,49 +11,55 @@
 
 namespace drillwave {
 
-/// The rod that arrives without waves, whose rebound depends on stiffness and γ alone: over which stiffness
-/// it is drawn.
+/// Scaling of the reference curve: the coefficient of restitution e of a rod that arrives without waves. This
+/// e depends only on γ and on the stiffness k divided by a reference stiffness k0.
 enum class ReferenceScale {
-    none,       ///< not at all
-    byTransit,  ///< in k0 = Z/(2T), as in the paper's figures
-    byPulse,    ///< in k0 = Z/t0, as everything else
+    none,       ///< no reference curve
+    byTransit,  ///< k0 = Z/(2T), as in the paper's figures
+    byPulse,    ///< k0 = Z/t0, as for the other curves
 };
 
 struct ComparedCurveQuestion {
     CurveQuestion curve;
     ReferenceScale reference = ReferenceScale::none;
-    bool closedForm = false;  ///< where it holds
+    /// Whether to compute the closed form as well; only for a rectangular hammer force.
+    bool closedForm = false;
     bool operator==(const ComparedCurveQuestion&) const = default;
 
-    /// Whether it cannot be followed: its curve is solved at CurveQuestion::along.count points.
+    /// Returns whether the curve is solved only at CurveQuestion::along.count points, because it cannot be
+    /// followed continuously.
     bool isSampled() const { return studyPlan(curve.base).curvePoints.has_value(); }
-    /// Whether there is a reference: e along stiffness or β, for a family of γ or none.
+    /// Returns whether a reference curve (rod without waves) is possible. The first output must be e, the
+    /// parameter stiffness or β, and the family γ or none.
     bool hasReference() const;
 };
 
 struct ComparedCurve {
     ComparedCurveQuestion question;
     CurveStudy curve;
-    /// e along β for the same family; β is k over the k0 of the ReferenceScale.
+    /// Reference curve: e of a rod without waves over β = k/k0, with the k0 of ReferenceScale. It has the
+    /// same family as `curve`; empty if not requested or not possible.
     std::optional<CurveStudy> reference;
     std::optional<CurveStudy> closedForm;
 };
 
-/// Fixes a parameter that the study varies, so that scenarios which differ only there compare equal.
+/// Sets the varied parameter of a study to `value`, so that scenarios that differ only in this parameter
+/// compare equal. Does nothing if the hammer force depends on the parameter.
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
-/// Returns the reasons why a question cannot be studied; empty when it can.
+/// Returns the reasons why a question cannot be studied, one message each; empty if it can.
 std::vector<Message> problemsOf(const ComparedCurveQuestion& question);
 
-/// Receives a growing curve as it is so far.
+/// Callback that receives an incomplete curve with the points solved so far.
 using ComparedCurvePreview = std::function<void(const ComparedCurve& soFar)>;
 
-/// Returns the same question about the scenario of a pinned run: one line, for the run's own value of the
-/// family, without levels and goal. Nothing if the run lacks the parameter or the output.
+/// Returns `question` for the scenario of a pinned run: a single curve for the run's own family value,
+/// without contour levels and goal. Returns nullopt if the run lacks the parameter or the output.
 std::optional<CurveQuestion> questionOfRun(const CurveQuestion& question, const Scenario& run);
 
-/// The curve is that of studyCurve(), or of sampleCurve() where it is sampled, bit for bit. Requires
-/// problemsOf() to be empty.
+/// Returns the requested curve with its reference and closed-form curves. The curve equals, bit for bit, the
+/// result of studyCurve(), or of sampleCurve() if it is solved only at points. A sampled curve has no other
+/// curves. Requires problemsOf() to be empty.
 ComparedCurve studyComparedCurve(const ComparedCurveQuestion& question, int jobs, std::stop_token stop = {},
                                  const CurveProgress& progress = {},
                                  const ComparedCurvePreview& preview = {});

@@ -12,9 +12,9 @@
 
 namespace drillwave {
 
-/// Returns the number of cells, 16 … 256, into which the parameter range is divided. The gap gets more cells:
-/// 8 for each period of the results. A feature narrower than a cell may be missed if the order of events at
-/// the bit does not change there.
+/// Returns the number of cells, 16 … 256, into which the parameter range is divided. If the gap is varied,
+/// there are 8 cells for each period of the results, within these limits. A feature narrower than a cell may
+/// be missed if the order of events at the bit does not change there.
 std::size_t cellCount(const CurveQuestion& question);
 
 /// Returns why an output cannot be fitted and is only solved at points; empty if it is fitted.
@@ -63,7 +63,7 @@ class CellFitter {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Appends the fitted outputs of a cell to those of its line; the pieces of `task` are moved from. Requires
+/// Appends the fitted outputs of a cell to those of its line, and moves the pieces out of `task`. Requires
 /// that the cells of a line are added in ascending order.
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
 

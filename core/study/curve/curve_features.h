@@ -16,8 +16,8 @@ namespace drillwave {
 std::vector<FitPiece> mergeSlivers(std::span<const FitPiece> pieces);
 
 /// Returns the features of a curve, ascending in the parameter: global and local extremes, kinks, jumps and
-/// crossings of `levels`. Uses the first function of the pieces, whose argument is the share of `range`.
-/// Empty if no piece has a result.
+/// crossings of `levels`. If a piece has several functions, the first one is used; its argument is the share
+/// of `range`, 0 … 1. Empty if no piece has a result.
 std::vector<CurveFeature> featuresOf(std::span<const FitPiece> pieces, const CurveRange& range,
                                      std::span<const double> levels);
 

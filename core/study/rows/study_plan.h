@@ -11,24 +11,25 @@
 
 namespace drillwave {
 
-/// Number of points of a curve that is sampled, not followed continuously.
+/// Default number of points of a curve that is solved only at points and not fitted.
 inline constexpr std::uint64_t sampledPoints = 101;
 
-/// Default sizes of the studies of a scenario. The values here are for blows that are solved by events.
+/// Default sizes of the studies of a scenario. The member defaults are for uniform rods, whose blows are
+/// solved exactly from one contact event to the next.
 struct StudyPlan {
     long workLimit = defaultWorkLimit;  ///< work limit of one blow [wave pieces]
     int designSamples = 4096;           ///< number of samples of uncertain inputs for each design
     int firstSamples = 256;             ///< number of samples for the first, quick result of a design
-    /// Time limit [s] of a design study that starts without a request; empty for no limit.
+    /// Time limit [s] of a design study that the window starts by itself; empty for no limit.
     std::optional<double> unasked;
     int mapPoints = 200;  ///< number of points of a map along each axis
-    /// Number of points of a curve in the window; empty if the curve is fitted instead.
+    /// Default number of points of a curve in the window; empty if the curve is fitted instead.
     std::optional<std::uint64_t> curvePoints;
     long curvePart = 6;  ///< divisor of the work limit for blows at single points of a fitted curve
-    /// Work limit of one piece of a fitted curve, in blows at the work limit; empty if only the work of all
-    /// pieces is limited.
+    /// Number of blows, each at the work limit, that one cell of a fitted curve may take; empty if only its
+    /// total work is limited.
     std::optional<long> blowsOfPiece;
-    /// Time of a comparison of methods [s]; empty if it depends on the drill string.
+    /// Estimated time of a comparison of solution methods [s]; empty if it depends on the drill string.
     std::optional<int> accuracySeconds = 10;
 };
 /// Returns the default sizes of studies for a scenario, depending on whether its blows are solved by events
