@@ -53,7 +53,7 @@ std::string_view name(AlertCode code);
 
 /// Named number in a warning or note.
 struct AlertArgument {
-    /// Name, "cor" or the key of a parameter; its text must have static storage duration.
+    /// Name of the number: "cor" or a parameter key. The text must have static storage duration.
     std::string_view name;
     double value = 0;  ///< value in SI
     Quantity quantity = Quantity::ratio;
@@ -64,9 +64,9 @@ struct AlertArgument {
 struct Alert {
     AlertLevel level = AlertLevel::information;
     AlertCode code = AlertCode::implausibleValue;
-    std::string parameter;  ///< key of the parameter that it is about; may be empty
+    std::string parameter;  ///< key of the parameter concerned; may be empty
     std::vector<AlertArgument> arguments;
-    Message subject = {};  ///< words for the section that it is about, "3rd rod"; may be empty
+    Message subject = {};  ///< name of the section concerned, such as "3rd rod"; may be empty
     bool operator==(const Alert&) const = default;
 
     bool has(std::string_view argument) const;

@@ -22,9 +22,9 @@ namespace drillwave {
 /// the parameter it changes, mean force and impulse, area and diameters.
 bool areRivals(std::string_view a, std::string_view b);
 
-/// Returns why two keys cannot both be set, as text to follow them: "set the same thing", or
-/// "set one section: …". Returns an empty message if they can. The scenarios `ofA` and `ofB` differ only in
-/// the number of repeats; a position refers to the scenario of its key.
+/// Returns why keys `a` and `b` cannot both be set: "set the same thing", or "set one section: …". The words
+/// follow the two keys in a message. Empty if both can be set. A section number in `a` refers to the scenario
+/// `ofA`, one in `b` to `ofB`. The two scenarios may differ only in the number of repeats.
 Message rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
 
 /// Indices of two keys of Assignments that cannot both be set, and the reason.
@@ -33,14 +33,15 @@ struct RivalPair {
     Message problem;                 ///< reason, "set the same thing"; see rivalProblem()
 };
 
-/// Key, and the parameter that it denotes; empty if it denotes none.
+/// Key of a parameter to be set. `parameter` is empty for keys without a numeric parameter, such as
+/// "pulse.shape".
 struct AssignedKey {
     std::string_view key;
     KeptParameter parameter;
 };
 
-/// Keys that are set together, numbered from 0 as they are added. The caller keeps their values, which may be
-/// from a command line, a sweep or a table.
+/// List of keys to be set together, numbered from 0 in the order in which they are added. Their values stay
+/// with the caller, such as a command line, a sweep or a table.
 class Assignments {
   public:
     Assignments() = default;
@@ -48,7 +49,7 @@ class Assignments {
 
     /// Adds a key of a parameter under the next number, 0 for the first. Unknown keys are allowed.
     void add(std::string_view key);
-    /// Skips the next number, so that it stands for no key.
+    /// Leaves the next number without a key.
     void skip();
 
     /// Returns the numbers of the keys in the order in which they must be set. First the shape of the force,
@@ -62,9 +63,9 @@ class Assignments {
     /// Returns the first two keys that contradict each other in every scenario, such as area and diameter, or
     /// nullopt. Only keys for which `isSet` is true count.
     std::optional<RivalPair> rivals(const IsSet& isSet = {}) const;
-    /// Returns the first two keys that set the same section of this scenario, where at least one is by
-    /// position; nullopt if there are none. Only keys for which `isSet` is true count. All values must
-    /// already be assigned.
+    /// Returns the first two keys that set the same section of this scenario, at least one of them by the
+    /// section's number; nullopt if there are none. Only keys for which `isSet` is true count. All values
+    /// must already be assigned.
     std::optional<RivalPair> meeting(const Scenario& scenario, const IsSet& isSet = {}) const;
 
     /// Returns whether the hammer force may depend on this key, because it begins with "pulse.", "rod.",

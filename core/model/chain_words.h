@@ -22,8 +22,8 @@ struct ChainWords {
     const char* historyPlace;
     const char* blowCaption;    ///< caption of the histories over time, with their position as %1
     const char* stressCaption;  ///< caption of the largest stresses along the rod or string
-    const char* place;          ///< distance along the rod or string, "%1 from the struck end"
-    const char* peakPlace;      ///< position %1 and time %2 of a largest stress
+    const char* place;          ///< text for a position along the rod or string, "%1 from the struck end"
+    const char* peakPlace;      ///< text for the position %1 and time %2 of a largest stress
     const char* beyondEnd;      ///< message that a position is beyond the end, with the length as %1
 };
 const ChainWords& chainWords(const Scenario& scenario);

@@ -79,8 +79,8 @@ struct DrillString {
 /// Largest number of sections of a drill string, with its repeats expanded, and of a hammer.
 inline constexpr std::size_t maximumSections = 1000;
 
-/// Returns the number of sections of the string with its repeats expanded; the largest number of the type
-/// instead of an overflow.
+/// Returns the number of sections of the string, with repeats expanded. If it is too large for std::uint64_t,
+/// returns the largest value of that type.
 std::uint64_t sectionCount(const DrillString& drillString);
 
 /// Returns the sections of the string from shank adapter to bit, with repeats expanded: a section in a repeat
@@ -91,8 +91,8 @@ std::vector<const Section*> expandedSections(const DrillString& drillString);
 /// have this order.
 std::vector<const Section*> allSections(const DrillString& drillString);
 
-/// Section as a file lists it, and its position in the string, from 1 with repeats expanded; in a repeat that
-/// of its first copy.
+/// Section of a drill string with its position: its number in the string, from 1 with repeats expanded. A
+/// section inside a repeat has the number of its first copy.
 struct PlacedSection {
     const Section* section = nullptr;
     std::uint64_t place = 1;

@@ -17,7 +17,8 @@ struct Conversion {
     std::vector<Message> lost;
 };
 
-/// Returns a rod as a section. It has a material of its own only if the rod's differs from `material`.
+/// Returns a rod as a section of a drill string. The section has its own material only if that of the rod
+/// differs from `material`.
 Section sectionOf(const Rod& rod, const Material& material);
 
 /// Returns why a scenario cannot become a drill string: it has no units, or no hammer. Empty if it can.
@@ -34,12 +35,13 @@ Scenario oneSectionOf(const Scenario& scenario);
 /// impedance is at most that of the rod (theory of strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 
-/// Returns the same drill string under the force of a uniform piston with the mass, velocity and transit time
-/// of its hammer. Requires a drill string that is struck by a hammer.
+/// Returns the same drill string under a prescribed force instead of its hammer. The force is that of a
+/// uniform piston with the mass, velocity and transit time of the hammer. Requires a drill string that is
+/// struck by a hammer.
 Conversion forcedStringOf(const Scenario& scenario);
 
-/// Returns the scenario with a prescribed force: that of forcedStringOf() if a hammer of sections strikes,
-/// else the scenario itself.
+/// Returns the scenario under a prescribed force: the result of forcedStringOf() if a hammer of sections
+/// strikes, otherwise the scenario unchanged.
 Scenario withForce(const Scenario& scenario);
 
 /// Returns a uniform rod with the sizes and the material of the ruleSection() of a drill string and the
@@ -49,18 +51,18 @@ Conversion uniformRodOf(const Scenario& scenario);
 
 // Conversion of dimensionless groups to a rig with the same groups.
 
-/// Rod, mean force and duration of a rig. The dimensionless groups leave them open.
+/// Rod, mean force and duration that turn a dimensionless scenario into one with physical units.
 struct RigChoice {
-    /// Rod of which cross-section, material and strengths are used; its length follows from τ.
+    /// Rod whose cross-section, material and strengths are used; its length is ignored and follows from τ.
     Rod rod;
     double meanForce = 255e3;  ///< mean hammer force F0 [N]
     double duration = 200e-6;  ///< duration of the hammer force t0 [s]
 };
 
 /// Returns a scenario in physical units with the groups, shape of the force and loading curve of a
-/// dimensionless one. Uses L = τ c t0, I0 = F0 t0, k = β Z/t0 and d = 2 δ I0/Z. A piston has the material of
-/// the rod. Points of a table are part of the scenario. Requires a dimensionless scenario and positive
-/// values.
+/// dimensionless one. Uses L = τ c t0, I0 = F0 t0, k = β Z/t0 and d = 2 δ I0/Z. A piston gets the material of
+/// the rod. Points of a force table are copied into the scenario. Requires a dimensionless scenario and
+/// positive values.
 Scenario rigOf(const Scenario& groups, const RigChoice& choice);
 
 }  // namespace drillwave

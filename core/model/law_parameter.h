@@ -20,19 +20,20 @@ inline constexpr std::size_t mostRockCorners = 64;
 /// units; empty for any other key. The corner need not exist: setting the one after the last adds it.
 KeptParameter findLawParameter(std::string_view key);
 
-/// Returns the parameter with the same key in a dimensionless scenario, where forces are in units of F0 and
-/// penetrations in d0. Empty if it is the same parameter, or has no meaning there.
+/// Returns the parameter that the key of `parameter` denotes in a dimensionless scenario, with forces in
+/// units of F0 and penetrations in units of d0. Empty if `parameter` needs no such conversion.
 KeptParameter inScales(const Parameter& parameter);
 
-/// Returns the parameter that the same key denotes in this scenario, in SI or in units of F0 or d0.
+/// Returns the parameter that the key of `parameter` denotes in this scenario: in SI, or for a dimensionless
+/// scenario in units of F0 or d0.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 
-/// Returns the parameters of the loading curve that are in units of F0 or d0, except those of corners; none
-/// for a scenario with units.
+/// Returns the parameters of the loading curve that a dimensionless scenario gives in units of F0 or d0,
+/// except those of corners. Empty for a scenario with units.
 std::vector<KeptParameter> numbersInScales(const Scenario& scenario);
 
-/// Returns force and slope of every corner of the scenario, then numbersInScales(). Other numbers of the
-/// loading curve are in the table of parameters.
+/// Returns the force and slope of every corner of the scenario, followed by numbersInScales(). Other
+/// parameters of the loading curve are in the table of parameters.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
 /// Returns the number, from 1, of the corner of the loading curve that a parameter belongs to; 0 if it

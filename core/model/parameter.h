@@ -55,7 +55,7 @@ struct Range {
     const char* whyNotMore = "";  ///< reason for the upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
-    /// Returns the range as text, in SI or in a unit: "(0, 1]". Requires an upper end.
+    /// Returns the range as text such as "(0, 1]", in SI or in the given unit. Requires a finite upper end.
     std::string ends() const;
     std::string ends(const Unit& unit) const;
     /// Returns why a value (SI, may be infinite or NaN) is outside the range: "must be in (0, 1]". Ends are
@@ -122,13 +122,13 @@ enum class Presence {
 /// Rules for a parameter that may be missing, or that excludes another one.
 struct ParameterRules {
     Presence presence = Presence::required;
-    /// Key of the parameter that setting this one undoes, and vice versa. Only one of the two parameters
-    /// names the other.
+    /// Key of a parameter that cannot be given together with this one: setting either of them removes the
+    /// other. Only one of the two parameters has the key of the other.
     std::string_view rival = {};
-    /// Name within its own group of a form, "length" instead of "length of the rod"; empty if it is the same
-    /// as `label`.
+    /// Name within the form group of its section, "length" instead of "length of the rod"; empty if equal to
+    /// `label`.
     std::string_view shortLabel = {};
-    /// Function that makes the parameter "not given"; nullptr if it always has a value.
+    /// Function that makes the parameter "not given"; nullptr if the parameter always has a value.
     ParameterFunction<void, Scenario> clear = nullptr;
     bool wholeNumber = false;  ///< whether only whole numbers are allowed
     /// Form of the loading curve of the rock that requires this parameter; other forms do not have it. It is
@@ -158,7 +158,7 @@ struct Parameter {
     /// Address of the section that the parameter belongs to; nullptr if it does not belong to a section.
     const SectionAddress* address = nullptr;
 
-    /// Returns whether the parameter applies to this scenario, so that it can be read and set.
+    /// Returns whether this scenario has the parameter, so that it can be read and set.
     bool applies(const Scenario& scenario) const;
     /// Returns the unit in which the program shows values of the parameter.
     const Unit& displayUnit() const;

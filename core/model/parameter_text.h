@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-// Parameters whose value is a word from a list: the shape of the hammer force, the law of the rock.
+// Parameter whose value is a word from a list, such as the shape of the hammer force or the law of the rock.
 
 struct WordParameter {
     std::string_view key;                          ///< key in files and on the command line, "pulse.shape"
@@ -58,13 +58,14 @@ Message notAParameter(std::string_view key);
 
 /// Sets the parameter `key` from text, for --set, table cells and sweep values. Accepts numbers with their
 /// unit (keys of findParameter()), words (keys of findWordParameter()), and `true` or `false` for
-/// "hammer.restrike". The default unit from a column header is `unit`, or nullptr. Returns an empty message
-/// when done, else the reason: "bit_rock.gamma = 1.3 (must be in (0, 1])". The scenario must not be used
-/// after a failure.
+/// "hammer.restrike". `unit` is the default unit, for example from a column header; nullptr for none. Returns
+/// an empty message when done, else the reason: "bit_rock.gamma = 1.3 (must be in (0, 1])". The scenario must
+/// not be used after a failure.
 Message assignText(Scenario& scenario, std::string_view key, std::string_view text,
                    const Unit* unit = nullptr);
-/// Sets a numeric parameter from text, such as "38 mm". `unit` is the default unit for a bare number, or
-/// nullptr. Returns an empty message when done, else the reason; the scenario must not be used then.
+/// Sets a numeric parameter from text, such as "38 mm". `unit` is the unit of a number without one; nullptr
+/// if such numbers are refused. Returns an empty message when done, else the reason; the scenario must not be
+/// used then.
 Message assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
                    const Unit* unit = nullptr);
 

@@ -58,8 +58,8 @@ bool matches(const Preset& preset, const Scenario& scenario);
 /// Commands accept only the untranslated name.
 std::string nameFor(const std::string& name, const ReadingStyle& style);
 
-/// Returns one line per value of a preset with its source, "diameter: 38 mm — nominal", after the shape or
-/// the loading curve.
+/// Returns the description of a preset. First comes the pulse shape or loading curve, if it sets one, then
+/// one line per value with its source, "diameter: 38 mm — nominal".
 std::string description(const Preset& preset, const ReadingStyle& style);
 
 // Named sections of a drill string: a piston, an adapter, a coupling or a bit.
@@ -78,7 +78,8 @@ struct SectionPreset {
     /// Source of yield and fatigue strength; empty if `source` applies to them too.
     std::string strengthSource;
     std::optional<double> velocity;  ///< impact velocity [m/s], for a piston that has one
-    /// At least one section, from the rear to the rock, each with the name of the preset.
+    /// Sections of the preset, at least one, from the rear end to the end towards the rock. Each has the name
+    /// of the preset.
     std::vector<Section> sections;
     bool operator==(const SectionPreset&) const = default;
 };
@@ -100,7 +101,7 @@ enum class PresetPart { hammer, rod, bit, rock };
 std::string_view name(PresetPart part);
 std::optional<PresetPart> findPresetPart(std::string_view name);
 
-/// Preset that can replace a part: SectionPreset for drill strings, Preset for uniform rods.
+/// Preset that can replace a part of a scenario: SectionPreset for drill strings, Preset for uniform rods.
 using PartPreset = std::variant<Preset, SectionPreset>;
 const std::string& nameOf(const PartPreset& preset);
 
@@ -115,8 +116,8 @@ bool suits(const PartPreset& preset, PresetPart part, const Scenario& scenario);
 /// replaced. Requires suits().
 Message replacePart(Scenario& scenario, PresetPart part, const PartPreset& preset);
 
-/// Presets of one part to choose from, at least one. It cannot be changed or copied, since words() refers to
-/// the names of its presets.
+/// Presets to choose from for one part of a scenario, such as the hammer; at least one. The list cannot be
+/// copied or changed, because words() refers to the names in it.
 class PresetChoice {
   public:
     PresetChoice(PresetPart part, std::vector<PartPreset> presets);
@@ -127,8 +128,8 @@ class PresetChoice {
     const std::vector<PartPreset>& presets() const { return m_presets; }
     /// Returns the names of the presets, in their order.
     std::span<const std::string_view> words() const { return m_words; }
-    /// Returns the keys of the parameters that any of the presets sets, each once. Presets of sections count
-    /// only with their impact velocity.
+    /// Returns the keys of the parameters that any of the presets sets, each once. For presets of sections,
+    /// only the key of the impact velocity is listed.
     std::vector<std::string_view> keys() const;
 
   private:
@@ -137,8 +138,8 @@ class PresetChoice {
     std::vector<std::string_view> m_words;
 };
 
-/// Shared pointer to a choice of presets, for copies of an axis of a study, or none. Two are equal if they
-/// choose the same part and equal presets.
+/// Shared pointer to a list of presets, or none; copies of a study's axis share the list. Two pointers are
+/// equal if they choose the same part and equal presets.
 class SharedPresetChoice {
   public:
     SharedPresetChoice() = default;
@@ -160,7 +161,7 @@ struct FoundName {
 };
 
 /// Returns the index of the preset with this name, ignoring capitals, or of the only one that begins with it.
-/// So `T51` finds "T51, round 52 mm". The command that lists all names is `list`, for the message if none is
+/// So `T51` finds "T51, round 52 mm". `list` is the command that lists all names, for the message if none is
 /// found.
 FoundName findPresetName(std::span<const std::string_view> names, std::string_view wanted,
                          const std::string& list);

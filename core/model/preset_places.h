@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Value that a parameter has in a scenario with a preset.
+/// Value that a parameter has in a scenario if a preset is used, with the name of the preset.
 struct PresetPlace {
     Message name;   ///< name of the preset, or names of several
     double si = 0;  ///< value of the parameter with the preset, in SI

@@ -68,8 +68,8 @@ double pistonStepCount(double impedanceRatio);
 /// the hammer stops (q = 1) or rebounds.
 PulseForce pulseForceOf(const Scenario& scenario);
 
-/// Returns whether the parameter `key` changes the force over t/t0 of a shape. Otherwise pulseForceOf() is
-/// the same for all its values.
+/// Returns whether the parameter `key` changes the force F/F0 of a shape as a function of t/t0. If not,
+/// pulseForceOf() is the same for all values of the parameter.
 bool movesPulseForce(std::string_view key, PulseShape shape);
 
 /// Returns the force of a shape with default parameters, as in a dimensionless scenario. The shape must not

@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// Number of a section, such as its length, with its names, unit and allowed range.
+/// Number that describes a section, such as its length, with its names, unit and allowed range.
 struct SectionField {
     std::string_view key;      ///< key in a file, "length"
     std::string_view label;    ///< name in forms and messages, "length"
@@ -30,7 +30,7 @@ struct SectionField {
     Presence presence;
     std::optional<double> (*value)(const Section&);
     void (*assign)(Section&, double);
-    /// Function that makes the value "not given"; nullptr if there is always a value.
+    /// Function that makes the value "not given"; nullptr if the number always has a value.
     void (*clear)(Section&) = nullptr;
     /// Sections that have this number: all, or only those given by outer diameter or by area.
     enum class With { both, diameter, area } with = With::both;
@@ -70,7 +70,8 @@ struct SectionAddress {
     std::uint64_t place = 0;
     const SectionField* field = nullptr;
 
-    /// Returns whether the address is by name and `section` is that name, with `_` also for a blank.
+    /// Returns whether the address is given by name and `section` is that name, where `_` also matches a
+    /// blank.
     bool isCalled(std::string_view section) const;
     /// Returns the words for the section in messages: "adapter", "section 3", "hammer section 1".
     std::string words() const;
@@ -88,8 +89,8 @@ std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
 /// Returns the key of a number of the section at a position: "string.3.length".
 std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place, std::string_view field);
 
-/// Calls `visit` for every section that the address refers to, with its index in the file: among the sections
-/// of its hammer or string, from 0.
+/// Calls `visit(section, index)` for every section that the address refers to. The index counts the sections
+/// of its hammer or string as listed in the file, from 0.
 template <class String, class Visit>
 void visitNumberedSections(const SectionAddress& address, String& drillString, const Visit& visit) {
     std::size_t first = 0;  // index of the first section of the list
@@ -113,7 +114,7 @@ void visitNumberedSections(const SectionAddress& address, String& drillString, c
         before = visitList(part.sections, before, static_cast<std::uint64_t>(std::max(part.repeat, 0)));
 }
 
-/// Calls `visit` for every section that the address refers to.
+/// Calls `visit(section)` for every section that the address refers to.
 template <class String, class Visit>
 void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
     visitNumberedSections(address, drillString, [&](auto& section, std::size_t) { visit(section); });

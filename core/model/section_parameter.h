@@ -20,13 +20,13 @@ KeptParameter findSectionParameter(std::string_view key);
 /// parameter of the scope `section`.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns whether two parameters set the same number, or numbers that exclude each other, of sections that
-/// may be the same. This is possible if one is by name and one by position, or for two positions in a repeat.
+/// Returns whether two parameters can set the same number, or numbers that exclude each other, of one
+/// section. This is possible if one is by name and one by position, or for two positions in a repeat.
 bool mayMeet(const Parameter& one, const Parameter& other);
 
-/// Returns why two parameters of sections cannot both be set: "set one section: …"; empty if they can. The
-/// text is to be written after the two keys. The scenarios differ only in the number of repeats; a position
-/// refers to the scenario of its parameter.
+/// Returns why two parameters of sections cannot both be set, in words that follow their keys: "set one
+/// section: …". Empty if they can. A section number in `one` refers to the scenario `ofOne`, one in `other`
+/// to `ofOther`. The two scenarios may differ only in the number of repeats.
 Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                        const Scenario& ofOther);
 

@@ -23,24 +23,24 @@ std::span<const std::string_view> customarySectionNames();
 /// customarySectionNames().
 Message sectionNameMessage(const std::string& name);
 
-/// Returns words for every section of the string, with repeats expanded: "3rd rod". A name that occurs once
-/// has no number, "adapter"; a section without a name is "section 3".
+/// Returns the names of all sections of the string for messages, with repeats expanded: "3rd rod". A name
+/// that occurs once has no number, "adapter"; a section without a name is "section 3".
 std::vector<Message> stringSectionWords(const DrillString& drillString);
 
-/// Returns the words for a section of the hammer: "hammer 1", or "hammer 1 (piston)" if it has a name.
-/// `place` counts from 1.
+/// Returns the name of a section of the hammer for messages: "hammer 1", or "hammer 1 (piston)" if it has a
+/// name. `place` is its number, from 1.
 Message hammerSectionWords(const DrillString& drillString, std::size_t place);
 
-/// Returns words for all sections of hammer and string, in the order of allSections(): "hammer 1", "adapter",
-/// "3rd rod".
+/// Returns the names of all sections of hammer and string for messages, in the order of allSections():
+/// "hammer 1", "adapter", "3rd rod".
 std::vector<Message> sectionWords(const DrillString& drillString);
 
-/// Returns words for every section of a file, in the order of sectionSpots(): "3rd rod", or "2nd to 4th rod"
-/// for a section in a repeat.
+/// Returns the names of all sections listed in a file, in the order of sectionSpots(). Examples are "3rd
+/// rod", and "2nd to 4th rod" for a section in a repeat.
 std::vector<Message> rowWords(const DrillString& drillString);
 
-/// Returns words for the section that an address refers to, as in the file: "2nd to 4th rod", "hammer 1". For
-/// an address by name it is the name, "coupling"; without such a section "section 9".
+/// Returns the name of the section that an address refers to: "2nd to 4th rod", "hammer 1". For an address by
+/// name it is that name, "coupling"; if the section does not exist, "section 9".
 Message addressedWords(const SectionAddress& address, const DrillString& drillString);
 
 /// Returns a summary of the sections of a drill string: "6 rods, 3 couplings, 2 other sections".

@@ -32,12 +32,12 @@ Section& sectionAt(DrillString& drillString, const SectionSpot& spot);
 /// repeat that of its first copy. Keys such as "string.3.length" use this number.
 std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 
-/// Inserts a section after another one, and inside the same repeat if that one is in a repeat. Returns its
-/// position.
+/// Inserts a section after the section at `spot`, and inside the same repeat if that section is in a repeat.
+/// Returns the position of the new section.
 SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
 
-/// Inserts at least one section after another one. After the last section of a repeat they are inserted
-/// outside the repeat, so that they are not repeated. Returns the position of the last one.
+/// Inserts at least one section after the section at `spot`. If that is the last section of a repeat, they
+/// are inserted outside the repeat, so that they are not repeated. Returns the position of the last one.
 SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
                          const std::vector<Section>& sections);
 
@@ -52,12 +52,12 @@ SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionS
 /// End of a drill string at which sections are inserted: before all others (shank), or after them (bit).
 enum class StringEnd { shank, bit };
 /// Inserts at least one section at an end of the string, outside any repeat. Returns the position of the last
-/// one.
+/// inserted section.
 SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections);
 
 /// Returns whether the section may be removed, because the hammer or string has at least one more.
 bool canRemove(const DrillString& drillString, const SectionSpot& spot);
-/// Removes a section, and its repeat if it is the only one in it. Requires canRemove().
+/// Removes a section, and also its repeat if the repeat has no other section. Requires canRemove().
 void removeSection(DrillString& drillString, const SectionSpot& spot);
 
 enum class MoveTo { rear, bit };

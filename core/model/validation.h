@@ -22,8 +22,8 @@ struct InputProblem {
     int column = 0;
     /// File with the error, if that is not the scenario file but a table of the hammer force; else empty.
     std::string source = {};
-    /// Message without the value, by which equal errors are counted: "bit_rock.gamma must be in (0, 1]". Only
-    /// validate() sets it.
+    /// Message without the value, "bit_rock.gamma must be in (0, 1]", by which equal errors are counted. Set
+    /// only by validate().
     Message reason = {};
     bool operator==(const InputProblem&) const = default;
 };

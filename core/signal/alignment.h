@@ -41,10 +41,10 @@ std::optional<double> bestShift(const TablePoints& measured,
 struct Misfit {
     double rms = 0;           ///< root mean square of the difference [N]
     double computedPeak = 0;  ///< largest absolute value of the computed force, tension or compression [N]
-    /// Largest absolute value of the measured force less that of the computed one [N].
+    /// Largest absolute value of the measured force minus that of the computed one [N].
     double peakDifference = 0;
-    /// Delay of the measured force [s]: the given shift less that of bestShift(); nullopt without a best
-    /// shift.
+    /// Delay of the measured force relative to the best agreement [s]: the given shift minus the result of
+    /// bestShift(). Empty if bestShift() finds none.
     std::optional<double> lag;
 };
 

@@ -37,8 +37,8 @@ class DecodedText : public std::streambuf {
 };
 
 /// Reader of the records of a table, one at a time. It converts numbers with a decimal comma, U+2212 as
-/// minus, or groups of thousands to C notation: "3,66 m" becomes "3.66 m". Rows of empty cells end the table;
-/// if cases follow them, they are one record with a problem.
+/// minus, or groups of thousands to C notation: "3,66 m" becomes "3.66 m". Rows of empty cells may only be at
+/// the end; if cases follow them, next() returns one record with an error message.
 class CaseRecords {
   public:
     explicit CaseRecords(std::istream& in) : m_text(in), m_in(&m_text) {}
@@ -62,9 +62,10 @@ class CaseRecords {
     std::istream m_in;
     std::unique_ptr<CsvReader> m_reader;
     RowFormat m_format;
-    /// Separator is a comma and decimal sign a point: only characters beyond ASCII are converted.
+    /// Whether the separator is a comma and the decimal sign a point. Then only non-ASCII characters are
+    /// converted.
     bool m_isPlain = true;
-    std::optional<CsvRecord> m_ahead;  ///< record after empty rows, already read
+    std::optional<CsvRecord> m_ahead;  ///< first record after empty rows, read in advance; empty without one
     int m_aheadLine = 0;
     int m_line = 0;
     bool m_isFirst = true;

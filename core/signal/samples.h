@@ -49,13 +49,14 @@ struct Samples {
     std::size_t skipped = 0;       ///< number of skipped rows
     std::size_t firstSkipped = 0;  ///< line of the first skipped row, counted from 1
     double skippedTime = 0;        ///< longest time between two samples with skipped rows between them [s]
-    double skippedAt = 0;          ///< time at which that longest time without samples begins [s]
+    double skippedAt = 0;          ///< time at which the longest stretch of skipped rows begins [s]
     /// Number of skipped rows that are marked as overload, by a word or a number.
     std::size_t overloads = 0;
     bool hasNulTail = false;             ///< whether the text ended with NUL bytes
     std::vector<double> halfDifference;  ///< (first − second gauge)/2 for each time; empty with one gauge
-    std::size_t problemLine = 0;         ///< line of the problem, counted from 1; 0 if it concerns no line
-    std::string problem;                 ///< reason why the samples could not be read; then there are none
+    /// Number of the line with the problem, from 1; 0 if the problem concerns no line.
+    std::size_t problemLine = 0;
+    std::string problem;  ///< reason why the samples could not be read; then there are none
     /// Sampling rate [Hz] estimated from first time, last time and number of samples, if the times in the
     /// table are rounded too coarsely. In this case `firstTime` is the first time [s].
     std::optional<double> estimatedRate = {};

@@ -30,7 +30,7 @@ struct SignalQuality {
     /// Whether the resolution is coarser than the noise, so that averaging cannot improve it.
     bool isQuantised = false;
     std::size_t flatSamples = 0;  ///< number of equal samples in a row at the largest value
-    double flatTop = 0;           ///< value at which these equal samples are, in the unit of the table
+    double flatTop = 0;           ///< value of the largest run of equal samples, in the unit of the table
     /// Whether the record is probably clipped: more samples are equal at the largest value than noise allows.
     bool isClipped = false;
     /// Largest deviation of a time step from the usual step, as a share of that step.

@@ -76,13 +76,15 @@ struct SignalReading {
     std::optional<double> rate = {};           ///< sampling rate [Hz], if there is no column of times
     std::optional<NamedSignalUnit> unit = {};
     FactSource unitFrom = FactSource::header;
-    Samples samples;  ///< samples with times in s; in the unit of the table if that is unknown
+    Samples samples;  ///< samples of the record: times in s, values in the unit of the table
     SignalQuality quality;
-    SignalRecipe recipe;  ///< steps by which `blow` was made; with fewer points they give a thinned one
-    ShapedSignal blow;    ///< hammer force of the record [N], with all points; empty while a question is open
-    double forcePerNumber = 0;  ///< force for the number 1 in the table [N], with its sign; 0 if unknown
-    double zero = 0;            ///< zero line subtracted from all samples, in the unit of the table
-    RecordSpan range;           ///< times of the table [s] between which the blow is
+    /// Steps by which `blow` was made; a smaller number of points in them gives a thinned blow.
+    SignalRecipe recipe;
+    ShapedSignal blow;  ///< hammer force of the record [N], with all points; empty while a question is open
+    /// Force [N], with its sign, that corresponds to the number 1 in the table; 0 if unknown.
+    double forcePerNumber = 0;
+    double zero = 0;   ///< zero line subtracted from all samples, in the unit of the table
+    RecordSpan range;  ///< times of the table [s] between which the blow is
     /// Open questions: "unit", "rate", "time_unit", "column", "decimal", "area", "modulus", "bridge",
     /// "gauge_factor", "impedance".
     std::vector<std::string> questions;

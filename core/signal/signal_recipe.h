@@ -44,7 +44,7 @@ struct SignalRecipe {
     /// Time from the start of the record over which the samples are averaged to find the zero line [s].
     double zeroSpan = 0;
     double zeroValue = 0;  ///< given zero line, in the unit of the table
-    /// Force for the number 1 in the table [N]; negative if the table has the opposite sign.
+    /// Force that corresponds to the number 1 in the table [N]; negative if the table has the opposite sign.
     double forcePerNumber = 1;
     std::optional<double> from = {};  ///< time of the table [s] before which samples are left out
     std::optional<double> to = {};    ///< time of the table [s] after which samples are left out
@@ -67,7 +67,7 @@ struct ShapedSignal {
     double impulse = 0;         ///< impulse of the force given by the points [N s]
     double impulseChange = 0;   ///< impulse of the points less that of all samples [N s]
     double peak = 0;            ///< largest force in size of all samples used, with its sign [N]
-    double peakTime = 0;        ///< time of that largest force in the table [s]
+    double peakTime = 0;        ///< time in the table at which the largest force occurs [s]
     double deviation = 0;       ///< largest distance of a sample from the lines between the points [N]
     std::string problem;        ///< reason why there is no force; then there are no points
 };

@@ -19,7 +19,8 @@ enum class SignalKind {
     velocity,  ///< particle velocity [m/s]; the impedance of the bar converts it to a force
 };
 
-/// Unit of a signal: `factor` is the value of the number 1 in N, m/m, V/V, V, Pa or m/s.
+/// Unit of a signal. `factor` is the value of one unit in N, m/m, V/V, V, Pa or m/s, depending on the kind of
+/// signal.
 struct SignalUnit {
     std::string_view name;  ///< name, "kN", "microstrain", "mV/V"
     double factor = 1;
@@ -65,8 +66,8 @@ struct GaugedBar {
     bool operator==(const GaugedBar&) const = default;
 };
 
-/// Returns the normal force [N] for the number 1 in the file. The value of that number is `unitFactor`, in N,
-/// m/m, V/V, V, Pa or m/s.
+/// Returns the normal force [N] that corresponds to the number 1 in the file. `unitFactor` is the value of
+/// the file's unit in N, m/m, V/V, V, Pa or m/s, depending on `kind`.
 double forcePerNumber(SignalKind kind, double unitFactor, const GaugedBar& bar);
 
 // Headings of columns of samples.

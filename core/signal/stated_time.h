@@ -15,7 +15,7 @@ namespace drillwave {
 // Times of day, with or without a date, as recorders and spreadsheets write them.
 
 /// Time of day; without a date it counts from an unknown midnight. Whole seconds and their fraction are
-/// separate, so that a date does not cost the microseconds.
+/// stored separately, so that a date does not reduce the precision to less than a microsecond.
 struct TimeStamp {
     std::int64_t seconds = 0;
     double fraction = 0;  ///< fraction of a second [s], 0 … 1

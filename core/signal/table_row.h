@@ -16,8 +16,8 @@ enum class DecimalSign { point, comma };
 struct RowFormat {
     char separator = ',';  ///< ',', ';', '|' or a tab; a blank stands for any number of blanks and tabs
     DecimalSign decimal = DecimalSign::point;
-    /// Whether the other of point and comma may separate groups of three digits. It is set only if the
-    /// decimal sign is certain. Blanks and apostrophes between groups are always allowed.
+    /// Whether thousands may be separated by the point or comma that is not the decimal sign. It is set only
+    /// if the decimal sign is certain. Blanks and apostrophes between groups are always allowed.
     bool otherSignGroups = false;
     bool operator==(const RowFormat&) const = default;
 };
@@ -39,10 +39,9 @@ class TableRow {
     std::deque<std::string> m_unquoted;
 };
 
-/// Returns the number in a cell, or nullopt. The one of point and comma that is not the decimal sign is
-/// allowed only between groups of three digits. It requires that the format says so, or that a decimal sign
-/// follows ("3,676.8"). U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in
-/// Fortran.
+/// Returns the number in a cell, or nullopt. The point or comma that is not the decimal sign is allowed only
+/// between groups of three digits. It requires that the format says so, or that a decimal sign follows
+/// ("3,676.8"). U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in Fortran.
 std::optional<double> cellNumber(std::string_view cell, const RowFormat& format);
 
 /// Returns a cell that begins with a number with that number in C notation: "3,66 m" becomes "3.66 m". Any
@@ -64,10 +63,10 @@ SignEvidence signEvidence(std::string_view cell);
 /// Smallest value that means "overload" in files of recorders.
 inline constexpr double overloadValue = 9.9e37;
 
-/// Returns whether a cell says that there is no value, as instruments and spreadsheets write it: empty,
-/// "NaN", "#N/A", "-", "OVL", 9.9e37.
+/// Returns whether a cell stands for a missing value, as instruments and spreadsheets write it: empty, "NaN",
+/// "#N/A", "-", "OVL", 9.9e37.
 bool isMissing(std::string_view cell);
-/// Returns whether a cell says that the value was too large for the instrument.
+/// Returns whether a cell means that the value exceeded the range of the instrument, "OVL" or 9.9e37.
 bool isOverload(std::string_view cell);
 
 /// Returns whether a line has no samples because it is blank or a comment, which begins with '#'. A first

@@ -45,7 +45,7 @@ class TextLines {
     /// Returns the beginning of the text as UTF-8, as much as one block contains. Must be called before the
     /// first line is read.
     std::string_view beginning();
-    /// Returns why reading stopped before the end: a line is too long, or is not text. Empty if all is well.
+    /// Returns why reading stopped before the end: a line is too long, or is not text. Empty if it did not.
     const std::string& problem() const { return m_problem; }
 
   private:
@@ -78,8 +78,8 @@ class TextLines {
 std::vector<std::string> firstLines(std::istream& in, std::size_t most,
                                     TextEncoding wanted = TextEncoding::found);
 
-/// Returns what a file is that begins like this, if it is not text: "a zip archive". Empty if it may be a
-/// table.
+/// Returns the kind of a file that is not text, such as "a zip archive", recognised from its first bytes.
+/// Empty if it may be a table.
 std::string_view knownFormat(std::string_view beginning);
 
 }  // namespace drillwave

@@ -55,7 +55,8 @@ class ReadingStyle {
     /// Returns the most readable unit for a value given in SI: the largest common unit of the quantity in
     /// which the value is at least 1.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;
-    /// Returns the most readable unit for a penetration rate given in m/s: m/min here, as drillers count it.
+    /// Returns the most readable unit for a penetration rate given in m/s; by default m/min, as is usual in
+    /// drilling.
     virtual ReadUnit rateUnit(double si) const;
     /// Returns whether texts are for a window or a page. Such texts have typographic signs (−, µ, ≥) and
     /// refer to pages of the window instead of commands.
@@ -64,8 +65,8 @@ class ReadingStyle {
     virtual bool keepsUnitsOfFile() const { return true; }
     /// Returns the title of a table column that shows values with their units: "in SI".
     virtual Message unitsTitle() const { return translatable("in SI"); }
-    /// Returns the translation of an English sentence pattern of a Message ("%1: cannot be written"); here
-    /// the same text.
+    /// Returns the translation of an English sentence pattern of a Message ("%1: cannot be written"); by
+    /// default the pattern unchanged.
     virtual std::string patternFor(const std::string& english) const { return english; }
     /// Returns the language of the texts as its ISO 639 code, such as "en".
     virtual std::string language() const { return "en"; }

@@ -17,7 +17,7 @@ namespace drillwave {
 struct Message {
     std::string pattern;
     std::vector<Message> arguments;
-    bool isWords = false;  ///< `pattern` is a name or a number, which is never translated
+    bool isWords = false;  ///< whether `pattern` is a name or a number, which is never translated
 
     Message() = default;
     /// Makes a sentence from an English pattern, marked by translatable(), and the texts for its gaps %1, %2,
@@ -26,8 +26,8 @@ struct Message {
         : pattern(english), arguments(std::move(places)) {}
     /// Makes a message that is a name or a number, the same in every language.
     Message(std::string words) : pattern(std::move(words)), isWords(true) {}
-    /// Returns a message for a text with a translation that is not a literal here. It may be a word from a
-    /// table of the core, or a sentence marked by translatable() elsewhere.
+    /// Returns a message for a translated text that is not written here as a literal. Examples are a word
+    /// from a table of the core, or a sentence marked by translatable() elsewhere.
     static Message ofTable(std::string_view word) { return std::string(word).c_str(); }
 
     bool operator==(const Message&) const = default;
@@ -36,7 +36,7 @@ struct Message {
     /// Returns the complete sentence in English.
     std::string text() const;
     /// Returns the complete sentence, with every pattern replaced by the result of `say`, which translates
-    /// it.
+    /// the pattern.
     std::string said(const std::function<std::string(const std::string& pattern)>& say) const;
 };
 

@@ -27,7 +27,7 @@ enum class Quantity {
     energy,
     power,
     mass,
-    angle,        ///< in degrees, also where others are in SI: a right angle is exactly 90
+    angle,        ///< angle in degrees, unlike other quantities not in SI: a right angle is exactly 90
     share,        ///< part of a whole: a bare number (0.02) or per cent (2 %)
     attenuation,  ///< decay of the amplitude of a wave per length, 1/m
     damping,      ///< force per velocity, N s/m

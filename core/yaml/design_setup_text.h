@@ -20,8 +20,8 @@ inline constexpr std::string_view designKey = "design";
 /// the wrong kind (text, truth value or number). The study checks the meaning of the texts.
 DesignSetup readDesignSetup(SectionReader& reader, const YamlEntries& file);
 
-/// Returns the values of the block `design` that are not lists, in the form of other values of a scenario
-/// file.
+/// Returns the values of the block `design` that are not lists, as SavedValue, the type used for all values
+/// of a scenario file.
 std::vector<SavedValue> savedDesignValues(const DesignSetup& setup);
 
 /// Returns the keys of all lists of the block `design`, also of empty ones, with their items as YAML.

@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Source of the points of a table file: the file itself, next to the scenario file `source`, or given
-/// points.
+/// Source of the points of a table file. With `points`, they replace the contents of the file, which is not
+/// opened. Otherwise the file is read; its path is relative to that of the scenario file `source`.
 struct TableSource {
     const std::string& source;
     const TablePoints* points = nullptr;
@@ -25,7 +25,7 @@ bool readPulse(SectionReader& reader, const YamlEntries& file, const TableSource
 
 // Table file of a tabulated hammer force: time and force, with their units in the header.
 
-/// Points of a table file, or its errors.
+/// Points read from a table file, or its errors.
 struct PulseTable {
     std::vector<TablePoint> points;
     std::vector<InputProblem> problems;  ///< errors with their file (`source`) and line

@@ -38,14 +38,14 @@ class ScenarioError : public std::runtime_error {
     std::vector<InputProblem> m_problems;
 };
 
-/// Scenario together with the text of its file, so that saving keeps comments, order and units.
+/// Scenario together with the text of its file, so that saving preserves comments, order and units.
 struct ScenarioDocument {
     Scenario scenario;
     std::string text;  ///< text as it was read; empty for a new scenario
     /// File name, for messages and to find a table file with a relative path; may be empty.
     std::string source;
     DesignSetup design = {};  ///< settings of the design study; other studies ignore them
-    /// Remarks on the quality of the record that replaced the hammer force.
+    /// Warnings about the quality of the measured record that replaced the hammer force.
     std::vector<Message> recordRemarks = {};
 };
 

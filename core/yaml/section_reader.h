@@ -84,8 +84,8 @@ class SectionReader {
 
     /// Treatment of parameters that do not apply to the scenario: reported as errors, or not.
     enum class Applicability { checked, ignored };
-    /// Sets every parameter of the section `group` that is present in the file, in the order of the table of
-    /// parameters, as a mean force needs the duration.
+    /// Sets every parameter of the section `group` that is present in the file. The order is that of the
+    /// table of parameters, because converting a mean force to an impulse requires the duration.
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
     /// Reports required parameters of the section `group` that are missing, and pairs of which both or
@@ -99,10 +99,11 @@ class SectionReader {
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
     void reportMissing(std::string_view section, std::string_view key, const Message& reason);
-    /// Returns whether a key is present, or a mistyped form of it, which is reported already.
+    /// Returns whether the key is present. Also true for a misspelt form of the key, which was already
+    /// reported as unknown.
     bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 
-    /// Stores the byte at which a key of the scenario stands, for errors that are found later.
+    /// Stores the byte offset of a key in the text, for errors that are found later.
     void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
     std::optional<std::size_t> placeOf(std::string_view key) const;
 

@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// Exception of edits that cannot be made in place, so that a part must be rewritten.
+/// Exception for an edit that cannot be made in place; the caller must then rewrite part of the text.
 struct NotPatchable {};
 
 /// Collector of edits of a YAML text. Lines without an edit remain byte for byte. Comment lines remain even
@@ -34,21 +34,21 @@ class YamlEdits {
     void append(const std::string& lines) { insertLines(m_text.size(), inLines(lines)); }
     /// Replaces the value of a key, and removes the comment after it, which described the old value.
     void replaceValue(const YamlNode& key, const YamlNode& value, std::string text);
-    /// Replaces the lines of a map entry by other lines. The index of its key in the children of the map is
-    /// `at`.
+    /// Replaces the lines of a map entry by other lines. `at` is the index of its key in the children of the
+    /// map.
     void replaceEntry(const YamlNode& map, std::size_t at, const std::string& lines);
-    /// Removes an entry from a map. The index of its key in the children of the map is `at`.
+    /// Removes an entry from a map. `at` is the index of its key in the children of the map.
     void removeEntry(const YamlNode& map, std::size_t at);
     /// Adds the entry "KEY: VALUE" to a map, after the entry with the key `before`, or before all entries if
     /// that is nullptr.
     void addEntry(const YamlNode& map, const YamlNode* before, const std::string& entry);
     /// Adds a list with this key after the last entry of a map, one item per line.
     void addList(const YamlNode& map, std::string_view key, const std::vector<std::string>& items);
-    /// Replaces the list of a map entry, or removes the entry if there are no items. The index of its key in
-    /// the children of the map is `at`.
+    /// Replaces the list of a map entry, or removes the entry if there are no items. `at` is the index of its
+    /// key in the children of the map.
     void replaceList(const YamlNode& map, std::size_t at, const std::vector<std::string>& items);
-    /// Writes a list in brackets into a map in braces. The index of its key in the children of the map is
-    /// `at`; if there is none, the list is added at the end.
+    /// Writes a list in brackets into a map in braces. `at` is the index of its key in the children of the
+    /// map; if it has no such key, the list is added at the end.
     void writeFlowList(const YamlNode& map, std::size_t at, std::string_view key,
                        const std::vector<std::string>& items);
 

@@ -26,8 +26,8 @@ std::optional<std::size_t> endOf(std::string_view text, const YamlNode& value);
 /// Returns the complete lines that contain these bytes, including the last line end.
 TextExtent linesOf(std::string_view text, TextExtent extent);
 
-/// Returns the comment after `place` on the same line, from its `#` to the end of the line. The result is
-/// empty if anything but blanks precedes it, or there is none.
+/// Returns the comment after the byte `place` on the same line, from its `#` to the end of the line. Empty if
+/// there is no comment, or if anything but blanks precedes it.
 TextExtent commentBehind(std::string_view text, std::size_t place);
 
 }  // namespace drillwave

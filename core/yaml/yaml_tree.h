@@ -29,14 +29,15 @@ struct YamlNode {
     const std::string* textOf(std::string_view key) const;
 };
 
-/// First thing in a text that is not accepted, which may still be YAML, and its byte position.
+/// First construct of a text that the parser does not accept, with its byte position. It may still be valid
+/// YAML.
 struct YamlProblem {
     std::size_t offset = 0;
     Message text;        ///< description of the problem; empty if there is none
-    bool isYaml = true;  ///< whether the text is YAML at all
+    bool isYaml = true;  ///< whether the text is valid YAML in spite of the problem
 };
 
-/// Parsed YAML text, or the first thing that is wrong with it.
+/// Parsed YAML text, or the first problem in it.
 struct YamlTree {
     YamlNode root;  ///< root of the tree; of the kind `null` for an empty document
     YamlProblem problem;
