@@ -24,7 +24,7 @@ struct OptionSpec {
     /// Scenario key that the option sets, for example "drill.blows" for --blows; empty if it sets none.
     std::string_view sets = {};
 
-    /// Returns true if the option is written with two dashes, as are words and the axes x and y.
+    /// Returns true if the option is written with two dashes, "--set" or "--x", and false if with one, "-j".
     bool isLong() const;
     /// Returns the option as it is typed, with its dashes: "--set" or "-j".
     std::string text() const;

@@ -17,8 +17,9 @@ namespace drillwave {
 /// other mistake.
 SweepAxis axisArgument(const std::string& option, const std::string& word);
 
-/// Returns the axis that `word` describes, in the syntax of parseAxisOrPresets(); presets are
-/// looked up in `presets`. Throws CommandError as axisArgument() does.
+/// Returns the axis that `word` describes, in the syntax of parseAxisOrPresets(); presets are looked up in
+/// `presets`. Throws CommandError: invalid scenario for a value that the parameter cannot take, usage for any
+/// other mistake.
 SweepAxis axisOrPresetsArgument(const std::string& option, const std::string& word, const Scenario& scenario,
                                 const PresetLookup& presets);
 

@@ -54,8 +54,8 @@ class Drawing {
     /// Returns the report on a solved blow in the formats of the order, "html" and "pdf".
     virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const = 0;
 
-    /// Returns the picture of a study in each format of the order, with the first view that its page in the
-    /// window shows.
+    /// Returns the picture of a study in each format of the order. It shows the view that the study's page in
+    /// the window shows first.
     virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;
 };
 

@@ -6,10 +6,11 @@
 
 namespace drillwave {
 
-/// Returns the error for a file that could not be opened; `reason` is the system's error number (errno).
+/// Returns the error that no more files can be opened; `reason` is the system's error number (errno).
 CommandError tooFewFiles(int reason);
 
-/// Throws the error of tooFewFiles() if the limit of open files does not permit `count` more files now.
+/// Throws CommandError (unwritable output) if the system's limit of open files does not permit `count` more
+/// files now.
 void checkOpenFiles(int count);
 
 }  // namespace drillwave

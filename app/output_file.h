@@ -88,7 +88,7 @@ class OutputFile {
   private:
     /// Flushes standard output and throws CommandError if its last bytes could not be written.
     void flush();
-    /// Throws CommandError (unwritable output) if `failure` is one.
+    /// Throws CommandError (unwritable output) if `failure` has a reason; does nothing if it is empty.
     void check(const WriteFailure& failure) const;
 
     std::string m_path;

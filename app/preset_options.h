@@ -20,8 +20,8 @@ std::vector<OptionSpec> presetOptionSpecs();
 std::string_view name(PresetKind kind);
 
 /// Sets the values of the presets chosen on the command line in a scenario; `path` names it in messages.
-/// Throws CommandError, also if --presets is given without use, unless `arePresetsChosen` (presets are design
-/// variables).
+/// Throws CommandError, also if --presets is given but no preset is chosen. This does not apply with
+/// `arePresetsChosen`, which means that presets are used as design variables.
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path,
                   bool arePresetsChosen = false);
 

@@ -52,8 +52,8 @@ struct RowOptions {
     Shard shard;
     std::string path;  ///< file for the rows; "-" is standard output
     Overwrite overwrite = Overwrite::refused;
-    /// Value of --resume: continues the rows of an interrupted run, and keeps the finished rows if
-    /// interrupted.
+    /// Whether --resume is given, which continues the rows of an interrupted run, and keeps the finished rows
+    /// if interrupted again.
     bool resumes = false;
     MethodChoice method;
     /// Largest work of one row [wave pieces, the unit of work of the exact solver].
@@ -86,9 +86,11 @@ OptionSpec workLimitSpec();
 Message couldNotBeSolved(const std::string& path, const Message& reason);
 /// Returns a reason, with "; --work-limit, now 1000000, permits more" added if the blow reached that limit.
 Message reasonWithHint(const Message& reason, long workLimit);
-/// Returns a reason, with the same advice on --work-limit, for a blow that was solved within workLimitsOf().
+/// Returns a reason, with the advice to raise --work-limit added if the blow reached its limit from
+/// workLimitsOf().
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario);
-/// Returns a reason with the advice on --work-limit if `hindrance` says that this limit stopped the blow.
+/// Returns a reason, with the advice to raise --work-limit added if `hindrance` says that this limit stopped
+/// the blow.
 Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario,
                        Hindrance hindrance);
 

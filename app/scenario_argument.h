@@ -28,12 +28,12 @@ inline constexpr std::string_view scenarioOperandHelp =
     "map.csv.yaml …), the name of a built-in example, or - for standard input.";
 
 /// Returns the scenario that FILE names, with the presets, --signal and then every --set applied. Settings
-/// are applied in a fixed order: pulse.shape, physical parameters, groups. The scenario is valid. Notes on
-/// stderr if another version of the program wrote the file. Throws CommandError.
+/// are applied in a fixed order: pulse.shape, physical parameters, groups. The scenario is valid. Prints a
+/// note on stderr if another version of the program wrote the file. Throws CommandError.
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments);
 
-/// Returns the scenario of loadScenarioInput() for a command that only solves exactly. Notes on stderr if
-/// FILE is a result solved by another method. Throws CommandError.
+/// Returns the scenario of loadScenarioInput() for a command that only solves exactly. Prints a note on
+/// stderr if FILE is a result solved by another method. Throws CommandError.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
 /// Options whose value is a file to read.

@@ -17,7 +17,7 @@ namespace drillwave {
 /// CommandError (usage).
 std::vector<std::string> plotFormats(const Arguments& arguments);
 
-/// Returns true if --plots is given; the function Command::draws of a study.
+/// Returns true if --plots is given. Studies use this function as Command::draws.
 bool asksForPlots(const Arguments& arguments);
 
 /// Returns the option --plots, for a table of options.

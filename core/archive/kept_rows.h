@@ -39,15 +39,15 @@ class KeptRows {
     const Message& problem() const { return m_problem; }
     /// Returns the path of FILE.partial, which contains the rows.
     const std::string& path() const { return m_path; }
-    /// Returns the progress of the interrupted run. Later bytes of FILE.partial are not valid.
+    /// Returns the progress of the interrupted run. Bytes of FILE.partial beyond RowsDone::sum are not valid.
     const RowsDone& done() const { return m_done; }
 
-    /// Records the progress, at most every 200 ms. All bytes that it counts must already be written. Returns
-    /// an empty failure when done.
+    /// Records the progress, but at most every 200 ms. All rows counted in `done` must already be written to
+    /// FILE.partial. Returns an empty failure when done.
     WriteFailure note(const RowsDone& done);
     /// Records the progress at once. Returns an empty failure when done.
     WriteFailure noteNow(const RowsDone& done);
-    /// Removes FILE.partial.yaml, when the rows are in their final file.
+    /// Removes FILE.partial.yaml. Call it when the rows are in their final file.
     void remove();
 
   private:

@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Largest number of kept runs. Each has a letter, from which its file is named: A.yaml, B.yaml, …
+/// Largest number of pinned runs (results kept for comparison). Each has a letter, which is the name of its
+/// file: A.yaml, B.yaml, …
 inline constexpr int mostRuns = 12;
 
 /// Returns the letter of a run: "A" for 0, "B" for 1.
@@ -21,43 +22,45 @@ std::string runLetter(int number);
 /// Returns the file name of a run: "A.yaml" for 0.
 std::string runFileName(int number);
 
-/// Kept run, with everything that is needed to solve it again.
+/// Pinned run: a result kept for comparison, with everything that is needed to solve it again.
 struct KeptRun {
-    int number = 0;             ///< number 0 … mostRuns − 1, from which its letter follows
+    int number = 0;             ///< number of the run, 0 … mostRuns − 1, from which its letter follows
     std::string name;           ///< name given by the user, "k 300 MN/m"
     ScenarioDocument contents;  ///< scenario of the run; its `text` is the file byte for byte
     bool isShown = true;        ///< whether its curves are drawn in the plots
     bool isReference = false;   ///< whether it is the run with which others are compared
-    /// Coefficient of restitution of the run. If solving again gives another one, the table of its hammer
-    /// force has changed.
+    /// Coefficient of restitution e of the run. If solving the run again gives another e, the table file of
+    /// its hammer force has changed.
     std::optional<double> cor;
-    /// Version of the program that solved it; empty if the index does not give it.
+    /// Version of the program that solved the run; empty if the index file does not give it.
     std::string version = {};
 };
 
-/// Contents of a folder of kept runs.
+/// Contents of a folder of pinned runs (results kept for comparison).
 struct KeptRuns {
     std::vector<KeptRun> runs;
     std::vector<std::string> problems;  ///< messages on runs that could not be read, one line each
-    /// Numbers of runs whose files exist but are not among `runs`. These files must not be overwritten.
+    /// Numbers of runs whose files exist in the folder but could not be read or are not listed in the index
+    /// file. These files must not be overwritten.
     std::vector<int> foreign;
 };
 
-/// Returns the folder of the kept runs of a scenario file, different for every file: "t38.runs" for
+/// Returns the folder for the pinned runs of a scenario file, different for every file: "t38.runs" for
 /// "t38.yaml", "t38.yml.runs" for "t38.yml", "t38.scenario.runs" for "t38".
 std::string runsFolderOf(const std::string& scenarioPath);
 
-/// Returns the files of a folder of kept runs: the scenarios and, last, the index.
+/// Returns the files for a folder of pinned runs: one scenario file per run and, last, the index file.
 std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs);
 
-/// Returns the runs in a folder; none and no problem if the folder does not exist. A table file of the hammer
-/// force is searched relative to the scenario file.
+/// Returns the pinned runs stored in a folder; none and no problem if the folder does not exist. A table file
+/// of the hammer force is searched relative to the scenario file.
 KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath);
 
 // Folder of kept runs, and which of its files this program has written.
 
-/// Folder of kept runs. It knows the files that it has read or written, as long as their bytes do not change.
-/// Any other file with the name of a run is foreign. Copies may be used on another thread.
+/// Folder of pinned runs. This object remembers names and contents of the files that it has read or written.
+/// Any other file with the name of a run, or with changed contents, is foreign. Copies may be used on another
+/// thread.
 class RunsFolder {
   public:
     RunsFolder() = default;
@@ -65,24 +68,26 @@ class RunsFolder {
 
     /// Returns the path of the folder; empty without a scenario file.
     const std::string& path() const { return m_path; }
-    /// Marks the files with these names as known, with their present contents on the disk, so that they may
-    /// be replaced.
+    /// Remembers the files with these names, with their present contents on the disk, as files of this
+    /// program that may be replaced.
     void adopt(const std::vector<NamedFile>& named);
     bool hasFiles() const { return !m_files.empty(); }
-    /// Returns whether these are exactly the files read or written here, with the same names and bytes. Does
-    /// not read the disk.
+    /// Returns whether these are exactly the files that this object has read or written, with the same names
+    /// and bytes. Does not read the disk.
     bool holds(const std::vector<NamedFile>& files) const;
-    /// Returns the path of the first foreign file, neither read nor written here, that writing these files
-    /// would replace or remove. Empty if there is none.
+    /// Returns the path of the first foreign file that writing these files would replace or remove. A foreign
+    /// file is one that this object has neither read nor written, or that has changed since. Empty if there
+    /// is none.
     std::string foreignFile(const std::vector<NamedFile>& files) const;
-    /// Returns the numbers of runs whose files exist but were not read or written here.
+    /// Returns the numbers of runs whose files exist but were not read or written by this object.
     std::vector<int> foreignNumbers() const;
 
     /// Writes the files, the index last, all or none, and removes files of earlier runs that are not among
     /// them. Files that others have put there are replaced only with ExistingFiles::replaced. Returns an
     /// empty message when done, else the reason. Waits for the disk.
     Message write(const std::vector<NamedFile>& files, ExistingFiles existing);
-    /// Removes the files read or written here that have not changed, and the folder if nothing else is in it.
+    /// Removes the files that this object has read or written and that have not changed since, and the folder
+    /// if nothing else is in it.
     void remove();
 
   private:

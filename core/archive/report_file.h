@@ -17,9 +17,9 @@ namespace drillwave {
 BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop = {},
                     const GapProgress& progress = {}, const WorkLimits& limits = {});
 
-/// Returns the values of a scenario as its text gives them, in the order of the file. The source of each
-/// value is the comment after it, else the built-in preset that the scenario follows. For a value that the
-/// text omits it is "assumed by the program".
+/// Returns the values given in the text of a scenario file, in the order of the file, and values that it
+/// omits. The source of a value is the comment after it, else the built-in preset that the scenario follows.
+/// For omitted values it is "assumed by the program".
 std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text);
 
 /// Returns the sections of hammer and drill string as the text gives them, with their sources; none for a

@@ -25,7 +25,7 @@ inline constexpr std::string_view studyPictureMark = "Drillwave study";
 inline constexpr std::string_view figureMark = "Drillwave figure";
 inline constexpr std::string_view reportMark = "Drillwave report";
 
-/// Order for pictures of one subject.
+/// Request for pictures of one result: file names, formats and stop token.
 struct PictureOrder {
     std::string stem;                  ///< beginning of their file names: "t38" for t38.png
     std::vector<std::string> formats;  ///< picture formats, such as "png", from pictureFormats
@@ -62,7 +62,8 @@ std::string scenarioFile(const SolvedRun& run);
 /// Returns the names of all files of a run, with pictures in these formats.
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
 
-/// Returns the names of files of a run, with pictures in any format, that exist in the folder.
+/// Returns the names of files in the folder that are named like the files of a run, with pictures in any
+/// format.
 std::vector<std::string> runFilesThere(const std::string& folder);
 
 /// File name of the record of gauges in the folder of a run (core/report/gauge_record.h).
@@ -76,11 +77,12 @@ FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> further);
 
 // Files that belong together: those next to the rows of a study, and the two files of a report.
 
-/// Returns the name without ".csv", to which pictures and contours append: "map" for "map.csv". Other endings
-/// remain.
+/// Returns the common beginning of the names of the pictures and contours beside a CSV file: "map" for
+/// "map.csv". Other endings than ".csv" are not removed.
 std::string studyStem(std::string_view file);
 
-/// Returns the name of the record of a file of rows, with the same folder: "map.csv.yaml" for "map.csv".
+/// Returns the name of the YAML file (record) that describes a CSV file of rows, in the same folder:
+/// "map.csv.yaml" for "map.csv".
 std::string recordName(std::string_view file);
 
 /// Returns the name of the file of contours of a map: "map_contours.csv" for "map.csv".

@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// First key of a record of rows, and the number of its format.
+/// First key of a record (the YAML file that describes a CSV file of rows), and the number of its format.
 inline constexpr std::string_view rowRecordKey = "drillwave_result:";
 inline constexpr std::string_view rowRecordFormatKey = rowRecordKey.substr(0, rowRecordKey.size() - 1);
 inline constexpr int rowRecordFormat = 1;
@@ -25,10 +25,10 @@ inline constexpr int rowRecordFormat = 1;
 struct RecordedAxis {
     std::string column;       ///< heading of the column, "rod.length [m]"
     std::string values;       ///< values as given by the user, "3 m:6 m:4"
-    std::uint64_t count = 0;  ///< number of values; 0 if every row has its own value
+    std::uint64_t count = 0;  ///< number of values; 0 if the axis has one value for each row
 };
 
-/// Contents of a record of rows, except the version of the program.
+/// Contents of the record (YAML file) that describes a CSV file of rows, except the version of the program.
 struct RowRecord {
     std::string command;                 ///< command line that gives the same rows again
     std::optional<MethodChoice> method;  ///< method of solution; empty for studies with only one method
@@ -60,10 +60,10 @@ std::string sumLines(std::string_view prefix, const FileSum& sum);
 /// Key of the last line of a record, which is the checksum of all lines before it.
 inline constexpr std::string_view recordChecksumKey = "record_crc32";
 
-/// Returns the entries of a record of rows with their checksum as the last line.
+/// Returns the entries of a record, followed by a last line with their checksum.
 std::string sealed(std::string entries);
 
-/// Returns the entries of a record of rows without the checksum line; nullopt if it is missing or does not
+/// Returns the entries of a record without the checksum line; nullopt if this line is missing or does not
 /// match the entries.
 std::optional<std::string_view> unsealed(std::string_view record);
 

@@ -32,7 +32,7 @@ Message cannotBeOpened(const Message& reason);
 
 // Size and checksum of a file, by which changes are detected.
 
-/// Size and CRC-32 of the bytes added with take(), of none at first.
+/// Size and CRC-32 of a sequence of bytes. It begins with 0 bytes; take() adds the bytes of a text.
 struct FileSum {
     std::uint64_t bytes = 0;
     std::uint32_t crc32 = 0;  ///< CRC-32 of ISO 3309, as in gzip and zip

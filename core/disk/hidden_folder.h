@@ -59,7 +59,8 @@ class HiddenFolder {
     /// Writes the list of names into `new`, before the first file is moved. If this process dies before
     /// endExchange(), the next run repairs the folder around. Returns an empty failure when done.
     WriteFailure beginExchange(const std::vector<std::string>& names);
-    /// Ends an exchange of files, of which all or none were moved.
+    /// Ends an exchange of files: the list of names written by beginExchange() is removed. Requires that all
+    /// files were moved, or none.
     void endExchange();
 
   private:
@@ -67,13 +68,13 @@ class HiddenFolder {
     std::unique_ptr<FolderLock> m_lock;
 };
 
-/// Repairs a folder in which runs died while exchanging files. Restores the files that they had moved away,
-/// and removes their new files and hidden folders. A completed exchange remains valid. Requires the lock of
-/// the folder.
+/// Completes what other runs of the program left when they ended while exchanging files in a folder. Restores
+/// files that they had moved away, and removes their new files and hidden folders. A completed exchange
+/// remains valid. Requires the lock of the folder.
 void mendLockedFolder(const std::string& folder);
 
-/// Repairs a folder in which runs died while exchanging files, under the lock of the folder. Does nothing if
-/// another process holds the lock.
+/// Takes the lock of a folder and repairs what ended runs of the program left there while exchanging files;
+/// see mendLockedFolder(). Does nothing if another process holds the lock.
 void mendFolder(const std::string& folder);
 
 }  // namespace drillwave

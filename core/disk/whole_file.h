@@ -24,9 +24,9 @@ WriteFailure writeFailure(int error);
 /// Writes all bytes to an open file. Returns an empty failure when done.
 WriteFailure writeAll(int descriptor, std::string_view bytes);
 
-/// New contents of a file, which replace it in commit(). Until then they have no name, or a temporary name
-/// beside the file if the disk does not support this. Without commit() nothing remains. A symbolic link stays
-/// a link to the file, and permissions stay.
+/// Writer of new contents of a file, which replace the old contents all at once in commit(). Until then the
+/// new file has no name, or a temporary name beside the old one if the disk requires it. Without commit()
+/// nothing remains. A symbolic link stays a link to the file, and permissions stay.
 class WholeFile {
   public:
     explicit WholeFile(std::string path) : m_path(std::move(path)) {}
@@ -34,21 +34,22 @@ class WholeFile {
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Opens the new file for writing. Must be called first, unless openKept() is. Returns an empty failure
-    /// when done.
+    /// Opens the new file for writing. Either this or openKept() must be called first. Returns an empty
+    /// failure when done.
     WriteFailure open();
-    /// Opens the file `kept` on the same disk instead, or makes it, cuts it to its first `bytes`, and appends
-    /// to it. Without commit() `kept` remains. Returns an empty failure when done.
+    /// Opens the file `kept` (on the same disk) to become the new file, or makes it. Cuts it to its first
+    /// `bytes` bytes and appends later writes. Without commit() `kept` remains. Returns an empty failure when
+    /// done.
     WriteFailure openKept(const std::string& kept, std::uint64_t bytes);
     WriteFailure write(std::string_view bytes);
     /// Waits until all bytes are on the disk, and then replaces the file. Returns an empty failure when done.
     WriteFailure commit() { return commitAs(m_path); }
-    /// Moves the new file to another path on the same disk instead, once all bytes are on the disk. Others
-    /// can then put it in place.
+    /// Moves the new file to `path` on the same disk, once all bytes are on the disk, instead of replacing
+    /// path(). The caller can then move it into place. Returns an empty failure when done.
     WriteFailure commitAs(const std::string& path);
 
-    /// Returns the path of the file that is replaced: as given, and after open() with all symbolic links
-    /// resolved.
+    /// Returns the path of the file to be replaced. It is the path given; after open(), all symbolic links in
+    /// it are resolved.
     const std::string& path() const { return m_path; }
 
   private:

@@ -24,12 +24,12 @@ struct FolderFiles {
     /// Files in order. The last one is removed first and written last, so that a folder that has it is
     /// complete, even after a power failure.
     std::vector<NamedFile> files;
-    /// Function that returns the names of files of an earlier set, which do not belong to the new one, in the
-    /// folder with the given path. They are removed with the files that are replaced; if existing files are
-    /// kept, they are an obstacle. May be empty.
+    /// Function that returns the names of files left from an earlier set in the folder with the given path.
+    /// Overwriting deletes these files; if existing files must be kept, writing fails if there are any. May
+    /// be empty.
     std::function<std::vector<std::string>(const std::string& folder)> outdated;
-    /// File that is put in place after all others, too long for memory and already in the folder; nullptr if
-    /// there is none.
+    /// File too long to keep in memory, to be put in place after all others. It is already written in the
+    /// folder, under no or a temporary name; nullptr if there is none.
     WholeFile* last = nullptr;
 
     std::vector<std::string> names() const;
@@ -44,7 +44,7 @@ struct FolderEnd {
     bool isWritten() const { return kind == Kind::written; }
 };
 
-/// Function called once, if another run has held the lock for a while, with the path of the lock.
+/// Callback with the path of the lock, called once if another run has held the lock for a while.
 using OnLongWait = std::function<void(const std::string& lockPath)>;
 
 /// Writes files into a folder, all of them or none, also after a failure or a stop request. Several runs of

@@ -28,8 +28,8 @@ struct ReportStudies {
     std::shared_ptr<const DesignReport> design;
 };
 
-/// Returns the HTML sections of the studies; empty without studies. A sequence of blows has its means with
-/// errors, a scan its best value, a design study its result and the best designs.
+/// Returns the studies as HTML sections; empty without studies. For a sequence of blows they list means with
+/// errors, for a scan the best value. For a design study they list the result and the best designs.
 std::string studiesHtml(const ReportStudies& studies, const ReportElements& page);
 
 }  // namespace drillwave

@@ -59,16 +59,17 @@ struct RangeControl {
     std::vector<std::string_view> preferred;
 };
 
-/// Marks an option without an input on the page; only the command has it.
+/// Type for an option that has no input on the page, only an option of the command.
 struct NoControl {};
 
-/// Options that must be given together or not at all. A box on the page chooses between the two.
+/// Options that must be given together or not at all. A selection box on the page chooses between giving them
+/// and leaving them out.
 struct StudyGroup {
-    std::string_view key;  ///< identifier of the box that chooses between the two
+    std::string_view key;  ///< identifier of the selection box on the page
     const char* label;     ///< label in front of the box
     const char* name;      ///< accessible name for a screen reader
     const char* tip;
-    const char* without;  ///< text of the initial choice, with which none of the options is given
+    const char* without;  ///< text of the initial choice of the selection box, which leaves all options out
     const char* with;
 };
 
@@ -188,8 +189,8 @@ struct Study {
     /// Text on the page if the scenario cannot have this study: the reason and, if there is one, the other
     /// page that has the result.
     const char* elsewhere;
-    /// Whether a scenario that cannot have this study can be studied over the gap on the page Curve (tab
-    /// COR–stiffness or Efficiency–stiffness).
+    /// Whether the page Curve (tab COR–stiffness or Efficiency–stiffness) can show the result over the gap
+    /// for a scenario that cannot have this study.
     bool isElsewhereOverGap = false;
     /// Removes from a scenario the values that do not influence the result.
     void (*reduce)(Scenario& scenario);
@@ -205,7 +206,8 @@ struct Study {
     bool isOfFeed = false;
     /// Keys of optional parameters that the page asks for if the scenario lacks them.
     std::vector<std::string_view> asked = {};
-    /// Returns why there is no result until the parameters in `asked` are given; nullptr if none are needed.
+    /// Returns why there is no result until the parameters in `asked` are given, empty if they are; nullptr
+    /// if the study asks for none.
     Message (*lacks)(const Scenario& scenario, const ReadingStyle& style) = nullptr;
     /// Returns the axis of the requested rows; nullptr if the rows need no axis.
     std::optional<StudyAxis> (*axis)(const StudyQuestion& question) = nullptr;

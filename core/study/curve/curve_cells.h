@@ -36,7 +36,8 @@ struct CellTask {
     double end = 1;
     std::vector<CellOutput> outputs;
     std::uint64_t solves = 0;
-    long effort = 0;  ///< work of these blows: wave pieces, or cells of the method of drill strings
+    /// Work of all blows of this cell: wave pieces, or cells of the method of drill strings.
+    long effort = 0;
 };
 
 /// Returns a piece of a curve without a function. The output has a result there, and fillPieces() later adds
@@ -51,8 +52,8 @@ class CellFitter {
     CellFitter(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Fits all outputs over the range from `start` to `end` of a task, and stores the results and their cost
-    /// in it.
+    /// Fits all outputs over the range from `start` to `end` of a task. Stores the fits, and the number and
+    /// work of the blows, in the task.
     void operator()(CellTask& task, const std::stop_token& stop) const;
 
   private:

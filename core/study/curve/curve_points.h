@@ -35,7 +35,8 @@ struct PointTask {
     std::vector<double> shares;
     std::vector<LinePoint> points;
     std::uint64_t solves = 0;
-    long effort = 0;  ///< work of these blows: wave pieces, or cells of the method of drill strings
+    /// Work of all blows of this task: wave pieces, or cells of the method of drill strings.
+    long effort = 0;
 };
 
 /// Functor that solves all points of a task. Each thread needs its own object.
@@ -45,8 +46,8 @@ class PointSolver {
     PointSolver(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Solves the blows at the shares of the range given in a task, and stores the results and their cost in
-    /// it.
+    /// Solves the blows at the shares of the range given in a task. Stores the results, and the number and
+    /// work of the blows, in the task.
     void operator()(PointTask& task, const std::stop_token& stop) const;
 
   private:

@@ -23,7 +23,8 @@ inline constexpr std::size_t mostSoughtPlaces = 64;
 struct GoalWork {
     bool stopped = false;  ///< set if the stop token ended the search; the lines then have no goal result
     std::uint64_t solves = 0;
-    long effort = 0;  ///< work of these blows: wave pieces, or cells of the method of drill strings
+    /// Work of all blows of the search: wave pieces, or cells of the method of drill strings.
+    long effort = 0;
 };
 
 /// Sets CurveLine::goal of every line for the first column of the question; does nothing without a goal.

@@ -55,16 +55,17 @@ struct BestDesigns {
     std::optional<std::size_t> robust;
     /// Best design for the uncertain inputs at their values entered. The limits apply to those values.
     std::optional<std::size_t> nominal;
-    /// Feasible designs whose first objective equals that of `robust` within the errors, without `robust`
-    /// itself.
+    /// Feasible designs that are equally good as the best one (`robust`) in the first objective, within the
+    /// errors; without `robust` itself.
     std::vector<std::size_t> ties;
-    /// Design with the best second objective among `robust` and `ties`. Empty without a second objective or
-    /// without ties.
+    /// Design with the best second objective among those that are best or equally good in the first. Empty
+    /// without a second objective or without equally good designs.
     std::optional<std::size_t> nextBest;
     /// Feasible designs that are best, or equally good, in every objective in turn: each objective selects
     /// among the designs left by those before it. Ascending.
     std::vector<std::size_t> equal;
-    /// Recommended one of `equal`: `robust` if it is among them, otherwise the best in the last objective.
+    /// Recommended design: `robust` (the best in the first objective) if it is in `equal`, otherwise the
+    /// design of `equal` that is best in the last objective.
     std::optional<std::size_t> chosen;
     /// For each design, whether it is Pareto-optimal: feasible, and no feasible design is better in one
     /// objective without being worse in another.

@@ -33,7 +33,8 @@ ParsedAxis parseAxisOrPresets(std::string_view text, const Scenario& scenario, c
 /// Returns whether a text chooses presets: whether it begins with "hammer=", "rod=", "bit=" or "rock=".
 bool choosesPresets(std::string_view text);
 
-/// Returns the design variable read by parseAxisOrPresets(). The rock is refused: nobody chooses it.
+/// Returns the design variable read from text, in the syntax of parseAxisOrPresets(). Presets of a rock are
+/// refused, because a user cannot choose the rock.
 ParsedAxis parseChoice(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);
 
 /// Objective read from text, or the problem why it could not be read.

@@ -69,8 +69,8 @@ struct RecordLength {
     /// own thread.
     int jobs = 1;
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Callback after every blow, with all blows so far. Returning true ends the sequence, because the rest
-    /// is known.
+    /// Callback after every blow, with all blows so far. It returns true to end the sequence early, if no
+    /// further blows are needed.
     std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 

@@ -58,8 +58,8 @@ struct DrillingRequest {
     /// Callback for every blow of the requested sequence, called as soon as the blow is done. Repeated
     /// computations for error estimates are not reported.
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Callback after every blow of the requested sequence, with all blows so far. Returning true ends the
-    /// sequence, because the rest is known; there are then no statistics.
+    /// Callback after every blow of the requested sequence, with all blows so far. It returns true to end the
+    /// sequence early; there are then no statistics.
     std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 

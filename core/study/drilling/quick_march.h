@@ -16,12 +16,12 @@ DrillingSettings windowSettingsOf(const Scenario& scenario);
 /// Returns a request for penetration and gap of a sequence with their errors, without the Lyapunov exponent.
 DrillingRequest quickWants();
 
-/// Settings of a sequence that is computed without a request of the user, with the time it takes.
+/// Settings of a sequence of blows that the window computes without being asked, with the estimated time.
 struct QuickMarch {
     DrillingSettings settings;
     double seconds = 0;  ///< estimated computing time on a typical computer [s]
-    /// Whether it fits into the time allowed. Otherwise it has the minimum number of blows and is computed
-    /// only on request.
+    /// Whether the sequence can be computed within the time allowed. Otherwise it has the minimum number of
+    /// blows, and the window computes it only on request.
     bool isWithinTime = true;
 };
 

@@ -25,10 +25,10 @@ inline constexpr std::size_t gapOutputCount = valueCount<GapOutput>;
 /// of all gaps.
 inline constexpr double maximumGapPeriodStart = 10'000;
 
-/// Maximum work of a gap curve that was not requested by name, in wave pieces of all its blows. This applies
-/// to reports and to the feed margin in result files. At 4–10 million pieces per second it takes 2–4 s; a
-/// report has three curves. It is a count, not a time, so that files do not depend on the machine. The
-/// commands `gap` and `thrust` have no limit.
+/// Maximum work of a gap curve that is computed as part of another result, in wave pieces of all its blows.
+/// This applies to reports and to the feed margin in result files. At 4–10 million pieces per second it takes
+/// 2–4 s; a report has three curves. The limit is a count, not a time, so that files do not depend on the
+/// machine. The commands `gap` and `thrust`, whose purpose is the curve, have no limit.
 inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 

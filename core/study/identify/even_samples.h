@@ -25,7 +25,7 @@ struct EvenSamples {
     std::vector<std::vector<bool>> isClipped;
     /// Whether a sample is interpolated across a pause of the recording; empty if none is.
     std::vector<bool> isMissing;
-    /// First pause of more than 20 steps, from and to [s]; empty if there is none.
+    /// Start and end [s] of the first pause of more than 20 steps; empty if there is none.
     std::optional<std::pair<double, double>> gap;
     std::size_t count() const { return force.front().size(); }
 };

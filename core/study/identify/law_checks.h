@@ -47,8 +47,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
                   const std::vector<KnownSize>& sizes, ModelFit known, const std::stop_token& stop,
                   const std::function<void(const LawTrials&)>& showFirst);
 
-/// Returns whether a power law without a gap fits as well as the result. The gap may then be a curved start
-/// of loading (theory of identification C10).
+/// Returns whether a power law without a gap fits as well as the result. The identified gap may then be a
+/// curved start of the loading curve instead (theory of identification C10).
 bool gapMayBeBend(const LawTrials& trials, const PreparedRecord& record, const IdentifyQuestion& question,
                   const std::vector<KnownSize>& sizes, const std::stop_token& stop);
 

@@ -36,10 +36,10 @@ class LawFit {
 
     /// Computes and stores the Jacobian at the solution; required before the functions below.
     void linearise(RecordModel& model);
-    /// Returns the change −J⁺δr of the unknowns for a change δr of the residuals. Unknowns that are held do
-    /// not change.
+    /// Returns the change −J⁺δr of the unknowns for a change δr (`change`) of the residuals. Unknowns that
+    /// are held fixed do not change.
     Eigen::VectorXd movedBy(const Eigen::VectorXd& change) const;
-    /// Returns the change of the unknowns for a change of the residuals, as movedBy(), with the gap held
+    /// Returns the change of the unknowns for a change δr (`change`) of the residuals if the gap is held
     /// fixed.
     Eigen::VectorXd movedWithoutGap(const Eigen::VectorXd& change) const;
     /// Returns δr + Jδθ: the part of a change δr (`change`) of the residuals that remains after the unknowns
@@ -61,7 +61,7 @@ class LawFit {
     Eigen::MatrixXd m_inverse, m_inverseWithoutGap;
 };
 
-/// A model and its fit. Both are empty where there is none.
+/// Model of a record with its fit. Both are empty if no fit was made.
 struct ModelFit {
     std::shared_ptr<RecordModel> model;
     LawFit fit;
@@ -78,8 +78,8 @@ double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, con
 double largestForce(RecordModel& model, const LawFit& fit);
 
 /// Returns the best fit from many start values. Fits the bilinear law, or only the timing of the scenario's
-/// law. Section sizes and dispersion become free once the best start is known. The weights of the samples
-/// between blow and reflection are adapted to the waves found there.
+/// law. Section sizes and dispersion are fitted only after the best start is known. The weights of the
+/// samples between blow and reflection are adapted to the waves found there.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
 /// Fits the bilinear law to a record, starting from `values`: those of the unknowns of `from`, a model of the
@@ -92,8 +92,9 @@ double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& va
 /// a record in two ways. Towards another gap, Σr² rises less than its curvature at the minimum suggests.
 void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
-/// Returns the fit of another law, started from the solution of the bilinear one. If that `isFarOff` the
-/// record, its dispersion and its waves between blow and reflection are doubtful, too, and searched again.
+/// Returns the fit of another law, started from the solution of the bilinear one. `isFarOff` means that the
+/// bilinear law does not fit the record. Its dispersion and its waves between blow and reflection are then
+/// not reliable and are fitted again.
 LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool isFarOff,
                const std::stop_token& stop);
 
@@ -101,7 +102,7 @@ LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bo
 /// models must have the same record.
 LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, const std::stop_token& stop);
 
-/// Repeats a fit, starting from a solution of the same model, and updates it.
+/// Repeats the fit of a model, starting from an existing solution, and stores the new solution in `fit`.
 void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
 /// RMS [N] of waves between blow and reflection: below 6.6 kHz, beyond noise, without the zero line.

@@ -43,8 +43,8 @@ struct PreparedRecord {
     /// Correction added to the round-trip time D0 (`roundTrip`), so that it agrees with the observed arrival
     /// [s].
     double shift = 0;
-    /// Factor on the gaps that a fit searches: other than 1 if the unit of the record is doubtful, because
-    /// forces and gap are then off by one factor.
+    /// Factor on the gaps from which a fit starts. It differs from 1 if the unit of the record is doubtful,
+    /// because forces and gap are then wrong by the same factor.
     double gapScale = 1;
     double incidentEnd = 0;  ///< time at which the incident wave f ends [s]
     /// Time after which the gauge is quiet until the reflection arrives [s]; only used with one gauge.

@@ -43,9 +43,11 @@ using ContourLine = std::vector<ContourPoint>;
 struct Contour {
     double level = 0;
     std::vector<ContourLine> lines;
-    /// Number of crossings that could not be located because a blow was not solved.
+    /// Number of points between grid points on either side of the level that could not be located because a
+    /// blow was not solved.
     std::uint64_t unplaced = 0;
-    Message reason;            ///< reason why the first of them could not be located; empty if all were
+    /// Reason why the first of the missing points could not be located; empty if none is missing.
+    Message reason;
     std::uint64_t solves = 0;  ///< number of blows solved to locate the points
     bool stopped = false;      ///< set if the stop token ended the search; `lines` is then empty
 

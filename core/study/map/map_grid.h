@@ -65,8 +65,9 @@ class MapGrid {
         std::size_t row = 0;
         bool operator==(const Place&) const = default;
     };
-    /// Returns the point whose value represents this point as long as it is not present. Column and row are
-    /// rounded down to the finest grid that has a point there, at most to the coarsest.
+    /// Returns the nearest point, with column and row rounded down, that is already present while the map is
+    /// being solved; its value is shown for this point. The search goes from fine to coarse grids. Returns
+    /// the point itself if it is present.
     Place standIn(std::size_t column, std::size_t row) const;
 
     /// Returns the number of unsolved points by reason, in the order in which the reasons first occurred.

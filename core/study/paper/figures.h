@@ -18,7 +18,8 @@ inline constexpr int firstPaperFigure = 3, lastPaperFigure = 8;
 Figure figure3();
 /// Returns Figure 4 of the paper: impact force, impulse and momentum over time.
 Figure figure4();
-/// Returns Figure 5 of the paper: the two peaks of the impact force beside the closed form, in local time.
+/// Returns Figure 5 of the paper: the two peaks of the impact force beside the closed form. Time is counted
+/// from the arrival of the wave that causes the peak.
 Figure figure5();
 /// Returns Figure 6 of the paper: coefficient of restitution over the stiffness. The reference case is shown
 /// in both normalisations.

@@ -27,8 +27,8 @@ struct StabilityMarks {
     /// Limit of a tensile force on the rock, as a share of the peak force. The largest value observed is
     /// 2e-15, for a force that has decayed to rounding.
     double pull = 2e-14;
-    /// Limit of the distance by which the bit returns after the end, in units of d0/2. It allows for rounding
-    /// of a distance of order 1; no return was observed.
+    /// Limit of the distance by which the bit moves back towards the rock after the last separation, in units
+    /// of d0/2. It allows for rounding of a distance of order 1; no such return was observed.
     double reach = 1e-14;
     /// Limit of the change of e when a parameter changes by a relative 1e-10. The largest value observed is
     /// 4e-9, where e is steepest.
@@ -62,8 +62,8 @@ struct StabilityRow {
     double energyResidual = 0;
     /// Smallest force F, as a share of the peak force; must not be negative, because the rock cannot pull.
     std::optional<double> leastForce;
-    /// Largest distance by which the free front end advances towards the rock after the end, in units of
-    /// d0/2.
+    /// Largest distance by which the free bit moves towards the rock after the last separation, in units of
+    /// d0/2; 0 if the blow ended correctly.
     std::optional<double> reach;
     double change = 0;  ///< change of e if each parameter is changed by a relative 1e-10
     /// Distance of e from its theoretical limit, divided by the difference that theory allows; at most 1 if

@@ -18,8 +18,8 @@ struct RowChunk {
 };
 
 /// Computes chunks of rows on `jobs` threads and passes them to the sink in order; returns the counts.
-/// `Chunk` must derive from RowChunk. `fill` takes the next piece of work. `makeMaker` creates, for each
-/// thread, a function maker(Chunk&, std::stop_token) that computes the rows.
+/// `Chunk` must derive from RowChunk. `fill` puts the input of the next rows into a chunk. `makeMaker`
+/// creates, for each thread, a function maker(Chunk&, std::stop_token) that computes the rows.
 template <typename Chunk, typename Fill, typename MakeMaker>
 RowCounts runRows(int jobs, std::stop_token stop, Fill fill, MakeMaker makeMaker, const RowHeader& header,
                   RowSink& sink, const RowProgress& progress) {

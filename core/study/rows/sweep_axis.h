@@ -32,15 +32,17 @@ struct SweepAxis {
     /// Values of Kind::list, in SI units; for Kind::words and Kind::presets, the indices of the words.
     std::vector<double> list;
 
-    /// Returns the description of its column of numbers, headed "beta" or "rod.length [mm]" for example.
+    /// Returns the heading, kind and unit of the column with the values of the axis. Headings are "beta" or
+    /// "rod.length [mm]", for example.
     RowColumn column() const;
     std::string_view key() const;
 
     /// Returns value number i (from 0) in SI units, or the index of a word. The ends of a range are exactly
     /// as typed; its steps are even in `unit`.
     double value(std::uint64_t i) const;
-    /// Returns the range of all values, with room at both ends: a share of the range, in the logarithm of a
-    /// logarithmic axis. Around a single value it has a twentieth of the value on both sides.
+    /// Returns the smallest and largest value, widened at both ends by `room` times their difference (for a
+    /// logarithmic axis, of the logarithms). A single value is widened by a twentieth of its size on both
+    /// sides.
     std::pair<double, double> range(double room = 0) const;
     bool isLogarithmic() const { return kind == Kind::logarithmic; }
     /// Sets a value (SI) in a scenario. Returns why the scenario cannot have it, such as "rod.bore has no

@@ -25,11 +25,11 @@ struct DrillingScan {
     Scenario base;
     SweepAxis axis;
     DrillingSettings settings;
-    /// Sequences in the order of the values. Each value has one from rest; also one from bouncing if it
-    /// differs by more than the errors.
+    /// Sequences of blows in the order of the values. For each value there is a sequence that starts from
+    /// rest. One that starts from bouncing follows if it differs by more than the errors.
     std::vector<DrillingScanPoint> points;
-    /// Number of blows computed from bouncing, over all values. At each value the computation stops as soon
-    /// as both starts agree.
+    /// Number of blows of all sequences that start from bouncing. At each value the computation stops as soon
+    /// as this sequence agrees with the one from rest.
     long bouncingBlows = 0;
     /// Coefficient of restitution e of a blow from rest without a gap, for the first value. In a scan of the
     /// feed force it applies to all values.

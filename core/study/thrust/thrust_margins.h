@@ -11,9 +11,9 @@
 
 namespace drillwave {
 
-/// Adds to Blow::feed of a solved blow the required feed forces over all gaps, which its margin in files and
-/// JSON needs. Omitted if that takes more than mostPiecesInPassing wave pieces; the command `drillwave
-/// thrust` has no such limit.
+/// Adds the required feed forces over all gaps to Blow::feed of a solved blow. The feed margin in files and
+/// JSON requires them. Adds nothing if that takes more than mostPiecesInPassing wave pieces; the command
+/// `drillwave thrust` has no such limit.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
 /// Returns the estimate of the required feed force of a scenario, by solving its blow and using
@@ -33,7 +33,9 @@ class ThrustMargins {
     /// gaps has no result, and after a stop request.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
-    /// Returns the estimate of all four required feed forces. Arguments and empty results are as for of().
+    /// Returns the estimate of all four required feed forces. `cor` is the coefficient of restitution e of
+    /// the case's own blow; `problem` must be that of the scenario. Empty if thrustMarginProblem() gives a
+    /// reason, if the curve over the gaps has no result, and after a stop request.
     std::optional<FeedEstimate> estimate(const Scenario& scenario, const Problem& problem,
                                          const Estimate& cor, const std::stop_token& stop);
 
