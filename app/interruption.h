@@ -18,12 +18,12 @@ void exitOnInterruption();
 /// ends.
 void speakOnInterruption(const ReadingStyle& style);
 
-/// Blocks SIGINT, SIGTERM and SIGHUP until exitOnInterruption(), even in a program started by exec. Signals
-/// that arrive meanwhile are delivered afterwards.
+/// Blocks SIGINT, SIGTERM and SIGHUP until exitOnInterruption() is called, even in a program started by exec.
+/// Signals that arrive in between are delivered afterwards.
 void holdInterruptions();
 
-/// Blocks SIGINT, SIGTERM and SIGHUP during the lifetime of an object. A signal that arrives meanwhile ends
-/// the program when the object is destroyed.
+/// Object that blocks SIGINT, SIGTERM and SIGHUP during its lifetime. A signal that arrives during this time
+/// ends the program when the object is destroyed.
 class HeldInterruptions {
   public:
     HeldInterruptions() { holdInterruptions(); }
@@ -32,7 +32,7 @@ class HeldInterruptions {
     HeldInterruptions& operator=(const HeldInterruptions&) = delete;
 };
 
-/// Handler of SIGINT, SIGTERM and SIGHUP for the lifetime of an object. The first signal requests a stop
+/// Object that handles SIGINT, SIGTERM and SIGHUP during its lifetime. The first signal requests a stop
 /// instead of ending the program; a second one ends the program at once. If no thread can be started, the
 /// first signal ends it. Only one object may exist at a time.
 class Interruption {

@@ -15,8 +15,9 @@ namespace drillwave {
 /// before any computation.
 void checkFolder(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite);
 
-/// Writes files into a folder, all or none, as writeWholeFolder() does. An interruption (nullptr for none)
-/// can only cancel it before the first file is in place. Throws CommandError: unwritable output; interrupted.
+/// Writes files into a folder, either all or none (see writeWholeFolder()). An interruption (nullptr for
+/// none) can only cancel it before the first file is in place. Throws CommandError: unwritable output;
+/// interrupted.
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
                  const Interruption* interruption);
 

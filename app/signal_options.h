@@ -26,12 +26,12 @@ SignalOptions signalOptionsOf(const Arguments& arguments);
 /// Throws CommandError.
 void saveRecorder(const Arguments& arguments);
 
-/// Replaces the hammer blow of the scenario, even a hammer of sections, by the record of --signal; does
-/// nothing without it. Leaves out samples so that impulse and coefficient of restitution change by at most
-/// thinningError, unless --all-samples is given. Prints on stderr how many samples are kept and warnings on
-/// the record's quality, which the document stores. `path` names the scenario. Throws CommandError: usage if
-/// a reading option is given without --signal; unreadable input; invalid scenario if the record is not fully
-/// described.
+/// Replaces the hammer force of the scenario, or its hammer of sections, by the record of --signal; does
+/// nothing without --signal. Leaves out samples so that impulse and coefficient of restitution change by at
+/// most thinningError, unless --all-samples is given. Prints on stderr the number of samples used and
+/// warnings on the record's quality, which the document stores. `path` names the scenario. Throws
+/// CommandError: usage if a reading option is given without --signal; unreadable input; invalid scenario if
+/// the record is not fully described.
 void applySignal(ScenarioDocument& document, const Arguments& arguments, const std::string& path);
 
 }  // namespace drillwave

@@ -26,7 +26,7 @@ struct ParameterFacts {
     std::string unit;      ///< default unit, "mm"; may be empty
     std::string range;     ///< allowed range, "greater than 0", "in (0, 1]"
     std::string usual;     ///< typical range, "1 – 10000 MN/m"; other values raise a warning
-    std::string presence;  ///< whether it may be left out, a sentence without its full stop
+    std::string presence;  ///< sentence, without its full stop, on whether a file may omit the parameter
     /// Scenarios to which the number applies, as a sentence without its full stop; empty for all scenarios.
     std::string condition;
 };

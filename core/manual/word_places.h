@@ -28,14 +28,14 @@ struct WordPlace {
 /// capitals.
 std::size_t countOfWord(std::string_view text, std::string_view word);
 
-/// Returns whether a text contains each of these words.
+/// Returns whether a text contains each of the words in `words`, which are separated by blanks.
 bool hasWords(std::string_view text, std::string_view words);
 
-/// Returns the sections of the manual that contain each of these words, the best hits first: titles, terms of
-/// the glossary, first cells of table rows, then text. At most five hits in text are returned, those with the
-/// most words first. A section counts once; each entry of the glossary counts, at most five. Within a rank,
-/// chapters on the window and the evidence come last. The reference pages are left out, as their sections
-/// have no numbers.
+/// Returns the sections of the manual that contain each of the words in `words`. The best hits are first:
+/// titles, terms of the glossary, first cells of table rows, then text. At most five hits in text are
+/// returned, those with the most words first. A section counts once; each entry of the glossary counts, at
+/// most five. Within a rank, chapters on the window and the evidence come last. The reference pages are left
+/// out, as their sections have no numbers.
 std::vector<WordPlace> placesOfWords(std::span<const Chapter> manual, std::string_view words);
 
 }  // namespace drillwave

@@ -88,9 +88,10 @@ class Assignments {
 /// uniform rod and that of all sections of a string count as the same parameter.
 std::optional<double> valueIn(const Scenario& scenario, const Parameter& parameter);
 
-/// Returns the parameters that differ between scenarios, in the order of the table, then those of sections by
-/// position. At least one scenario must give the parameter (isGiven()), so that values derived from others,
-/// such as groups, are left out. A number that a rod and a string share, such as density, is listed once.
+/// Returns the parameters that differ between scenarios: those of the table of parameters in its order, then
+/// those of sections by position. At least one scenario must give the parameter (isGiven()); values derived
+/// from others, such as groups, are left out. A number that a rod and a string share, such as density, is
+/// listed once.
 std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios);
 
 }  // namespace drillwave

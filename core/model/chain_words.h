@@ -8,11 +8,12 @@ namespace drillwave {
 
 /// Sentences and labels about a uniform rod or a drill string, in English and marked for translation.
 struct ChainWords {
-    const char* kind;         ///< what the scenario is, "uniform rod"
-    const char* assumptions;  ///< what the model neglects, in one sentence
-    /// Sentence on what shares of energy and momentum in tables refer to, "W is the work of the hammer."
+    const char* kind;         ///< name of the kind of scenario, "uniform rod"
+    const char* assumptions;  ///< sentence on what the model neglects
+    /// Sentence on the references of the shares of energy and momentum in tables, "W is the work of the
+    /// hammer."
     const char* references;
-    const char* errors;  ///< what the errors of results include and what not, in one sentence
+    const char* errors;  ///< sentence on what the stated errors of results include and leave out
     /// "pulse %1" for the shape of the force, after the groups; empty if groups do not describe the blow
     const char* pulse = "";
     /// Sentence with the coefficient of restitution e as %1; empty if e is not a main result.

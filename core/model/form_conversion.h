@@ -13,7 +13,7 @@ namespace drillwave {
 /// Scenario after conversion to another form.
 struct Conversion {
     Scenario scenario;
-    /// Sentences on what the converted scenario does not contain, or only approximates.
+    /// Sentences on features of the original that the converted scenario lacks or only approximates.
     std::vector<Message> lost;
 };
 

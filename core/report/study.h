@@ -202,7 +202,7 @@ struct Study {
 
     /// Whether the study requires physical units and is shown in them.
     bool isPhysical = false;
-    /// Whether its page is listed after those of single blows, and its command after `drill`.
+    /// Whether the study's page is listed after those of single blows, and its command after `drill`.
     bool isOfFeed = false;
     /// Keys of optional parameters that the page asks for if the scenario lacks them.
     std::vector<std::string_view> asked = {};

@@ -55,8 +55,8 @@ std::vector<Message> eachAbout(const Message& name, std::vector<Message> sentenc
 
 // Lists and counts in messages.
 
-/// Returns a list with one more message at its end, joined by `pattern` ("%1, %2"). If the list is empty,
-/// returns only the new message.
+/// Returns a list of messages with one more message at its end, joined by `pattern` ("%1, %2"). If the list
+/// is empty, returns only the new message.
 inline Message joined(Message list, const char* pattern, Message next) {
     if (list.isEmpty()) return next;
     return {pattern, {std::move(list), std::move(next)}};

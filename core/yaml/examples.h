@@ -12,9 +12,9 @@ namespace drillwave {
 struct Example {
     std::string name;         ///< file name without ".yaml", e.g. "paper_fig4a"
     std::string title;        ///< title of the scenario
-    std::string explanation;  ///< first comment of the file as one paragraph: what to look at
+    std::string explanation;  ///< first comment of the file as one paragraph, which says what to look at
     std::string_view text;    ///< contents of the file, byte for byte
-    /// Whether it has a hammer and a drill string of sections instead of a uniform rod.
+    /// Whether the example has a hammer and a drill string of sections instead of a uniform rod.
     bool ofString = false;
 };
 

@@ -11,10 +11,11 @@
 
 namespace drillwave {
 
-/// Returns the text of a scenario file with the values of another scenario and design. Changed values keep
-/// the unit of the file but lose the comment after them. New values get new lines; absent ones are removed; a
-/// changed list of points or corners is replaced. Returns nullopt if this is not enough, as for another form
-/// of the scenario or values over several lines. The caller must check that the result gives the scenario.
+/// Returns the text of a scenario file, edited to have the values of another scenario and design. Changed
+/// values keep the unit of the file but lose the comment after them. New values get new lines; absent ones
+/// are removed; a changed list of points or corners is replaced. Returns nullopt if such edits are not
+/// enough, as for another form of the scenario or values over several lines. The caller must check that the
+/// result gives the scenario.
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario,
                                        const DesignSetup& design);
 

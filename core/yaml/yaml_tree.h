@@ -16,7 +16,7 @@ enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 /// Value in a YAML text: absent, a scalar, a sequence or a map.
 struct YamlNode {
     YamlKind kind = YamlKind::null;
-    bool flow = false;         ///< whether it is written in brackets or braces
+    bool flow = false;         ///< whether a sequence or map is written in brackets or braces
     std::uint32_t offset = 0;  ///< position of its first byte in the text
     std::string text;          ///< text of a scalar, without quotes
     /// Items of a sequence; for a map its keys and values in turn.

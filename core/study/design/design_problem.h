@@ -27,8 +27,9 @@ class DesignSolver {
     /// `values` has one value for each uncertain input. Returns why there are no results; empty if there are.
     virtual Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
                           const std::stop_token& stop) = 0;
-    /// Solves a design with the uncertain inputs at the values of its scenario. Arguments and return value
-    /// are those of solve().
+    /// Solves a design with the uncertain inputs at the values entered in its scenario, and writes its
+    /// results to `outputs`. `design` is an index from 0. Returns why there are no results; empty if there
+    /// are.
     virtual Message solveNominal(std::uint64_t design, std::span<double> outputs,
                                  const std::stop_token& stop) = 0;
 };

@@ -80,7 +80,7 @@ struct DesignStudy {
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
     /// Returns the parameters that are uncertain; those of the table `draws` are last.
     std::vector<KeptParameter> scattered() const;
-    /// Returns where DesignSamples stores the statistic of an objective or limit.
+    /// Returns the position, in DesignSamples::statistics, of a statistic that an objective or a limit uses.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
     bool operator==(const DesignStudy&) const = default;
 };
@@ -133,8 +133,8 @@ std::uint64_t designSolves(const DesignStudy& study);
 /// Callback for intermediate results: called first with the designs, later again with the sensitivities.
 using ShowFindings = std::function<void(const DesignFindings&)>;
 
-/// Returns the results of a design study. If problemsOf() the study is not empty, only `refusal` is set, to
-/// its first message. After a stop request, the result is incomplete and must not be used.
+/// Returns the results of a design study. If problemsOf(study) is not empty, only `refusal` is set, to its
+/// first message. After a stop request, the result is incomplete and must not be used.
 DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show = {});
 
 }  // namespace drillwave

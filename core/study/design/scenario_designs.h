@@ -14,8 +14,8 @@ namespace drillwave {
 /// numerical error of each sample.
 class ScenarioDesigns : public DesignProblem {
   public:
-    /// Stores a reference to the study, which must outlive this object. Requires that problemsOf() the study
-    /// is empty.
+    /// Stores a reference to the study, which must outlive this object. Requires that problemsOf(study) is
+    /// empty.
     explicit ScenarioDesigns(const DesignStudy& study);
 
     std::uint64_t designCount() const override { return m_study.designCount(); }

@@ -47,8 +47,8 @@ struct DrillingRecord {
     Message reason;
     DrillingLedger ledger;
     double momentumResidual = 0;
-    /// Largest DrillingMarch::lateShare() of all blows: impulse after the first separation, as a share of the
-    /// hammer momentum.
+    /// Largest impulse on the struck face after its first separation from the hammer, as a share of the
+    /// hammer momentum. It is the maximum of DrillingMarch::lateShare() over all blows.
     double lateShare = 0;
     std::vector<DrillingInstant> instants;
     /// Natural logarithm of the growth of a small deviation during each blow; for the Lyapunov exponent.

@@ -29,8 +29,8 @@ class GapDistribution {
     double density(double gap) const;
     /// Returns the probability, 0 … 1, that the gap folded into the curve is at most `gap`.
     double cumulative(double gap) const;
-    /// Returns ascending gaps that divide the curve for integration. Between neighbours, the density varies
-    /// smoothly over their distance.
+    /// Returns ascending gaps that divide the range of the curve into intervals for numerical integration.
+    /// Within each interval the density varies smoothly.
     const std::vector<double>& cuts() const { return m_cuts; }
 
   private:

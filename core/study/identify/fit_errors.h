@@ -48,7 +48,8 @@ struct FitErrors {
     double quiet = 0;
     /// A, the amplitude of waves that the model does not explain, as a share of the peak force.
     double unexplained = 0;
-    /// Whether A comes from the decaying tail of the blow; it is then applied only to the returning wave.
+    /// Whether the amplitude A of unexplained waves was found from the decaying tail of the blow; it is then
+    /// applied only to the returning wave.
     bool isTail = false;
     Eigen::VectorXd unexplainedEffect;
     std::vector<std::string> remarks;

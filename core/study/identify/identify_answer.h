@@ -154,8 +154,9 @@ struct RecordAnswer {
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;
-    /// Returns whether the result is of use: the model is not rejected, and stiffness or gamma is identified
-    /// or bounded. Also true if the law of the scenario file is kept.
+    /// Returns whether the result contains information about the rock. This requires that the model is not
+    /// rejected and that stiffness or gamma is identified or bounded. Also true if the law of the scenario
+    /// file was used instead of a fitted one.
     bool saysSomething() const;
 };
 

@@ -82,8 +82,8 @@ double largestForce(RecordModel& model, const LawFit& fit);
 /// samples between blow and reflection are adapted to the waves found there.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
-/// Fits the bilinear law to a record, starting from `values`: those of the unknowns of `from`, a model of the
-/// same record with another transit time. Updates `values` and returns Σr².
+/// Fits the bilinear law to a record, starting from `values`. These are the unknowns of the model `from`,
+/// which has the same record but another transit time. Updates `values` and returns Σr².
 double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& values,
                 const std::stop_token& stop);
 

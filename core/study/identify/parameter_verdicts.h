@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Fills the parameters, their covariance and the changes by common causes in `answer`. `atLeast` are lower
-/// limits of the half-widths of ln k, ln γ, gap [m], ln F1 and ln s1.
+/// Sets the parameters of `answer`, their covariance, and their changes by error sources common to all
+/// records. `atLeast` are lower limits of the half-widths of ln k, ln γ, gap [m], ln F1 and ln s1.
 void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast, RecordAnswer& answer);
 
 /// Extends the interval of the gap down to 0. Used if a curved start of the rock law explains the record as

@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Loading curve that is fitted. With `crater`, the bit stands in rock that an earlier force has loaded, and
-/// first reloads it. With `held`, the law of the scenario file is used unchanged.
+/// Loading curve of a fit. With `crater`, the bit stands in rock that an earlier force has loaded, and first
+/// reloads it. With `held`, the law of the scenario file is used unchanged.
 enum class TrialLaw { bilinear, corner, power, dashpot, crater, held };
 
 /// Unknown of a fit: a rock parameter, a size or the amount of a disturbance. Its prior is normal; without a

@@ -65,8 +65,8 @@ struct ContourCourse {
     std::size_t numberOf(const GridEdge& edge) const;
 };
 
-/// Returns the course of the contour at the level of the nodes. Squares with a node without a value are left
-/// out.
+/// Returns the edges, squares and saddles through which the contour at the level of the nodes passes. Squares
+/// with a node without a value are left out.
 ContourCourse courseOf(const GridNodes& nodes);
 
 }  // namespace drillwave

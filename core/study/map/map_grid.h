@@ -33,7 +33,7 @@ class MapGrid {
     /// Creates a map in which no point is present yet. Requires at least one value in xs and in ys (SI), and
     /// at most maximumMapPoints points.
     MapGrid(std::vector<double> xs, std::vector<double> ys);
-    /// Creates a map without points for a question that has no answer, with the reason.
+    /// Creates a map without points, with the reason why the map cannot be computed.
     explicit MapGrid(Message refusal) : m_refusal(std::move(refusal)) {}
     /// Returns why the map has no points; empty if it has.
     const Message& refusal() const { return m_refusal; }

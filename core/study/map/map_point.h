@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Solver for points of a map, which keeps what neighbouring points have in common. Each thread needs its own
-/// object.
+/// Solver for points of a map, which reuses intermediate results between neighbouring points. Each thread
+/// needs its own object.
 class MapPoint {
   public:
     /// Stores a reference to the study, which must outlive this object.

@@ -35,7 +35,7 @@ double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau);
 /// βτ.
 enum class ReferenceStiffness {
     roundTrip,  ///< k0 = Z/(2T), as in the paper's reference curves: equal work, τ = 1/2
-    pulse,      ///< k0 = Z/t0, as in section 5.1 of the paper, here at τ = 10
+    pulse,      ///< k0 = Z/t0, as in section 5.1 of the paper, computed for τ = 10
 };
 
 /// Returns the coefficient of restitution e of the reference case (rod without waves); NaN if it could not be

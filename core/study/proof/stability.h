@@ -33,8 +33,8 @@ struct StabilityMarks {
     /// Limit of the change of e when a parameter changes by a relative 1e-10. The largest value observed is
     /// 4e-9, where e is steepest.
     double change = 4e-8;
-    /// Limit of the distance of e from its theoretical limits, relative to what theory allows. The largest
-    /// value observed is 0.007, because the estimates are generous.
+    /// Limit of the difference between e and its theoretical limit, divided by the difference that theory
+    /// allows. The largest value observed is 0.007, because the theoretical estimates are generous.
     double limit = 0.07;
     /// Limit of the difference of e from the lattice, relative to the error estimate of the lattice. The
     /// largest value observed is 0.3, because that estimate is cautious.

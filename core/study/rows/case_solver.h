@@ -14,7 +14,8 @@
 
 namespace drillwave {
 
-/// Solver for a series of scenarios, which keeps what they have in common. Each thread needs its own object.
+/// Solver for a series of scenarios, which reuses what consecutive ones have in common, such as the hammer
+/// force. Each thread needs its own object.
 class CaseSolver {
   public:
     /// Stores a reference to `columns`, which must outlive the solver. Each case may take `workLimit` wave

@@ -24,7 +24,7 @@ struct Sweep {
     std::vector<SweepAxis> axes;  ///< axes of the grid, 1 … maximumSweepAxes
     std::vector<OutputColumn> columns;
     Shard shard;
-    std::uint64_t done = 0;  ///< number of rows of this part that exist already and are skipped
+    std::uint64_t done = 0;  ///< number of rows that an earlier run has already computed; they are skipped
     MethodChoice method = {};
     /// Maximum work of one row, in wave pieces (the solver's unit of work). Rows that need more are not
     /// solved.

@@ -71,8 +71,8 @@ struct ParsedAxis {
 /// cannot be distinguished.
 ParsedAxis parseRange(std::string_view text);
 
-/// Returns why a curve cannot follow an axis from `start` up to `stop`; empty if it can. The reasons are
-/// those of parseRange(), for an axis whose ends are valid values of its parameter.
+/// Returns why a curve cannot follow an axis from `start` up to `stop`, such as a stop that is not above the
+/// start; empty if it can. Requires that both ends are valid values of the parameter.
 Message followProblem(const SweepAxis& axis);
 
 /// Returns the message that the range of an axis must end above its start.

@@ -24,7 +24,8 @@ std::optional<FeedEstimate> solveFeedEstimate(const Scenario& scenario, const st
 /// frequency, impulse or feed force needs no further work. Each thread needs its own object.
 class ThrustMargins {
   public:
-    /// Sets the maximum number of wave pieces of a curve over all gaps, as in GapReboundFinder.
+    /// Sets the maximum number of wave pieces of a curve over all gaps. A case whose curve needs more has no
+    /// result.
     explicit ThrustMargins(long mostPieces = anyNumberOfPieces) : m_finder(mostPieces) {}
 
     /// Returns the feed margin: the effective feed force divided by the largest of the four required ones,
