@@ -15,18 +15,19 @@ namespace drillwave {
 
 /// Description of one option of a command, such as "--set KEY=VALUE" or "-j N".
 struct OptionSpec {
-    std::string_view name;   ///< name without dashes: "set", or a single letter
-    std::string_view value;  ///< placeholder of its value in the help, "KEY=VALUE"; empty for a switch
-    std::string_view help;   ///< description in the help, one line
-    /// How often the option may appear. A `list` option also takes all words with an equals sign that follow
-    /// it.
+    std::string_view name;  ///< name without dashes: "set", or a single letter
+    /// Placeholder of the option's value in the help, "KEY=VALUE"; empty for a switch.
+    std::string_view value;
+    std::string_view help;  ///< description in the help, one line
+    /// Number of times that the option may appear. A `list` option also takes all following words that have
+    /// an equals sign.
     enum class Times { once, repeated, list } times = Times::once;
     /// Scenario key that the option sets, for example "drill.blows" for --blows; empty if it sets none.
     std::string_view sets = {};
 
     /// Returns true if the option is written with two dashes, "--set" or "--x", and false if with one, "-j".
     bool isLong() const;
-    /// Returns the option as it is typed, with its dashes: "--set" or "-j".
+    /// Returns the option with its dashes: "--set" or "-j".
     std::string text() const;
 };
 

@@ -18,7 +18,8 @@ namespace drillwave {
 class DesignFaults {
   public:
     void add(ExitCode code, const Message& line) { m_faults.emplace_back(code, line); }
-    /// Throws CommandError with all lines if there are any. Its exit code is the smallest one that was added.
+    /// Throws CommandError with all errors that were added; does nothing without errors. The exit code is the
+    /// smallest of theirs.
     void check() const;
 
   private:

@@ -15,7 +15,8 @@ namespace drillwave {
 /// Returns the options that say how to read a record, and --recorder, for a command's table of options.
 std::vector<OptionSpec> signalOptionSpecs();
 
-/// Returns --signal with the options that say how to read its record, for a command that reads a scenario.
+/// Returns the option --signal and the options that say how to read its record, for a command that reads a
+/// scenario.
 std::vector<OptionSpec> recordOptionSpecs();
 
 /// Returns how to read a record: the settings stored under --recorder, overridden by the options given.

@@ -26,9 +26,9 @@ std::string runFileName(int number);
 struct KeptRun {
     int number = 0;             ///< number of the run, 0 … mostRuns − 1, from which its letter follows
     std::string name;           ///< name given by the user, "k 300 MN/m"
-    ScenarioDocument contents;  ///< scenario of the run; its `text` is the file byte for byte
-    bool isShown = true;        ///< whether its curves are drawn in the plots
-    bool isReference = false;   ///< whether it is the run with which others are compared
+    ScenarioDocument contents;  ///< scenario of the run; `text` in it equals the run's file byte for byte
+    bool isShown = true;        ///< whether the curves of the run are drawn in the plots
+    bool isReference = false;   ///< whether the present result and other runs are compared with this run
     /// Coefficient of restitution e of the run. If solving the run again gives another e, the table file of
     /// its hammer force has changed.
     std::optional<double> cor;

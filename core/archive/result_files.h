@@ -35,10 +35,10 @@ struct PictureOrder {
 
 // Files of one blow, as written by `drillwave run -o` and by the export of the window.
 
-/// Blow with further data for its files.
+/// Blow, with the scenario text and other data that the files of its results contain.
 struct SolvedRun {
     Blow blow;                 ///< blow, solved with Detail::histories
-    std::string scenarioText;  ///< complete text of its scenario (completeScenarioText())
+    std::string scenarioText;  ///< complete text of the scenario of the blow (completeScenarioText())
     OutputUnits units = OutputUnits::dimensionless;
 };
 

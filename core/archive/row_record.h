@@ -21,7 +21,7 @@ inline constexpr std::string_view rowRecordKey = "drillwave_result:";
 inline constexpr std::string_view rowRecordFormatKey = rowRecordKey.substr(0, rowRecordKey.size() - 1);
 inline constexpr int rowRecordFormat = 1;
 
-/// Axis of a sweep: its column, and its values as the user gave them.
+/// Axis of a sweep: its column, and its values as typed by the user.
 struct RecordedAxis {
     std::string column;       ///< heading of the column, "rod.length [m]"
     std::string values;       ///< values as given by the user, "3 m:6 m:4"
@@ -30,7 +30,7 @@ struct RecordedAxis {
 
 /// Contents of the record (YAML file) that describes a CSV file of rows, except the version of the program.
 struct RowRecord {
-    std::string command;                 ///< command line that gives the same rows again
+    std::string command;                 ///< command line that computes the same rows
     std::optional<MethodChoice> method;  ///< method of solution; empty for studies with only one method
     std::uint64_t rows = 0;
     /// Number of rows for which no result was found; nullopt if not counted.
@@ -72,7 +72,7 @@ std::optional<std::string_view> unsealed(std::string_view record);
 /// Contents of the record of one part of the rows.
 struct RowPart {
     std::string file;     ///< path of the file of rows
-    std::string command;  ///< command line that gives this part of the rows, including its option --shard
+    std::string command;  ///< command line that computes this part of the rows, including its option --shard
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;  ///< number of rows without a result
     FileSum sum;                 ///< size and checksum of the file of rows

@@ -66,7 +66,8 @@ class WholeFile {
 /// itself if the links form a circle.
 std::string behindLinks(const std::string& path);
 
-/// Replaces the contents of a file at once, or makes it. On failure the file does not change.
+/// Writes a file so that old contents are replaced all at once. On failure the old file remains unchanged.
+/// Returns an empty failure when done.
 WriteFailure replaceFile(const std::string& path, std::string_view bytes);
 
 /// Returns the message on a failure in one line that begins with `name`: "out.csv: cannot be written: …".

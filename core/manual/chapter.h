@@ -14,8 +14,10 @@ namespace drillwave {
 
 /// Chapter of the manual.
 struct Chapter {
-    std::string name;   ///< name of its file, "theory", by which other texts cite it in every language
-    std::string title;  ///< title, its first heading
+    /// Name of the chapter's file without extension, "theory", by which texts cite the chapter in every
+    /// language.
+    std::string name;
+    std::string title;  ///< title of the chapter, which is its first heading
     std::string text;   ///< complete text, in Markdown
 };
 

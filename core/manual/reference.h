@@ -21,7 +21,7 @@ namespace drillwave {
 /// Description of one number of a scenario.
 struct ParameterFacts {
     std::string key;       ///< key, "bit_rock.gamma"; for a number of sections "string.NAME.length"
-    std::string title;     ///< name with its symbol, "elasticity γ"
+    std::string title;     ///< name of the parameter with its symbol, "elasticity γ"
     std::string meaning;   ///< explanation, a sentence without its full stop
     std::string unit;      ///< default unit, "mm"; may be empty
     std::string range;     ///< allowed range, "greater than 0", "in (0, 1]"
@@ -52,7 +52,7 @@ std::string referenceOf(const Output& output, const ReadingStyle& style);
 /// Returns the scale of a dimensionless output, such as "I0" or "t0", of which it is a multiple; "–" for a
 /// plain number.
 std::string_view scaleName(const Output& output);
-/// Returns the SI unit of an output, "–" if it has none.
+/// Returns the name of the SI unit of an output; "–" if the output has none.
 std::string_view siName(const Output& output);
 
 }  // namespace drillwave

@@ -61,7 +61,8 @@ struct Hammer {
     /// Sections of the hammer from its rear to its face. Empty if a prescribed force acts instead.
     std::vector<Section> sections;
     std::optional<double> faceStiffness;  ///< stiffness k_c between hammer and string [N/m] (default: rigid)
-    /// Whether the hammer may strike again in the same blow; if false, it is removed once separated.
+    /// Whether the hammer may strike again in the same blow. If false, the hammer is removed when it
+    /// separates.
     bool restrike = true;
     bool operator==(const Hammer&) const = default;
 };
@@ -76,7 +77,7 @@ struct DrillString {
     bool operator==(const DrillString&) const = default;
 };
 
-/// Largest number of sections of a drill string, with its repeats expanded, and of a hammer.
+/// Largest number of sections of a drill string (with its repeats expanded) or of a hammer.
 inline constexpr std::size_t maximumSections = 1000;
 
 /// Returns the number of sections of the string, with repeats expanded. If it is too large for std::uint64_t,
@@ -97,7 +98,7 @@ struct PlacedSection {
     const Section* section = nullptr;
     std::uint64_t place = 1;
 };
-/// Returns every section of the string once, in the order of a file, with its position.
+/// Returns every section of the string once, in the order of a scenario file, with its position.
 std::vector<PlacedSection> placedSections(const DrillString& drillString);
 
 /// Returns the section at a position, from 1 with repeats expanded, or nullptr after the last one. All copies

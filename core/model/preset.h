@@ -67,7 +67,8 @@ std::string description(const Preset& preset, const ReadingStyle& style);
 enum class SectionPresetKind { piston, adapter, coupling, bit };
 inline constexpr auto sectionPresetKinds = allValues<SectionPresetKind>;
 
-/// Returns the name of a kind of sections, "piston". The plural, "pistons", is the key of its list in a file.
+/// Returns the name of a kind of preset sections, "piston". Its plural, "pistons", is the key of the list of
+/// such presets in a file.
 std::string_view name(SectionPresetKind kind);
 
 /// Named sections of a drill string, such as a coupling, with a common source.

@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// One input of a report: a value given in the scenario, with its source.
+/// Input listed in a report: a value given in the scenario, with its source.
 struct ReportInput {
     std::string key;                        ///< key in scenario files, such as "rod.length"
     Message label;                          ///< label for people, such as "length L"
@@ -31,10 +31,10 @@ struct ReportInput {
 
 /// Section of the hammer or the string, listed once even if it occurs several times.
 struct ReportSection {
-    std::string key;                  ///< key of its first occurrence, such as "hammer.1" or "string.2"
-    Message place;                    ///< position for people, such as "hammer 1" or "2"
-    std::string name;                 ///< name of the section; may be empty
-    int times = 1;                    ///< number of times it occurs
+    std::string key;   ///< key of the section's first occurrence, such as "hammer.1" or "string.2"
+    Message place;     ///< position for people, such as "hammer 1" or "2"
+    std::string name;  ///< name of the section; may be empty
+    int times = 1;     ///< number of times that the section occurs
     std::vector<ReportInput> values;  ///< values given in the file, with the keys of their SectionField
     Message source;                   ///< source of the values, never empty
     bool operator==(const ReportSection&) const = default;
@@ -73,7 +73,8 @@ struct BlowReport {
     std::optional<GapStudy> gap;
     /// Sentence that says why `gap` is empty; empty if it is not, and for a drill string.
     Message gapProblem;
-    /// Required feed force with its study and curve; empty without a blow frequency.
+    /// Report of the required feed force, including a curve along a parameter; empty without a blow
+    /// frequency.
     std::optional<ThrustReport> thrust;
     Message thrustProblem;  ///< reason why there is no study of the feed force; empty if there is one
     /// Studies added on request, such as a sequence of blows or a design study.

@@ -124,7 +124,7 @@ struct FigureSeries {
     Message legend = {};  ///< name in the legend; a series with an empty name is not listed
     std::vector<double> x = {};
     std::vector<double> y = {};
-    bool isOnTop = false;  ///< whether its x values belong to the top axis of the panel
+    bool isOnTop = false;  ///< whether the x values of the series belong to the top axis of the panel
     /// Function that returns y at an x between the points of a line; may be empty.
     std::function<double(double x)> value = nullptr;
     bool isFaint = false;  ///< whether the series is drawn faintly, behind the others
@@ -142,7 +142,7 @@ struct FigureSeries {
     /// Parameter that the user changes by dragging the line up or down, in proportion to the distance; empty
     /// if the line cannot be dragged.
     std::optional<AxisTarget> dragged = {};
-    bool isOnRight = false;  ///< whether its y values belong to the right axis of the panel
+    bool isOnRight = false;  ///< whether the y values of the series belong to the right axis of the panel
 };
 
 /// Kind of a marked point of a curve.
@@ -228,7 +228,7 @@ struct StudyPanel {
     std::size_t row = 0;
     double width = 1;   ///< width relative to the first panel of its row
     double height = 1;  ///< height relative to the first row; only that of the first panel in a row is used
-    bool sharesX = false;  ///< whether its x axis shows the same range as that of the first panel
+    bool sharesX = false;  ///< whether the x axis shows the same range as that of the first panel
     FigureAxis x = {};
     FigureAxis y = {};                   ///< y axis; only that of the first panel in a row is used
     std::optional<FigureAxis> top = {};  ///< second x axis, along the top; empty for none

@@ -18,7 +18,7 @@ namespace drillwave {
 /// (paper, Fig. 8).
 const Study& gapStudy();
 
-/// Returns a note about the gap from which on results repeat periodically; empty if they do so from gap 0 on.
+/// Returns a note about the gap above which results repeat periodically; empty if they repeat from gap 0 on.
 Message periodRemark(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
 /// Returns the study as one dimensionless JSON object, with the scales for conversion to SI units.

@@ -12,7 +12,7 @@ namespace drillwave {
 
 /// Planned strain gauge: its column in the table and its position.
 struct PlannedGauge {
-    std::string column;   ///< name of its column in the table
+    std::string column;   ///< name of the gauge's column in the table
     double distance = 0;  ///< distance from the bit face [m]; must be on a uniform section of rod or string
 };
 

@@ -19,7 +19,7 @@ inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 /// shown.
 int goalDigits(const ReadingStyle& style);
 
-/// Returns a value of the question's first output with its unit: "0.7", "240 kN".
+/// Returns a value of the first output of `question` as text with its unit: "0.7", "240 kN".
 std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style);
 
 /// Returns the goal in words, such as "cor = 0.7" or, in print, "peak force = 240 kN". Requires that the

@@ -43,7 +43,8 @@ std::string forcePenetrationCsv(const IdentifyReport& report);
 std::string posteriorCsv(const IdentifyReport& report);
 /// Returns the results as CSV with one row for each record.
 std::string recordsCsv(const IdentifyReport& report);
-/// Returns the incident wave as CSV with the columns `time [us]` and `force [kN]`, from its front to its end.
+/// Returns the incident wave, from its front to its end, as CSV with the columns `time [us]` and `force
+/// [kN]`.
 std::string incidentCsv(const IdentifyReport& report);
 
 /// Returns the sentence for the code of a warning. `scenario` provides the names of its sections.

@@ -14,7 +14,7 @@ namespace drillwave {
 
 /// Intended use of a report page, which determines its HTML.
 enum class ReportMedium {
-    screen,  ///< separate file in valid HTML 5, including the data from which it can be run again
+    screen,  ///< separate file in valid HTML 5, including the data from which the report can be made again
     paper,   ///< subset of HTML that QTextDocument supports; long scenarios are truncated
 };
 
@@ -34,7 +34,8 @@ class ReportElements {
 
     std::string paragraph(const Message& text) const;
     std::string heading(const Message& text) const;
-    /// Returns a table with a rule below each line; `rows` is its HTML. On paper it is more compact.
+    /// Returns an HTML table with a rule below each line. `rows` is the HTML of its rows. The table is more
+    /// compact on paper.
     std::string table(const std::string& id, const std::string& rows) const;
     std::string alert(const Alert& alert) const;
 

@@ -16,11 +16,11 @@ namespace drillwave {
 /// Contents of one cell of a report table.
 struct ReportCell {
     std::string text;
-    /// Full number behind the text, as in JSON; empty if JSON does not have it.
+    /// Number shown by the text, in full precision as in JSON; empty if JSON does not have it.
     std::optional<double> number;
 };
 
-/// Row of a report table: its name and the cells of its columns.
+/// Row of a report table: a name and the cells of all columns.
 struct ReportRow {
     std::string key;  ///< name of the value in JSON, or a symbol
     std::string label;

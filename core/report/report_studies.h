@@ -24,7 +24,8 @@ struct ReportStudies {
     std::shared_ptr<const DrillingResult> drilling;
     /// Scan over several values of a parameter; has at least one point.
     std::shared_ptr<const DrillingScan> scan;
-    /// Design study with a best design for uncertain rock; its texts may be empty.
+    /// Report of a design study that has a best design for uncertain rock; nullptr without one. Its scenario
+    /// text may be empty.
     std::shared_ptr<const DesignReport> design;
 };
 

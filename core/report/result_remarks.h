@@ -18,7 +18,7 @@ inline constexpr std::string_view csvRemarksBegin = "# # Written by Drillwave ";
 struct ResultRemarks {
     std::string version;
     std::optional<MethodChoice> method;
-    std::size_t length = 0;  ///< length of these lines [bytes]
+    std::size_t length = 0;  ///< length of the comment lines at the start of the text [bytes]
     Message problem;         ///< error if the method is not known to this program; empty otherwise
 };
 

@@ -35,7 +35,7 @@ struct StudyQuestion {
     bool operator==(const StudyQuestion&) const = default;
 };
 
-/// Reason why a question cannot be answered, and the option that causes it.
+/// Reason why a study cannot be made with the given options, and the option that causes it.
 struct StudyProblem {
     /// Option with the wrong value; empty if the scenario or a combination of options is the cause.
     std::string_view option;
@@ -77,15 +77,15 @@ struct StudyGroup {
 /// command.
 struct StudyOption {
     std::string_view key;    ///< name on the command line without dashes, such as "gap-mean"
-    std::string_view value;  ///< placeholder of its value in the help, such as "GAP"
+    std::string_view value;  ///< placeholder of the option's value in the help, such as "GAP"
     std::string_view help;
     std::variant<NoControl, QuantityControl, RangeControl> control = NoControl{};
     const char* label = "";             ///< label in front of the input
     const char* name = "";              ///< accessible name for a screen reader
-    const StudyGroup* group = nullptr;  ///< group of options it belongs to; nullptr for none
+    const StudyGroup* group = nullptr;  ///< group of options that this option belongs to; nullptr for none
 };
 
-/// Axis along which a study writes rows of CSV, and the name of the option that gives it.
+/// Axis along which a study writes rows of CSV, with the name of the option that sets the axis.
 struct StudyAxis {
     std::string_view option;
     SweepAxis axis;
@@ -171,18 +171,20 @@ struct StudyWork {
 /// Description of a study, from which its command and page are generated. Texts are in English and marked by
 /// translatable().
 struct Study {
-    std::string_view name;     ///< name of its command
-    const char* title;         ///< title of its page
-    const char* plotTitle;     ///< accessible name of its plot for a screen reader
+    std::string_view name;     ///< name of the study's command, "gap"
+    const char* title;         ///< title of the study's page in the window
+    const char* plotTitle;     ///< name of the study's plot for a screen reader
     std::string_view summary;  ///< summary for the help, one line
-    std::string_view details;  ///< further text for the help
+    std::string_view details;  ///< text of the help that follows the summary
     std::string_view csvHelp;  ///< help text for -o, which describes the CSV
     std::vector<StudyOption> options;
-    /// Names of the views of its figure, in the order of a selection box; empty if there is only one.
+    /// Names of the views of the study's figure, in the order of a selection box; empty if there is only one
+    /// view.
     std::vector<const char*> views;
     const char* firstLook;  ///< sentence shown with a preview
-    const char* clickHelp;  ///< sentence on what a click does, after the other sentences on the page
-    bool hasSi;             ///< whether the CSV has the option --si
+    /// Sentence on the effect of a click on the figure, shown last among the sentences of the page.
+    const char* clickHelp;
+    bool hasSi;  ///< whether the CSV has the option --si
 
     /// Returns why a scenario cannot have this study, as words that follow "FILE: "; empty if it can.
     Message (*whyNot)(const Scenario& scenario);
@@ -200,7 +202,7 @@ struct Study {
     /// incomplete (see StudyAnswer::gap()).
     StudyAnswerPtr (*run)(const StudyQuestion& question, const StudyWork& work);
 
-    /// Whether the study requires physical units and is shown in them.
+    /// Whether the study requires physical units and its page shows values in them.
     bool isPhysical = false;
     /// Whether the study's page is listed after those of single blows, and its command after `drill`.
     bool isOfFeed = false;

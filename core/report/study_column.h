@@ -28,7 +28,7 @@ struct StudyColumn {
     double (*value)(const Row&);  ///< function that returns the number of a row; NaN if there is none
 };
 
-/// Returns the headings of a table for people: `first`, then those of the columns shown.
+/// Returns the headings of a table for people: `first`, then the titles of the columns shown.
 std::vector<std::string> withTitles(std::string first, const auto& columns,
                                     const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> titles{std::move(first)};

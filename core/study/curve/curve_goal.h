@@ -30,7 +30,7 @@ struct GoalPlace {
     /// Output solved at x, in the unit of its column; for a jump, or between two points, the value before the
     /// goal.
     Estimate value = {};
-    /// Output after a jump, or at the second of two points; not used for other kinds.
+    /// Output after a jump, or at the second of two points; used only for the kinds `jump` and `between`.
     double valueAfter = 0;
     bool rising = false;  ///< whether the output increases with x where it passes the goal
 

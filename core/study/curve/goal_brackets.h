@@ -26,7 +26,8 @@ struct GoalBracket {
     int before = 0;
     /// Side of the curve after the goal: −1 below, +1 above, 0 if the curve ends at the goal.
     int after = 0;
-    /// Error of the curve here; values closer to the goal cannot be distinguished from it.
+    /// Error of the curve within the bracket. Values closer to the goal than this cannot be distinguished
+    /// from the goal.
     double margin = 0;
     /// Whether the bracket lies between two solved points, with the curve not known between them.
     bool isOpen = false;

@@ -26,7 +26,7 @@ struct DesignSamples {
     /// samples.
     std::vector<std::vector<SampledValue>> statistics = {};
     std::uint64_t unsolved = 0;  ///< number of samples without a solution, which the statistics leave out
-    Message reason = {};         ///< reason why the first such sample was not solved
+    Message reason = {};  ///< reason why the first unsolved sample has no solution; empty if all have one
     /// Share of samples, 0 … 1, whose own numerical error exceeds the error of a statistic (see
     /// UncertainPoints).
     double uncertainShare = 0;

@@ -92,7 +92,8 @@ std::vector<DesignAim> customaryAims(const Scenario& scenario);
 /// Results of a design study.
 struct DesignFindings {
     Message refusal = {};  ///< reason why the study cannot run; the other members are then empty
-    /// Reason why no design is solved even at the values entered; the other members are then empty.
+    /// Reason why no design could be solved, not even at the values entered; the other members are then
+    /// empty.
     Message unsolved = {};
     std::vector<DesignSamples> designs;
     std::vector<Feasibility> feasibility;  ///< feasibility of each design, in the order of `designs`
@@ -101,7 +102,8 @@ struct DesignFindings {
     BestDesigns best;
     /// Outputs that the objectives use, each once. `sensitivity` has the same order.
     std::vector<const Output*> aimed;
-    /// Sensitivity of these outputs to the uncertain inputs, for the design that is best for uncertain rock.
+    /// Sensitivity of the objectives' outputs to the uncertain inputs, for the design that is best for
+    /// uncertain rock.
     Sensitivity sensitivity;
     /// Worst case of each objective, for the design that is best for uncertain rock.
     std::vector<std::optional<WorstCase>> worst;

@@ -58,7 +58,7 @@ struct DrillingRecord {
 /// Default maximum work of one sequence of blows, in time steps times nodes of the string [cells × nodes].
 inline constexpr double mostDrillingWork = 4e9;
 
-/// Length of a sequence of blows, and what to record of it.
+/// Length of a sequence of blows, and selection of the data recorded.
 struct RecordLength {
     long blows;
     /// Maximum work [cells × nodes]. A sequence estimated to need more is abandoned after its first blows.

@@ -32,11 +32,12 @@ enum class DrillingMeasure { count, time, length, velocity, impulse, force, ener
 
 /// Quantity recorded for every blow, with its name and unit.
 struct BlowQuantity {
-    const char* name = nullptr;  ///< name of its CSV column and its key in JSON
+    const char* name = nullptr;  ///< name of the quantity's CSV column, and its key in JSON
     DrillingMeasure measure = DrillingMeasure::count;
     double DrillingBlow::*value = nullptr;
-    bool hasSpread = false;         ///< whether its mean, standard deviation and quantiles are results
-    const char* title = nullptr;    ///< heading in tables for people; nullptr if it is not shown there
+    bool hasSpread = false;  ///< whether mean, standard deviation and quantiles of the quantity are results
+    /// Heading of the quantity in tables for people; nullptr if they do not show it.
+    const char* title = nullptr;
     const char* meaning = nullptr;  ///< explanation of that table row, as a sentence
 };
 
@@ -95,9 +96,10 @@ struct DrillingStatistics {
     int period = 0;           ///< number of blows after which the motion repeats, 1 … 16; 0 if it does not
     DrillingRegime regime = DrillingRegime::irregular;
     std::array<int, 20> gapParts{};  ///< histogram of the fractional part of gap/d0, in 20 equal bins
-    /// Kolmogorov–Smirnov distance of these fractional parts from a uniform distribution, 0 … 1.
+    /// Kolmogorov–Smirnov distance, 0 … 1, of the fractional parts of gap/d0 from a uniform distribution.
     double ksDistance = 0;
-    double ksLevel = 0;     ///< distance that 5 % of samples from a uniform distribution exceed
+    /// Kolmogorov–Smirnov distance that 5 % of samples from a uniform distribution exceed.
+    double ksLevel = 0;
     bool isSettled = true;  ///< whether the first and second half of the blows agree within three errors
 };
 

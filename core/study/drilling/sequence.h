@@ -35,7 +35,8 @@ FeedModel feedModelOf(const Scenario& scenario);
 struct Sequence {
     SequenceMean penetration;      ///< mean penetration per blow [m]
     SequenceMean penetrationRate;  ///< mean penetration rate [m/s]
-    /// Mean penetration divided by that of a single blow from rest without a gap; empty if that is not known.
+    /// Mean penetration divided by the penetration of a single blow from rest without a gap. Empty if the
+    /// latter is not known.
     std::optional<SequenceMean> singleBlowShare;
     double contactShare = 0;  ///< share of blows that start within contactLimit of the rock, 0 … 1
     BlowSpread gap;           ///< statistics of the gap at the start of a blow [m]
@@ -50,8 +51,7 @@ std::optional<Sequence> sequenceOf(const DrillingResult& result);
 /// Wave loss suggested if none is known, as a share per round trip; typical values are 0.01 … 0.3.
 inline constexpr double usualWaveLoss = 0.1;
 
-/// Maximum error of the mean penetration, as a share of it, for the mean to be precise enough for
-/// comparisons.
+/// Maximum relative error of the mean penetration for which the mean is precise enough for comparisons.
 inline constexpr double resolvedShare = 0.05;
 
 }  // namespace drillwave

@@ -32,7 +32,8 @@ inline constexpr double maximumGapPeriodStart = 10'000;
 inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
-/// Text of GapCurve::reason if a curve was given up because it exceeds the permitted number of wave pieces.
+/// Text of GapCurve::reason for a curve that is incomplete because it exceeds the permitted number of wave
+/// pieces.
 inline constexpr const char* tooManyPieces =
     translatable("the waves of its blows at all gaps have more polynomial pieces than a quick study permits");
 

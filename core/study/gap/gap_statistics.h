@@ -16,8 +16,8 @@ namespace drillwave {
 /// Minimum or maximum of an output over all gaps, and one gap where it occurs.
 struct GapExtreme {
     Estimate value;
-    /// Gap of the extreme [d0], within one period. Its error is the distance over which the value stays
-    /// within its own error.
+    /// Gap of the extreme [d0], within one period. The error of the gap is the distance over which the output
+    /// stays within its own error.
     Estimate gap;
     enum class Kind { smooth, kink, everywhere } kind = Kind::smooth;
 };
@@ -41,7 +41,7 @@ struct GapOutputStatistics {
 /// Gap at which the coefficient of restitution e crosses 1.
 struct GapCrossing {
     Estimate gap;
-    bool rising = false;  ///< whether e increases with the gap here
+    bool rising = false;  ///< whether e increases with the gap where it crosses 1
 };
 
 struct GapStatistics {

@@ -27,15 +27,15 @@ struct SizedSection {
 
 /// Position of a gauge on the uniform part of a section.
 struct GaugePlace {
-    SizedSection section;       ///< section that the gauge is on
-    std::size_t index = 0;      ///< index of that section, from 0 at the struck end
-    double waveSpeed = 0;       ///< wave speed c of that section [m/s]
-    double axialStiffness = 0;  ///< axial stiffness E A [N]
-    double youngsModulus = 0;   ///< Young's modulus [Pa]
-    double attenuation = 0;     ///< amplitude decay α of waves per length [1/m]
-    double ahead = 0;           ///< distance a from the gauge to the end of its section towards the bit [m]
-    double behind = 0;          ///< distance from the gauge to the end of its section towards the hammer [m]
-    double fromStruckEnd = 0;   ///< distance x from the struck end of rod or string [m]
+    SizedSection section;                  ///< section that the gauge is on
+    std::size_t index = 0;                 ///< index of that section, from 0 at the struck end
+    double waveSpeed = 0;                  ///< wave speed c of that section [m/s]
+    double axialStiffness = 0;             ///< axial stiffness E A [N]
+    double youngsModulus = 0;              ///< Young's modulus [Pa]
+    double attenuation = 0;                ///< amplitude decay α of waves per length [1/m]
+    double ahead = 0;                      ///< distance a from the gauge to the bit end of its section [m]
+    double behind = 0;                     ///< distance from the gauge to the hammer end of its section [m]
+    double fromStruckEnd = 0;              ///< distance x from the struck end of rod or string [m]
     std::vector<SizedSection> towardsBit;  ///< sections between the gauge's section and the rock
     RockEnd end;                           ///< the same sections in the form used by the wave model
 };

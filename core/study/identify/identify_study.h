@@ -60,7 +60,7 @@ struct IdentifyFindings {
 /// are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
-/// Callback, called with the records identified so far; the last one is new.
+/// Callback with the records identified so far, of which the last one is new.
 using TellIdentified = std::function<void(const IdentifyFindings&)>;
 
 /// Returns the results of all records. They do not depend on the number of threads `jobs` (≥ 1). `tell` is
@@ -84,7 +84,7 @@ struct PosteriorDraws {
 /// law. Empty if the model is rejected, or if neither stiffness nor gamma is bounded on both sides.
 PosteriorDraws posteriorDraws(const IdentifyFindings& findings, std::size_t count, std::uint64_t seed);
 
-/// Returns the scenario with the identified rock law, its values rounded to five digits.
+/// Returns the scenario with the identified rock law, whose values are rounded to five digits.
 Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& findings);
 
 }  // namespace drillwave

@@ -18,7 +18,8 @@ struct NearbySolution {
     Eigen::VectorXd values;
     /// Rise of the sum of squared residuals Σr² above the lowest one, relative to the mean of r².
     double rise = 0;
-    /// Whether this is a separate minimum; otherwise it is the best solution for another gap.
+    /// Whether the solution is a separate minimum of Σr². Otherwise it is the best solution for a given other
+    /// gap.
     bool isMinimum = false;
 };
 

@@ -14,11 +14,11 @@
 
 namespace drillwave {
 
-/// Maximum number of different reasons for unsolved points; all further ones are reported as a single one.
+/// Maximum number of different reasons for unsolved points. All further reasons are counted together as one.
 inline constexpr std::size_t maximumMapReasons = 100;
 
-/// Maximum number of points in the coarse grid that is solved first. With slow blows of 40 µs they take some
-/// 40 ms.
+/// Maximum number of points in the coarse grid that is solved first. With slow blows of 40 µs this grid takes
+/// about 40 ms.
 inline constexpr std::size_t coarsestMapPoints = 1024;
 
 /// Returns the index of the value nearest to `at`, among values with equal steps or (`isLogarithmic`) equal
@@ -79,13 +79,13 @@ class MapGrid {
     /// Stores the reason why a point was not solved. Each point may be set only once, by set() or fail().
     void fail(std::size_t column, std::size_t row, const Message& reason);
 
-    /// Smallest and largest value so far, and the points where they first occurred.
+    /// Smallest and largest value of the points solved so far, and the points where they first occurred.
     struct Extent {
         double least = 0;
         double largest = 0;
         Place leastPlace, largestPlace;
     };
-    /// Returns the extreme values so far; empty if no point has a value.
+    /// Returns the smallest and largest value of the points solved so far; empty if no point has a value.
     const std::optional<Extent>& extent() const { return m_extent; }
 
     /// Returns whether both maps have the same points with bit-identical values and the same reasons.

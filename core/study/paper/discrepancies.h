@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Number printed in the paper, with the value that the program computes for it.
+/// Number printed in the paper, with the value computed by the program.
 struct Discrepancy {
     std::string place;     ///< location in the paper, such as a section or figure
     std::string quantity;  ///< name of the quantity

@@ -25,7 +25,7 @@ struct FigureCurve {
 
 /// Diagram with axes and curves.
 struct FigurePanel {
-    std::string name;    ///< name of its file without extension, such as "fig4a"
+    std::string name;    ///< file name of the panel without extension, such as "fig4a"
     std::string title;   ///< title, such as "(a) elastic spring, γ = 1"
     std::string xKey;    ///< name of the CSV column of the abscissas
     std::string xLabel;  ///< label of the x axis

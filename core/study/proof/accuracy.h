@@ -19,7 +19,7 @@ namespace drillwave {
 struct AccuracyRow {
     MethodChoice choice;
     Outcome outcome = Outcome::notSolved;
-    Message reason;  ///< reason why it was not solved; empty if it was
+    Message reason;  ///< reason why the method did not solve the blow; empty if it did
 
     double cor = 0;
     /// Absolute error of e, |e − e of the reference|; for the exact method, plus the error of the reference.
@@ -35,8 +35,8 @@ struct AccuracyRow {
     int contacts = 0;
 
     RunTime time;  ///< computing time of a solve for e only, without an error estimate
-    /// Speed relative to the lattice of 10,000 segments used in the paper: its median time divided by that of
-    /// this row.
+    /// Speed relative to the lattice of 10,000 segments used in the paper: median time of that lattice
+    /// divided by the median time of this row.
     double speed = 0;
     /// Order of convergence of the error of e, compared with the previous row of the same method.
     double observedOrder = 0;

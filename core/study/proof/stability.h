@@ -82,7 +82,8 @@ struct StabilityRow {
 struct StabilityWorst {
     /// Name of the measure with the largest ratio: "momentum", "energy", …; "not solved" if the case was not.
     std::string_view measure;
-    double ratio = 0;  ///< at most 1 if the case passes; infinite if it was not solved
+    /// Largest ratio of a measure to its limit: at most 1 if the case passes, infinite if it was not solved.
+    double ratio = 0;
 };
 /// Returns the measure of a case that is closest to its limit, or furthest beyond it.
 StabilityWorst worstOf(const StabilityRow& row);

@@ -30,7 +30,7 @@ struct StringAccuracyRow {
     StringMethod method = StringMethod::quick;
     double cell = 0;    ///< Δ, cell size as a round-trip time [s]
     double error = 0;   ///< absolute difference of the efficiency from the reference
-    double stated = 0;  ///< error of the efficiency that the method states; NaN if it states none
+    double stated = 0;  ///< error of the efficiency as stated by the method itself; NaN if it states none
     /// Difference of the impulse on the rock from the reference, in units of the hammer momentum p0.
     double impulseError = 0;
     long cells = 0;  ///< work of the solution: number of cells times number of nodes
@@ -41,7 +41,7 @@ struct StringAccuracy {
     Message reason;  ///< reason why there is no comparison; empty if there is one
     /// Efficiency of the reference: cells divided at every corner, half as large as the default.
     double efficiency = 0;
-    double reference = 0;  ///< error that the reference states for its efficiency
+    double reference = 0;  ///< error of the reference efficiency, as stated by the reference solution itself
     std::vector<StringAccuracyRow> rows;
     bool isStopped = false;  ///< set if a stop request ended the comparison; rows are then missing
 };

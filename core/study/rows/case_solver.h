@@ -55,7 +55,8 @@ class CaseSolver {
     /// Fills in the outputs of a uniform rod from its impact.
     Message fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
                      const std::stop_token& stop);
-    /// Computes a sequence of blows if a column needs one. Returns why that has no result; empty otherwise.
+    /// Computes a sequence of blows if a column needs one. Returns why the sequence has no result; empty if
+    /// it has one or none is needed.
     Message march(const Scenario& scenario, const std::stop_token& stop);
     /// Writes the outputs from `source`. Returns why the values are not valid (they are then NaN); empty if
     /// they are.

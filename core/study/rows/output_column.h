@@ -26,8 +26,8 @@ struct OutputColumn {
     bool hasUnit() const { return units == OutputUnits::si || output->isOnlySi(); }
     /// Returns the quantity of the values; Quantity::ratio if they have no unit.
     Quantity quantity() const { return hasUnit() ? output->siQuantity() : Quantity::ratio; }
-    /// Returns the factor that converts a dimensionless value to the unit of the column. For an energy, the
-    /// unit is that of the scales.
+    /// Returns the factor by which a dimensionless value is multiplied to give the unit of the column; 1 for
+    /// a dimensionless column. For an energy it is `scales.energy`.
     double scale(const Scales& scales) const;
     Detail detail() const { return output->detail; }
     /// Returns the value of the output in the unit of the column; empty if it has none (see Output::value).

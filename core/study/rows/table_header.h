@@ -22,7 +22,8 @@ struct CaseColumn {
     /// Unit of cells that have none, from a heading such as "rod.length [mm]"; may be nullptr.
     const Unit* unit = nullptr;
 
-    /// Returns the key of the parameter; empty for other columns, which are copied unchanged.
+    /// Returns the key of the parameter that the column sets. Empty for other columns, which are copied
+    /// unchanged.
     std::string_view key() const;
 };
 
