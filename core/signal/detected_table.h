@@ -21,10 +21,12 @@ struct DetectedTable {
     char groups = 0;  ///< sign between groups of three digits in the table, or 0 if none was seen
     /// Whether the decimal sign is ambiguous: each number may also be a whole one with groups, "1,234".
     bool isDecimalOpen = false;
-    /// Whether each channel is a row that begins with its name, so that the table must be transposed.
+    /// Whether the table must be transposed, because each channel is a row that begins with the channel's
+    /// name.
     bool hasRows = false;
-    std::optional<double> rate;  ///< sampling rate with its unit, stated above or beside the samples [Hz]
-    std::string rateText;        ///< text in the table that states the sampling rate, with or without a unit
+    /// Sampling rate [Hz], if the table states it with its unit above or beside the samples.
+    std::optional<double> rate;
+    std::string rateText;  ///< text in the table that states the sampling rate, with or without a unit
     /// Sampling rate stated without a unit [Hz]; Hz is assumed, or s for a sampling interval.
     std::optional<double> bareRate;
     bool operator==(const DetectedTable&) const = default;

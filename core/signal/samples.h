@@ -48,8 +48,9 @@ struct Samples {
     std::size_t jumps = 0;
     std::size_t skipped = 0;       ///< number of skipped rows
     std::size_t firstSkipped = 0;  ///< line of the first skipped row, counted from 1
-    double skippedTime = 0;        ///< longest time between two samples with skipped rows between them [s]
-    double skippedAt = 0;          ///< time at which the longest stretch of skipped rows begins [s]
+    /// Longest time between two neighbouring samples whose rows in between were skipped [s].
+    double skippedTime = 0;
+    double skippedAt = 0;  ///< time at which the longest stretch of skipped rows begins [s]
     /// Number of skipped rows that are marked as overload, by a word or a number.
     std::size_t overloads = 0;
     bool hasNulTail = false;             ///< whether the text ended with NUL bytes

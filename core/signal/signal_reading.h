@@ -84,7 +84,7 @@ struct SignalReading {
     /// Force [N], with its sign, that corresponds to the number 1 in the table; 0 if unknown.
     double forcePerNumber = 0;
     double zero = 0;   ///< zero line subtracted from all samples, in the unit of the table
-    RecordSpan range;  ///< times of the table [s] between which the blow is
+    RecordSpan range;  ///< times of the table [s] at the start and the end of the blow
     /// Open questions: "unit", "rate", "time_unit", "column", "decimal", "area", "modulus", "bridge",
     /// "gauge_factor", "impedance".
     std::vector<std::string> questions;
@@ -104,13 +104,13 @@ struct SignalReading {
     double peak() const;
 };
 
-/// Reads a record from a stream that can be rewound. The sign is chosen so that the largest value is
-/// compression. The time range of a strain or other gauge signal, or of a force with noise, is the stretch
+/// Returns the record read from a stream that can be rewound. The sign is chosen so that the largest value is
+/// compression. The time range of a strain or other gauge signal, or of a force with noise, is the part
 /// around the peak.
 SignalReading readSignal(std::istream& in, const SignalOptions& options, const SignalBar& bar = {},
                          const std::stop_token& stop = {});
 
-/// Returns a table whose channels are rows in transposed form, with one column per channel.
+/// Returns the transposed text of a table whose channels are rows, with one column for each channel.
 std::string turnedTable(std::istream& in, const RowFormat& format, TextEncoding encoding);
 
 /// Returns the scale that a text gives, "50", "50 kN/V" or "18 kN s/m"; nullopt for any other text.

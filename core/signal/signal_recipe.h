@@ -65,11 +65,11 @@ struct ShapedSignal {
     std::size_t clipped = 0;    ///< number of negative samples that were set to zero
     double clippedImpulse = 0;  ///< impulse that clipping added [N s], ≥ 0
     double impulse = 0;         ///< impulse of the force given by the points [N s]
-    double impulseChange = 0;   ///< impulse of the points less that of all samples [N s]
-    double peak = 0;            ///< largest force in size of all samples used, with its sign [N]
-    double peakTime = 0;        ///< time in the table at which the largest force occurs [s]
-    double deviation = 0;       ///< largest distance of a sample from the lines between the points [N]
-    std::string problem;        ///< reason why there is no force; then there are no points
+    double impulseChange = 0;   ///< impulse of the points minus that of all samples [N s]
+    double peak = 0;      ///< force with the largest absolute value among all samples used, with its sign [N]
+    double peakTime = 0;  ///< time in the table at which the largest force occurs [s]
+    double deviation = 0;  ///< largest distance of a sample from the lines between the points [N]
+    std::string problem;   ///< reason why there is no force; then there are no points
 };
 
 /// Returns the force over time that these steps make of the samples. Requires samples without a problem.
@@ -81,16 +81,17 @@ ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
 /// table.
 double zeroOf(const Samples& samples, const SignalRecipe& recipe);
 
-/// Times of the record at the start and the end of the stretch around its largest value in size.
+/// Start and end of the part of a record around its largest absolute value.
 struct RecordSpan {
-    double from = 0;  ///< time of the record at the start of the stretch [s]
-    double to = 0;    ///< time of the record at the end of the stretch [s]
+    double from = 0;  ///< time of the record at the start of this part [s]
+    double to = 0;    ///< time of the record at the end of this part [s]
 };
-/// Returns the times around the largest value in size at which the signal has fallen to 2 % of it on either
-/// side. Returns nullopt if that value equals the zero line.
+/// Returns the times before and after the largest absolute value at which the signal has fallen to 2 % of it.
+/// Returns nullopt if that value equals the zero line.
 std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
 
-/// Returns the sign, +1 or −1, of the largest value in size after subtraction of the zero line.
+/// Returns the sign, +1 or −1, of the sample with the largest absolute value after subtraction of the zero
+/// line.
 double signOfPeak(const Samples& samples, const SignalRecipe& recipe);
 
 }  // namespace drillwave

@@ -76,9 +76,10 @@ double forcePerNumber(SignalKind kind, double unitFactor, const GaugedBar& bar);
 struct TableColumn {
     std::string name;
     std::string unit;
-    bool isNumeric = false;  ///< whether most of its first cells are numbers
-    bool isStamp = false;    ///< whether most of its first cells are times of day, with or without a date
-    bool isIndex = false;    ///< whether its first cells increase by one
+    bool isNumeric = false;  ///< whether most of the column's first cells are numbers
+    /// Whether most of the column's first cells are times of day, with or without a date.
+    bool isStamp = false;
+    bool isIndex = false;  ///< whether the numbers in the column's first cells increase by one per row
     bool operator==(const TableColumn&) const = default;
 };
 

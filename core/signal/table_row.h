@@ -26,7 +26,7 @@ struct RowFormat {
 /// quotes belongs to the cell.
 class TableRow {
   public:
-    /// Returns the cells of a line, at most `most`. They are valid as long as the line, and until the next
+    /// Returns the cells of a line, at most `most`. They refer to the line and are valid only until the next
     /// call.
     const std::vector<std::string_view>& split(std::string_view line, char separator,
                                                std::size_t most = mostCells);

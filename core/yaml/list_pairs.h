@@ -9,15 +9,15 @@
 
 namespace drillwave {
 
-/// Similarity of an item of a list before the edit and an item after it.
+/// Similarity of two list items, one before an edit and one after it.
 struct Likeness {
     int shared = 0;  ///< number of values that both items have
     bool isEqual = false;
 };
 
-/// Returns for each of the `before` items the index of the item after the edit that it became, ascending;
-/// nullopt for a removed item. Equal items at both ends are paired first. Between them the pairs share as
-/// many values as possible; if there are too many items to compare, they are paired in order.
+/// Returns, for each of the `before` items, the index of the corresponding item in the edited list,
+/// ascending; nullopt for a removed item. Equal items at both ends are paired first. Between them the pairs
+/// share as many values as possible; if there are too many items to compare, they are paired in order.
 std::vector<std::optional<std::size_t>> listPairs(
     std::size_t before, std::size_t after,
     const std::function<Likeness(std::size_t before, std::size_t after)>& likeness);

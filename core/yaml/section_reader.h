@@ -21,7 +21,7 @@ namespace drillwave {
 
 // Errors in the text of a scenario, with their positions.
 
-/// Collector of the errors in one text, at most 100, which it returns in the order of the text.
+/// Collector of the errors in one text, at most 100. It returns them sorted by their position.
 class ProblemList {
   public:
     explicit ProblemList(std::string_view text) : m_text(text) {}
@@ -64,7 +64,7 @@ using YamlEntries = std::map<std::string, YamlEntry, std::less<>>;
 /// Returns the key of a number in a section: "rod.length" for "rod" and "length".
 std::string joinedKey(std::string_view section, std::string_view key);
 
-/// Reader of sections of a scenario file into a scenario. It collects errors.
+/// Reader of the sections of a scenario file. It stores values in a scenario and collects errors.
 class SectionReader {
   public:
     explicit SectionReader(std::string_view text) : m_problems(text) {}
