@@ -68,12 +68,12 @@ class HiddenFolder {
     std::unique_ptr<FolderLock> m_lock;
 };
 
-/// Completes what other runs of the program left when they ended while exchanging files in a folder. Restores
-/// files that they had moved away, and removes their new files and hidden folders. A completed exchange
-/// remains valid. Requires the lock of the folder.
+/// Repairs a folder in which other runs of the program crashed while exchanging files. Restores files that
+/// they had moved away, and removes their new files and hidden folders. A completed exchange remains valid.
+/// Requires the lock of the folder.
 void mendLockedFolder(const std::string& folder);
 
-/// Takes the lock of a folder and repairs what ended runs of the program left there while exchanging files;
+/// Takes the lock of a folder and repairs what crashed runs of the program left there while exchanging files;
 /// see mendLockedFolder(). Does nothing if another process holds the lock.
 void mendFolder(const std::string& folder);
 

@@ -59,7 +59,7 @@ class CaseSolver {
     /// it has one or none is needed.
     Message march(const Scenario& scenario, const std::stop_token& stop);
     /// Writes the outputs from `source`. Returns why the values are not valid (they are then NaN); empty if
-    /// they are.
+    /// they are valid.
     Message fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);
 
     std::span<const OutputColumn> m_columns;
