@@ -19,6 +19,7 @@ namespace drillwave {
 namespace {
 
 constexpr int mostLegendColumns = 3;
+constexpr double narrow = 0.5;  // a panel of that width has room for few numbers
 constexpr int leastPanel = 50;  // width and height [px]
 const QMargins panelMargins(4, 4, 14, 4);
 
@@ -229,6 +230,12 @@ void FigureFrame::addPanel(std::size_t index, QCPLayoutGrid& row, bool begins) {
     const int column = begins ? 0 : row.columnCount();
     row.addElement(begins ? row.rowCount() : 0, column, rect);
     row.setColumnStretchFactor(column, shown.width);
+    // In a file; on the screen, the number follows the length of the axis.
+    constexpr int few = 2;
+    const bool isCrowded = std::ranges::count(m_shown.figure.panels, shown.row, &StudyPanel::row) > 2;
+    for (QCPAxis* axis : rect->axes())
+        if (shown.width < narrow || (isCrowded && axis->orientation() == Qt::Horizontal))
+            axis->ticker()->setTickCount(few);
     rect->axis(QCPAxis::atTop)->setTickLabels(shown.top.has_value());
     rect->axis(QCPAxis::atTop)->setTicks(shown.top.has_value());
     if (index == 0) view(rect);
