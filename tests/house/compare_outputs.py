@@ -86,7 +86,9 @@ class Comparison:
 
     def plain(self, where, text):
         """Without what no two builds, or runs, have in common."""
-        text = re.sub(r'((?:Drillwave|drillwave|"?version"?:?) "?)\d+\.\d+(?:\.\d+)*', r'\1VERSION', text)
+        text = re.sub(r'((?:Drillwave|drillwave|"?version"?:?) "?)\d+\.\d+(?:\.\d+)*(?:\+[\w.]+)?',
+                      r'\1VERSION', text)
+        text = re.sub(r'(record_crc32: ")\w+', r'\1CHECKSUM', text)  # of a record with the version
         text = re.sub(rf'((?: in| på| ·) ){TIME}(?=\.?$| · )', r'\1TIME', text, flags=re.M)
         for root in self.roots:
             text = text.replace(os.path.abspath(root), 'FOLDER')
