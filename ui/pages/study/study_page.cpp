@@ -98,7 +98,7 @@ void StudyPage::resizeEvent(QResizeEvent* event) {
 
 // In a low window the plot is seen first. A window that has grown shows the settings again.
 void StudyPage::foldSettings() {
-    constexpr int leastHeight = 520;  // [px]
+    constexpr int leastHeight = 680;  // [px]
     const bool isLow = window()->height() < leastHeight;
     if (isLow == m_isLow) return;
     m_isLow = isLow;
