@@ -13,14 +13,17 @@ namespace drillwave {
 // All functions hold for γ = 1, a whole number δ and a rectangular pulse; β > 0. Forces are in F0, impulses
 // in I0, times in t0 from the arrival of each wave at the front end.
 
-/// Returns F1(t)/F0, the first pulse of the impact force [paper (11)]; its impulse I1 is 2.
+/// Returns F1(t)/F0 ≥ 0, the first pulse of the impact force [paper (11)], for β = `beta`. `t` is in t0 from
+/// the arrival of the first wave at the front end. The impulse of this pulse is 2 I0.
 double firstForcePulse(double beta, double t);
 
-/// Returns F3(t)/F0, the second pulse of the impact force, caused by the returning wave [paper (12)]
-/// [paper (14)]. It is 0 from the end ts of the pulse on.
+/// Returns F3(t)/F0 ≥ 0, the second pulse of the impact force, caused by the returning wave [paper (12)]
+/// [paper (14)]. `t` is in t0 from the arrival of that wave at the front end. The pulse is 0 from its end ts
+/// on.
 double secondForcePulse(double beta, double t);
 
-/// Returns ts/t0, the end of the second pulse of the impact force [paper (12)] [paper (14)].
+/// Returns ts/t0, the duration of the second pulse of the impact force, from the arrival of the returning
+/// wave at the front end [paper (12)] [paper (14)].
 double secondPulseEnd(double beta);
 
 /// Returns I3/I0, the impulse of the second pulse of the impact force [paper (13)] [paper (15)].
@@ -30,13 +33,15 @@ double secondPulseImpulse(double beta);
 /// rounding for every β.
 double closedFormRestitution(double beta);
 
-/// Returns the impulse that the closed form of the coefficient of restitution e neglects, in units of I0: the
-/// tail of the first force pulse after the end of the second one, (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1))
-/// (T29). If overlapIsSmall(), 0 ≤ closed form − e ≤ this value. The tail keeps the contact closed a little
-/// longer; meanwhile the second pulse by itself would pull, and the tail pushes more.
+/// Returns the impulse that the closed form of the coefficient of restitution e neglects, in units of I0, for
+/// β = `beta` and τ = `tau`. It is the tail of the first force pulse after the end of the second one,
+/// (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). If overlapIsSmall(), 0 ≤ closed form − e ≤ this value. The
+/// tail prolongs the contact beyond the end of the second pulse; in that time, the pull that the formula of
+/// the second pulse would give is smaller than the push of the tail.
 double neglectedOverlap(double beta, double tau);
 
-/// Returns whether the contact ends before the next wave arrives, and no contact follows.
+/// Returns whether the closed form is valid for β = `beta` and τ = `tau`. The two force pulses must overlap
+/// so little that the contact ends before the third wave arrives, and that no further contact follows.
 bool overlapIsSmall(double beta, double tau);
 
 /// Returns the reason why the closed form does not cover a blow: γ ≠ 1, a gap that is not a whole number δ,

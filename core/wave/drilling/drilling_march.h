@@ -21,10 +21,11 @@
 
 namespace drillwave {
 
-// Wave loss without loss of momentum: a joint or the attenuation of a section returns what it takes from a
-// wave over the time between two blows (drilling §3).
+// Wave loss without loss of momentum: a joint, or the attenuation of a section, returns the momentum that it
+// takes from a wave over the time between two blows (drilling §3).
 
-/// Wave loss at one place and in one direction, for waves x in a section of impedance Z:
+/// Wave loss at one place and in one direction, in a section of impedance Z, for an incoming wave x and
+/// the wave `out` after the loss:
 ///
 ///     out = s x + (1 − s) m,   m' = f (x − m)                                                       (D5)
 ///
@@ -36,8 +37,8 @@ class ReturnedLoss {
     /// Creates the loss with the amplitude factor s = `passing`, 0 < s ≤ 1, for `frequency` blows per t0.
     ReturnedLoss(double passing, double frequency) : m_passing(passing), m_frequency(frequency) {}
 
-    /// Returns the wave after the loss, over a part of a cell of the given width [t0]. The trapezoidal rule
-    /// for m conserves momentum exactly.
+    /// Returns the wave after the loss over one time step (a cell or a part of one) of the given width [t0],
+    /// for the incoming wave `in`. The trapezoidal rule for m conserves momentum exactly.
     WaveCell pass(const WaveCell& in, double width) {
         const double rate = m_frequency * width, before = m_mean;
         m_mean = (before * (1 - rate / 2) + rate * in.mean()) / (1 + rate / 2);
@@ -53,11 +54,14 @@ class ReturnedLoss {
     double mean() const { return m_mean; }
     /// Sets the mean m of earlier waves, in units of F0.
     void setMean(double mean) { m_mean = mean; }
-    /// Returns the momentum that is still to be returned, in units of I0.
+    /// Returns the momentum that the loss has taken from waves and not yet returned to the string, in units
+    /// of I0.
     double held() const { return (1 - m_passing) * m_mean / m_frequency; }
-    /// Returns the energy of the momentum that is still to be returned to the string, times its impedance Z.
+    /// Returns Z times the energy that the momentum not yet returned has, (1 − s) m²/f; Z is the impedance of
+    /// the section.
     double square() const { return held() * m_mean; }
-    /// Returns the energy lost since the first blow, times the impedance Z.
+    /// Returns Z times the energy that waves have lost here since the first blow; Z is the impedance of the
+    /// section.
     double lost() const { return m_lost; }
 
   private:
@@ -66,8 +70,8 @@ class ReturnedLoss {
     double m_lost = 0;
 };
 
-/// State of the rear end of rod or string at the end of a part of a cell, in the dimensionless units of
-/// Problem (problem.h).
+/// State of the rear end of rod or string at the end of a time step, in the dimensionless units of Problem
+/// (problem.h).
 struct RearSample {
     /// Time since the first blow, in units of t0.
     double time = 0;
@@ -80,10 +84,10 @@ struct RearSample {
     double bodyPlace = 0;
 };
 
-/// State of the bit at the end of a part of a cell, in the dimensionless units of Problem (problem.h).
+/// State of the bit at the end of a time step, in the dimensionless units of Problem (problem.h).
 struct BitSample {
-    /// Time since the first blow, in units of t0; it includes the transit time by which the bit's clock is
-    /// late.
+    /// Time since the first blow, in units of t0. It is the reading of the bit's clock plus the transit time
+    /// of the string, by which that clock is late.
     double time = 0;
     /// Impact force, in units of F0; ≥ 0.
     double force = 0;
@@ -99,32 +103,34 @@ struct DrillingSamples {
     std::vector<BitSample> bit;
 };
 
-/// Waves of one blow of a sequence and of the interval before it, in which they began. Times are counted from
-/// that blow, in units of t0; other units are those of Problem.
+/// Waves in rod or string during one blow of a sequence, and during the interval before it. Times are counted
+/// from that blow, in units of t0; other units are those of Problem.
 struct MarchedWaves {
-    /// Waves in all sections; null if they are too many to be kept.
+    /// Waves in all sections; null if they are too many to be stored.
     std::shared_ptr<StringWaves> waves;
-    /// Contact events of bit and rock, from the blow before on.
+    /// Contact events of bit and rock, in order of time, from the start of the previous blow on.
     std::vector<ImpactEvent> events;
     /// Position of the bit relative to the bottom of the crater at the blow; positive into the rock, negative
     /// while apart.
     double place = 0;
-    /// Largest force that this blow's rock has felt before, in units of F0.
+    /// Largest earlier force on the rock that the bit meets in this blow, in units of F0.
     double rememberedForce = 0;
-    /// Residual penetration by the blows before; 0 on new rock.
+    /// Residual penetration that earlier blows have left in the rock, in units of I0/Zr; 0 on new rock.
     double residual = 0;
     /// Work of the prescribed force, or energy that the hammer transfers, in the blow and the interval after
-    /// it.
+    /// it, in units of I0²/(Zr t0).
     double hammerWork = 0;
-    /// Work on the rock ∫F dU in the same time, less the work lost with replaced rock.
+    /// Work on the rock ∫F dU in the blow and the interval after it, in units of I0²/(Zr t0). The elastic
+    /// energy of compressed rock that was replaced by new rock is subtracted.
     double rockWork = 0;
-    /// Transit time from the rear end to the bit, as computed with the time step, in units of t0.
+    /// Transit time of the string from the rear end to the bit, rounded as in the computation, in units of
+    /// t0.
     double transitTime = 0;
 };
 
-/// Computation of blow after blow in the same memory. Memory and work of a blow do not depend on their
-/// number. Every node (end of a section) has its own clock: the bit's clock is behind the rear end's clock by
-/// the transit time of the string.
+/// Computation of blow after blow in the same memory. Memory, and work for each blow, do not depend on the
+/// number of blows. Every node (end of a section) has its own clock: the bit's clock is behind the rear end's
+/// clock by the transit time of the string.
 class DrillingMarch {
   public:
     /// Creates the state before the first blow. `problem` must outlive the object.
@@ -139,8 +145,8 @@ class DrillingMarch {
     long blows() const { return m_count; }
     /// Returns the energy balance of all blows so far.
     const DrillingLedger& ledger() const { return m_ledger; }
-    /// Returns the error of the momentum balance over all blows, in units of I0: Σ rock impulse − N Fe/f +
-    /// p_end − p_start for N blows. It is due to rounding only.
+    /// Returns the error of the momentum balance over all N blows, in units of I0: Σ rock impulse − N Fe/f +
+    /// p_end − p_start, with the momentum p of machine and string. It is due to rounding only.
     double momentumResidual() const;
     /// Returns the impulse of the hammer after its first separation, in the last blow, as a share of its
     /// momentum m_h v0.
@@ -152,22 +158,23 @@ class DrillingMarch {
     /// Returns the momentum m_h v0 of the hammer, in units of I0; 1 for a prescribed force.
     double hammerMomentum() const { return m_hammerMomentum; }
 
-    /// Sets where the states of rear end and bit are recorded during the following blows; nullptr for no
-    /// recording.
+    /// Sets the lists to which the states of rear end and bit in the following blows are appended; nullptr to
+    /// stop the recording.
     void watch(DrillingSamples* samples) { m_samples = samples; }
-    /// Computes one interval and the blow after it, and returns the waves of both. The first blow has no
-    /// interval before it. The waves are null if they are too many, the computation fails or a stop is
-    /// requested.
+    /// Computes the interval after the last blow and the next blow, and returns the waves of both. The first
+    /// blow has no interval before it. The waves are null if they are too many, if the computation fails, or
+    /// if a stop is requested.
     MarchedWaves takeBlowWithWaves(const std::stop_token& stop);
 
-    /// Displaces waves and bit a little, to make a second, slightly different state. approach() then sets the
-    /// size of the difference.
+    /// Changes the waves and the position of the bit slightly, to make a second state near the first one.
+    /// `distance` is the change of a wave [F0] and of the position [I0/Zr]. approach() then sets the size of
+    /// the difference.
     void displace(double distance);
     /// Returns the distance between this state and another one of the same problem, both just before a blow.
-    /// It is the root of a sum of squares over waves, position and velocity of the bit, machine velocity, and
-    /// the offset x if there is a spring.
+    /// It is the root of a sum of squares over waves, position, velocity and force of the bit. With a machine
+    /// its velocity is included, and with a spring the stretch x of the spring.
     double distanceTo(const DrillingMarch& other) const;
-    /// Moves this state towards another one until the given distance remains, as measured by distanceTo().
+    /// Moves this state towards the state `other` until distanceTo() returns the given distance.
     void approach(const DrillingMarch& other, double distance);
 
   private:
@@ -192,18 +199,18 @@ class DrillingMarch {
     /// Mean interval between blows, in units of t0.
     double m_interval = 1;
     double m_stringMass = 0, m_hammerMomentum = 1, m_hammerMass = 0;
-    /// Prescribed force for each part of the cells, from its start on.
+    /// Prescribed force over each time step (part of a cell), from the start of the blow on.
     std::vector<WaveCell> m_force;
     std::vector<LossyLine> m_lines;
-    /// Joint [j] is in front of section j + 1.
+    /// Joints of neighbouring sections: m_joints[j] is between the sections j and j + 1.
     std::vector<Joint> m_joints;
     RearNode m_rear;
     BitNode m_bit;
-    /// Losses at the rear end of each section.
+    /// Losses at the rear end of each section, of the waves towards the rock and of those away from it.
     std::vector<ReturnedLoss> m_downLosses, m_upLosses;
-    /// Whether any of these losses is not zero.
+    /// Whether any section or joint of the string has a loss.
     bool m_isWeakened = false;
-    /// Waves b that arrive at the rear ends of all sections over a part of a cell.
+    /// Waves b that arrive at the rear ends of all sections over one time step.
     std::vector<WaveCell> m_arriving;
     /// Waves of m_arriving after the losses of m_upLosses.
     std::vector<WaveCell> m_returning;
@@ -214,23 +221,26 @@ class DrillingMarch {
     long m_cells = 0;
     /// Number of cells in the present interval.
     long m_nextInterval = 1;
-    /// Cell of the present interval during which the next blow's time is reached on the bit's clock.
+    /// Index of the cell (time step) in the present interval in which the bit's clock reaches the time of the
+    /// next blow.
     long m_gapCell = 0;
-    std::size_t m_gapPart = 0;  ///< part of cell m_gapCell in which that time is reached
-    double m_gapShare = 0;      ///< fraction of part m_gapPart at which that time is reached, 0 … 1
+    std::size_t m_gapPart = 0;  ///< part of cell m_gapCell in which the next blow begins
+    double m_gapShare = 0;      ///< fraction of part m_gapPart at which the next blow begins, 0 … 1
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
-    /// Impulse of the rock in the present interval up to the next blow's time.
+    /// Impulse on the rock that is computed in the present interval and acts before the next blow, in units
+    /// of I0.
     double m_impulseToGap = 0;
-    /// Momentum of the string at the time of the blow.
+    /// Momentum of the string at the last blow, in units of I0, positive towards the rock.
     double m_momentumAtBlow = 0;
-    /// Impulse of the rock after that time, within the previous interval.
+    /// Impulse on the rock that was computed in the previous interval but acted after the last blow, because
+    /// the bit's clock is late; in units of I0.
     double m_impulseCarriedOver = 0;
-    /// Impulse J of the hammer in the previous interval.
+    /// Impulse J that the hammer transferred in the previous interval, in units of I0.
     double m_lastImpulse = 0;
     double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
     double m_storedBefore = 0;
-    /// Energy lost by waves inside all hammers so far [F0² t0/Zr].
+    /// Energy lost by waves inside the hammers of all blows so far [F0² t0/Zr].
     double m_hammerLost = 0;
     double m_lateShare = 0;
     double m_holeDepth = 0;
@@ -243,9 +253,10 @@ class DrillingMarch {
     MarchedWaves* m_kept = nullptr;
     /// Number of cells from the first blow until the clock of the recorded waves reads zero.
     long m_keptCell = 0;
-    /// Waves that enter each section over a part of a cell.
+    /// Waves that enter each section at its rear end (down) and at its front end (back) over one time step.
     std::vector<WaveCell> m_downs, m_backs;
-    /// Position of the bit at the next blow, relative to the bottom of the crater.
+    /// Position of the bit relative to the bottom of the crater at the next blow, in units of I0/Zr, positive
+    /// into the rock.
     double m_nextPlace = 0;
 };
 

@@ -32,21 +32,23 @@ enum class DrillingStart {
 
 /// One blow and all properties of the sequence of blows, in the dimensionless units of Problem (problem.h).
 struct DrillingProblem {
-    /// One blow. Joints and sections return over time what they take from a wave (D5).
+    /// Blow of hammer, string and rock, repeated in the sequence. Joints and sections with a loss return the
+    /// momentum that they take from a wave over the time between two blows (D5).
     Problem blow;
     /// Mean interval between blows, 1/(f t0); > 0.
     double interval = 1;
     /// Effective feed force Fe/F0.
     double feedForce = 0;
-    /// Machine body; if there is none, the feed acts as a constant force, Fe less the mean reaction of
-    /// the blows.
+    /// Machine body between feed and rod. Without one, a constant force presses on the rod: Fe less the mean
+    /// force of the blows.
     std::optional<MachineBody> machine;
     /// Wave loss η_j of every section per round trip, in addition to its attenuation; 0 ≤ η_j < 1 (drilling
     /// §3).
     std::vector<double> waveLosses;
     /// Whether every blow meets new rock, because the bit has turned.
     bool isFresh = true;
-    /// Standard deviation of an interval over its mean; deviations are limited to three times this value.
+    /// Standard deviation of the intervals between blows over their mean, ≥ 0. No interval deviates from the
+    /// mean by more than three standard deviations.
     double intervalScatter = 0;
     /// Seed of the random numbers for the scatter of intervals.
     std::uint32_t seed = 1;
@@ -68,8 +70,8 @@ struct DrillingBlow {
     /// Momentum of rod or string divided by its mass at the blow, in units of F0/Zr, positive towards the
     /// rock.
     double velocity = 0;
-    /// Impulse on the rock, in units of I0. This and all following members are for the interval from this
-    /// blow to the next.
+    /// Impulse on the rock, in units of I0. This member and all after it are for the interval from this blow
+    /// to the next one.
     double rockImpulse = 0;
     /// Increase of the residual penetration, in units of I0/Zr.
     double penetration = 0;
@@ -94,14 +96,15 @@ struct DrillingBlow {
     bool operator==(const DrillingBlow&) const = default;
 };
 
-/// Energy balance of all blows so far, in units of F0² t0/Zr: hammer + feed equals the sum of the other
-/// terms.
+/// Energy balance of all blows so far, in units of F0² t0/Zr: the sum of hammer and feed equals the sum of
+/// the other members.
 struct DrillingLedger {
-    /// Work ∫Fa v_r dt of the prescribed force, or the energy of all hammers less what they kept.
+    /// Work ∫Fa v_r dt of the prescribed force, or the energy that all hammers together have transferred.
     double hammer = 0;
     /// Work ∫S v_b dt of the mean feed force S; for a constant force, ∫S v_r dt.
     double feed = 0;
-    /// Work on the rock ∫F dU, less the work lost with replaced rock.
+    /// Work on the rock ∫F dU, less the elastic energy lost when compressed rock was replaced by new rock
+    /// (`faces`).
     double rock = 0;
     /// Work done on the damper, ∫D (v_b − v_r) dt, including the energy stored in its spring.
     double damper = 0;
@@ -137,28 +140,30 @@ struct DrillingGrid {
     double interval() const { return static_cast<double>(cellsOfInterval) * cell; }
     /// Returns the relative change of the blow frequency by rounding the interval to whole cells.
     double rounding(const DrillingProblem& problem) const { return problem.interval / interval() - 1; }
-    /// Sets the round trips of other sections, without a change of the cells.
+    /// Sets roundTrips for these sections, in cells; the size of the cells does not change.
     void setSections(const std::vector<UniformSection>& sections);
     /// Returns whether all round trips are whole numbers of cells.
     bool hasWholeTrips() const;
     /// Returns the index of the first section whose round trip is shorter than a cell, which the computation
     /// refuses; nothing if there is none.
     std::optional<std::size_t> shortSection() const;
-    /// Returns the estimated work of a blow, in cells times nodes.
+    /// Returns the estimated work of computing one blow, in cells times nodes (ends of sections).
     double work(const DrillingProblem& problem) const {
         return static_cast<double>(cellsOfInterval) * static_cast<double>(cuts.count()) *
                static_cast<double>(problem.blow.sections.size() + 1);
     }
 };
 
-/// Returns a grid with at least `cellsPerDuration` cells per t0. Up to sixteen times as many are used so that
-/// every round trip has at least one cell. The interval between blows becomes a whole number of cells. Round
-/// trips also do, if they share a cell of at least an eighth of the wanted size.
+/// Returns a division of time with at least `cellsPerDuration` cells per t0; up to sixteen times as many, so
+/// that every round trip has at least one cell. The interval between blows becomes a whole number of cells.
+/// All round trips also become whole numbers, if a common cell of at least an eighth of the wanted size
+/// divides them.
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
-/// Returns a grid for the estimate of the error by cells. Its cells are twice as large as those of
-/// drillingGridOf(), or half as large if the round trips of a string share no larger ones. The interval is
-/// the same, so differences are due to the cells only. The hammer always separates at once; the effect of
-/// separations shorter than a cell is therefore part of the difference.
+/// Returns a second division of time, for the estimate of the error that the cells (time steps) cause. Its
+/// cells are twice as large as those of drillingGridOf(), or half as large if the round trips of a string
+/// share no larger cell. The interval is the same, so results differ because of the cells only. The hammer
+/// always separates at once; the effect of separations shorter than a cell is therefore part of the
+/// difference.
 DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 
 }  // namespace drillwave

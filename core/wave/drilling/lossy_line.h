@@ -14,14 +14,14 @@
 
 namespace drillwave {
 
-// Wave read at a fraction of a cell: least-squares projection of two stored cells.
+// Wave read at a fraction of a cell (time step), from a least-squares fit to two stored cells
 
-/// Wave over one cell width that begins at the fraction θ = `share` of a stored cell and ends in the next
-/// stored cell:
+/// Wave over one cell (time step) that begins at the fraction θ = `share` of a stored cell and ends in the
+/// next stored cell:
 ///
 ///     s(u) = old(u + θ) for u < 1 − θ, next(u − 1 + θ) after,   0 ≤ θ < 1
 ///
-/// It is projected to the cubics: ∫s u^k du is conserved for k = 0 … 3, and ∫s² du does not increase.
+/// The wave is projected to a cubic: ∫s u^k du is conserved for k = 0 … 3, and ∫s² du does not increase.
 class CellShift {
   public:
     CellShift() = default;
@@ -51,7 +51,7 @@ class CellShift {
     bool isShifted() const { return m_share > 0; }
     /// Returns the cubic for the wave that begins in the cell `old` and ends in the cell `next`.
     WaveCell project(const WaveCell& old, const WaveCell& next) const {
-        // in arrays of their own the coefficients are worked on side by side
+        // the coefficients are in separate arrays, so that the processor computes them in parallel
         Row first{}, second{};
         for (int k = 0; k < WaveCell::count; ++k) {
             const double ofOld = old.c[k], ofNext = next.c[k];
@@ -83,14 +83,15 @@ class CellShift {
     using Row = std::array<double, WaveCell::count>;
     using Map = std::array<Row, WaveCell::count>;
 
-    /// Returns the Legendre polynomials P_k(2u − 1), k = 0 … 3.
+    /// Returns the Legendre polynomials P_k(2u − 1), k = 0 … 3, at u, 0 ≤ u ≤ 1.
     static Row basisAt(double u) {
         const double x = 2 * u - 1;
         return {1, x, 1.5 * x * x - 0.5, (2.5 * x * x - 1.5) * x};
     }
 
     double m_share = 0;
-    /// linear maps from the coefficients of the two cells; indices [of input][of output]
+    /// linear maps from the coefficients of the cells `old` and `next` to those of the result; indices [of
+    /// input][of output]
     Map m_ofOld{}, m_ofNext{};
     Row m_headMean{};
     Map m_headSquare{};
@@ -131,7 +132,7 @@ class LossyLine {
         }
         fill(0);
     }
-    /// Fills the section with a constant wave, in units of F0.
+    /// Fills the section with the constant wave `wave`, in units of F0.
     void fill(double wave) {
         for (WaveCell& cell : m_line.content()) cell = WaveCell::constant(isLossy() ? 0 : wave);
         m_mean = m_next = wave;
@@ -160,8 +161,8 @@ class LossyLine {
         out.c[1] += 0.5 * (m_next - m_mean);
         return out;
     }
-    /// Adds the wave b_in that enters over the same part, the `part`-th of its cell. `out` is the result of
-    /// arrive() for it.
+    /// Stores the wave b_in that enters the section over the time step for which arrive() returned `out`.
+    /// `part` is the index of this time step among the parts of its cell.
     void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
         WaveCell& stored = *m_line.leaving();
         stored = in;
@@ -171,8 +172,8 @@ class LossyLine {
         }
         pass(in.mean() - out.mean(), (in - out).meanProduct(in + out), part);
     }
-    /// Adds the arriving wave plus the constant `change` as the wave b_in that enters. It equals enter() for
-    /// that wave, but the next mean A can be computed sooner.
+    /// Stores the wave that enters if the leaving wave `out` is reflected with the constant `change` [F0]
+    /// added, b_in = out + change. The result is that of enter(), but the next mean A can be computed sooner.
     void turn(double change, const WaveCell& out, std::size_t part) {
         const WaveCell& oldest = *m_line.arriving();
         WaveCell& stored = *m_line.leaving();
@@ -183,10 +184,11 @@ class LossyLine {
 
     /// Returns the integral B of the wave in the section over time, in units of I0.
     double held() const { return m_held; }
-    /// Returns the integral Q of the square of the wave in the section over time.
+    /// Returns the integral ∫b² dt of the square of the wave b in the section, over the time that the wave
+    /// takes to pass, in units of F0² t0.
     double square() const { return m_square - headEnergy(); }
-    /// Returns the integral ∫ 2λ(Q − B²/2T) dt since the last fill(), plus the losses by projection; divided
-    /// by Z it is the lost energy.
+    /// Returns Z times the energy that the wave b has lost since the last fill(), in units of F0² t0:
+    /// ∫2λ(Q − B²/2T) dt with Q = ∫b² dt and B = ∫b dt, plus the losses by projection.
     double lost() const { return m_lost + headEnergy(); }
 
     // Functions that compare and move states
@@ -196,8 +198,9 @@ class LossyLine {
     std::span<WaveCell> stored() { return m_line.content(); }
     /// Returns the mean A of the wave, in units of F0; used only with a loss.
     double mean() const { return m_mean; }
-    /// Moves c and A towards those of another section until the fraction `share` of the difference remains,
-    /// and B consistently. `widths` are the widths of the parts of a cell.
+    /// Moves the stored cells c, the mean A and the integral B towards those of the section `other`, until
+    /// the fraction `share` (0 … 1) of the difference remains. `widths` are the widths of the parts of a
+    /// cell, in units of t0.
     void approach(const LossyLine& other, double share, std::span<const double> widths) {
         const auto others = other.stored();
         const auto own = stored();
@@ -205,7 +208,7 @@ class LossyLine {
         for (std::size_t i = 0; i < own.size(); ++i) {
             for (int k = 0; k < WaveCell::count; ++k)
                 own[i].c[k] = others[i].c[k] + share * (own[i].c[k] - others[i].c[k]);
-            // the oldest one is first
+            // the oldest cell is first
             const double width = widths[i % widths.size()];
             const double age =
                 m_roundTrip * (1 - (static_cast<double>(i) + 0.5) / static_cast<double>(own.size()));
@@ -220,11 +223,12 @@ class LossyLine {
         m_oldestSquare = m_line.arriving()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
-    /// Adds a constant to each stored cell, with alternating sign and decreasing size, starting with `wave`.
+    /// Adds a constant to each stored cell, to make a slightly different state. The first constant is `wave`
+    /// [F0]; each further one is −0.7 times the constant before.
     void displace(double wave) {
         for (WaveCell& cell : stored()) {
             cell.c[0] += wave;
-            wave = -0.7 * wave;  // not what a mean would take
+            wave = -0.7 * wave;  // alternating signs leave the mean almost unchanged
         }
     }
 
@@ -233,7 +237,8 @@ class LossyLine {
     CellShift m_shift;          ///< shift by the difference of the stored cells to a round trip
     double m_oldestSquare = 0;  ///< mean square of the wave in the oldest stored cell
     double m_headAtFilling = 0;
-    /// Mean square of the oldest cell less that of the wave that arrived.
+    /// Mean square of the oldest stored cell, less that of the wave that arrived instead: the energy lost by
+    /// projection.
     double m_projected = 0;
     double m_roundTrip = 1;  ///< round trip 2T of a wave in the section, in units of t0
     double m_ofRoundTrip = 1;
@@ -243,13 +248,14 @@ class LossyLine {
     struct Part {
         double width;  ///< width Δ of the part, in units of t0
         double loss;   ///< product 2λΔ, relative loss of energy of a deviation
-        /// Factor e^−λΔ of A for the next A, with the width of the following part.
+        /// Factor e^(−λΔ) by which the present mean A enters the next one; Δ is the width of the following
+        /// part.
         double nextKept;
-        /// Factors of B before this part, and of B' over it, for the next A.
+        /// Factors by which B before this part, and the rate B' over it, enter the next mean A.
         double ofHeld, ofFlux;
     };
-    /// Ends a part with the means of B' and Q' over it. The next A is computed first, because every node
-    /// waits for it.
+    /// Completes one time step: `flux` and `power` are the means of B' and Q' over it. The next A is computed
+    /// first, because the computation at the ends of the section waits for it.
     void pass(double flux, double power, std::size_t part) {
         const Part& of = m_parts[part];
         if (isLossy()) {
@@ -267,8 +273,8 @@ class LossyLine {
         m_line.advance(1);
     }
 
-    /// Returns the square integral of the part of the oldest cell that has already arrived. The sums include
-    /// it with the whole cell.
+    /// Returns ∫b² dt of the part of the oldest stored cell that has already left the section; m_square
+    /// includes the whole cell.
     double headEnergy() const {
         if (!m_shift.isShifted()) return 0;
         const double head = m_shift.headSquare(*m_line.arriving());

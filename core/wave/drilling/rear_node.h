@@ -27,7 +27,7 @@ struct RearState {
     double faceForce = 0;
     /// Whether hammer and rear end are in contact.
     bool touching = false;
-    /// Whether the hammer has no influence any more until the next blow.
+    /// Whether the hammer no longer acts on the string until the next blow.
     bool released = true;
     /// Whether hammer and rear end have separated since the blow.
     bool separated = false;
@@ -55,8 +55,8 @@ struct RearSums {
 };
 
 /// Rear end of a string of impedance Z2, on which the hammer (force P) or a prescribed force Fa acts, and the
-/// damper (force D). v_r is the velocity of the rear end, v_b that of the machine body, x its relative
-/// position:
+/// damper (force D). v_r is the velocity of the rear end, v_b that of the machine body, x = x_b − x_r. The
+/// wave f2 leaves into the string, the wave b2 arrives from it:
 ///
 ///     f2 + b2 = P + D,   v_r = (P + D − 2 b2)/Z2
 ///
@@ -85,8 +85,8 @@ class RearNode {
     /// Creates the rear end at rest. `widths` are the widths of the parts of a cell, in units of t0.
     RearNode(const Parts& parts, std::span<const double> widths);
 
-    /// Starts a blow: a new hammer touches the rear end, or a new prescribed force begins. `meanForce` is S
-    /// until the next blow, in units of F0.
+    /// Starts a blow: a new hammer touches the rear end, or a new prescribed force begins. `meanForce` is the
+    /// mean force S of the feed until the next blow, in units of F0.
     void beginBlow(double meanForce);
 
     /// Forces on the rear end over one part of a cell: P or Fa (`face`) and D (`damper`), in units of F0.
@@ -95,14 +95,15 @@ class RearNode {
         /// Returns the total force on the rear end.
         WaveCell sum() const { return face + damper; }
     };
-    /// Advances the rear end by one part of a cell, and returns the forces on it. `f1` is the arriving wave
-    /// in the hammer, `b2` that in the string. `force` is Fa, or null if there is none or it is over.
+    /// Advances the rear end by one time step, number `part` of a cell, and returns the forces on it. `f1` is
+    /// the arriving wave in the hammer, `b2` the one in the string. `force` is Fa, or null if there is none
+    /// or it is over.
     Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part) {
         if (!m_machine && !force && !hasHammer()) return {{}, WaveCell::constant(m_meanForce)};
         return push(f1, b2, force, part);
     }
-    /// Completes the sums at the end of an interval of the length `duration` [t0]. `rearMoved` is the
-    /// displacement of the rear end since the blow, in units of I0/Zr.
+    /// Completes the sums since the last blow, at the end of the interval `duration` [t0] between two blows.
+    /// `rearMoved` is the displacement of the rear end since the blow, in units of I0/Zr.
     void endCycle(double duration, double rearMoved);
 
     /// Returns the state after the last step.
@@ -122,7 +123,7 @@ class RearNode {
     }
     /// Returns the mass of the machine body, M/(Zr t0); 0 if there is none.
     double bodyMass() const { return m_machine ? m_machine->mass : 0; }
-    /// Returns whether the waves in the hammer still influence the string.
+    /// Returns whether the string is struck by a hammer whose waves still act on the string.
     bool hasHammer() const { return m_parts.hammerImpedance > 0 && !m_now.released; }
     /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const { return m_failureReason; }
@@ -136,22 +137,24 @@ class RearNode {
         bool pressing = true;
         Face face = Face::given;
     };
-    /// Motion over a stretch of a cell, as power series in 0 ≤ v ≤ 1.
+    /// Motion of rear end, machine and hammer over a part of a cell without an event, as power series in v, 0
+    /// ≤ v ≤ 1.
     struct Piece {
         Modes modes;
         double from = 0, width = 1;
         int count = 0;
         Series push{}, damper{}, rear{}, body{}, stretch{}, gap{};
-        /// Quantity that is positive until the damper lifts or presses again.
+        /// Quantity whose zero is the next event of the damper: it is positive until the damper lifts or
+        /// presses again.
         Series margin{};
     };
     struct Inputs {
         Powers f1, b2, force;
         double width;
     };
-    /// Linear map for a whole cell in which the damper presses and nothing else changes. The inputs are S;
-    /// the coefficients of q = P − 2 b2 from the third down to the first; x, v_b; and the mean of q. The
-    /// inputs known last come last, so that little of the work waits for them.
+    /// Linear map over a whole cell in which the damper presses and nothing else changes. The inputs are S;
+    /// the coefficients of q = P − 2 b2 from the third down to the first; x, v_b; and the mean of q. Inputs
+    /// that are known late come last, so that most of the products can be computed before.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
         static constexpr int outputs = WaveCell::count + 1;  ///< number of outputs: D, and x at the end
@@ -176,7 +179,8 @@ class RearNode {
     std::optional<MachineBody> m_machine;
     std::vector<double> m_widths;
     std::vector<PressingMap> m_maps;
-    /// Largest rate at which any quantity follows another, in units of 1/t0.
+    /// Largest rate constant (inverse time constant) of the differential equations of the rear end, in units
+    /// of 1/t0.
     double m_fastest = 0;
     double m_mobility = 1;  ///< velocity of the rear end per force, 1/Z2
     double m_ofMass = 0;    ///< reciprocal mass 1/M of the machine body
