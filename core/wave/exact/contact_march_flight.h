@@ -12,20 +12,21 @@
 
 namespace drillwave {
 
-/// Returns whether it is proven that no contact can follow, even if the hammer still pushes. Each period
-/// moves the front end by twice the momentum of the rod, to which the hammer adds at most the rest of its
-/// impulse. Within a period, the motion is at most that by the waves in the rod and by this rest.
+/// Returns whether it is proven that no contact can follow, even if the hammer still pushes. In each round
+/// trip of a wave, the front end moves by twice the momentum of the rod. The hammer adds at most the rest of
+/// its impulse to that momentum. Within a round trip, the front end moves no further than the waves in the
+/// rod and this rest can push it.
 template <class Basis>
 bool ContactMarch<Basis>::staysAway() {
     m_nextProof = m_s + m_roundTrip;
-    constexpr Real impulseOfHammer = Real(1e-12);  // pulses of 100 000 segments add up to 1 but for that
+    constexpr Real impulseOfHammer = Real(1e-12);  // rounding of the impulse of 100 000 segments
     const Real uncertain = uncertainMomentum() + impulseOfHammer;
-    const Real momentum = 1 - m_impulse;  // when the hammer has ended
+    const Real momentum = 1 - m_impulse;  // after the end of the hammer force
     if (m_touching || m_periodsAhead > 0 || momentum > -uncertain) return false;
     const Real rest = hammerHasEnded() ? Real(0) : 1 - Real(m_pulse->segments[m_hammerPiece].impulseBefore);
     const Real free = m_gap / 2 - rest - uncertain;
     if (free <= 0) return false;
-    constexpr std::size_t manyPieces = 16;  // to march through them costs more than the exact bound
+    constexpr std::size_t manyPieces = 16;  // to compute more than these costs more than the bound
     const bool isLong = !hammerHasEnded() && m_waves.size() > manyPieces;
     Real reached = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
@@ -68,11 +69,11 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
     return skipPeriods(momentum);
 }
 
-/// Decides how to continue after a whole period without contact: either the blow is over, or the rod drifts
-/// towards the rock and hits it again later. In the second case whole periods are skipped.
+/// Decides how to continue after a whole round trip without contact: either the blow is over, or the rod
+/// drifts towards the rock and hits it again later. In the second case whole round trips are skipped.
 template <class Basis>
 typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real momentum) {
-    if (!m_everTouched) momentum = 1;  // nothing but the hammer has acted
+    if (!m_everTouched) momentum = 1;  // only the hammer has acted
     if (m_periodsAhead > 0) {
         passPeriods(m_periodsAhead);
         m_periodsAhead = 0;
@@ -81,8 +82,8 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
     const Real uncertain = uncertainMomentum();
     if (momentum <= uncertain) {
         finish();
-        // Whether a rod without momentum returns is undecided; what the rock could still give it is as
-        // little.
+        // It is undecided whether a rod with almost no momentum returns. If it did, the impulse of that
+        // contact would be as small as the uncertainty, so it is added to the error.
         if (momentum > -uncertain && !m_touching) m_impact->corError += double(2 * uncertain);
         return Progress::finished;
     }

@@ -48,8 +48,8 @@ class WaveQueue {
     Piece& front() { return *m_ring[m_head]; }
     Piece& back() { return (*this)[m_size - 1]; }
 
-    /// Returns the piece that take() returned last. It stays valid until the next call of take(), whatever is
-    /// added.
+    /// Returns the piece that take() removed last. It stays valid until the next call of take(), even if
+    /// pieces are added.
     Piece& taken() { return *m_taken; }
     /// Removes the front piece from the queue and returns it.
     Piece& take() {
@@ -63,15 +63,15 @@ class WaveQueue {
     }
     void popBack() { --m_size; }
     void pushBack(const Piece& piece) { pushBack() = piece; }
-    /// Adds a piece at the back and returns it, to be assigned; until then it has the content of an earlier
-    /// piece.
+    /// Adds a piece at the back of the queue and returns it for writing. Until it is written, it has the
+    /// content of an earlier piece.
     Piece& pushBack() {
         if (m_size == m_ring.size()) grow();
         ++m_size;
         return back();
     }
-    /// Moves the first `count` pieces to the back unchanged: they have arrived at the bit and been reflected
-    /// by both free ends.
+    /// Moves the first `count` pieces to the back unchanged, in order. It stands for waves that arrived at
+    /// the bit and were reflected by both free ends of the rod.
     void rotate(std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             std::swap(m_ring[m_head], m_ring[(m_head + m_size) & m_mask]);
@@ -99,9 +99,9 @@ class WaveQueue {
     std::size_t m_mask = 0;
 };
 
-/// Limits of the work of an exact solution, and what it records.
+/// Limits for the work of an exact solution, and options for what it records.
 struct MarchLimits {
-    /// Maximum number of smooth pieces into which the waves are divided.
+    /// Maximum number of smooth pieces into which the waves of one blow are divided.
     long pieces = 30'000'000;
     /// Source of stop requests; null if there is none.
     const std::stop_token* stop = nullptr;
@@ -113,11 +113,13 @@ struct MarchLimits {
     const HandOver* handOver = nullptr;
     /// Whether the sums of Detail::ledger are computed, if that detail is requested.
     bool ledger = true;
-    /// Largest useful error of the coefficient of restitution; a solution with a larger one is given up.
+    /// Largest permitted error of the coefficient of restitution; a solution is given up as soon as its error
+    /// exceeds this value.
     double error = std::numeric_limits<double>::infinity();
 };
 
-/// Solver for one blow of a hammer force on a uniform rod, piece by piece:
+/// Solver for one blow of a hammer force Fa on a uniform rod, piece by piece of the incident wave g at the
+/// bit, for the impact force F:
 ///
 ///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
 ///
@@ -142,7 +144,8 @@ class ContactMarch {
         Real length;
         Ending ending;
     };
-    /// Returns the contact event that is recorded for an ending of a stretch; `none` is not allowed.
+    /// Returns the contact event to record when a stretch of contact ends in the way `ending`. Requires an
+    /// `ending` other than `none`.
     static ContactEvent eventOf(Ending ending) {
         switch (ending) {
             case Ending::none:
@@ -159,23 +162,25 @@ class ContactMarch {
     }
     using Response = typename Basis::Response;
 
-    /// Largest rate of a contact, per t0. A layer of a faster one would be thinner than the rounding of time.
-    /// The limit changes the coefficient of restitution by less than 1e-13.
+    /// Largest rate a of a contact, F' = a(2g − F), per t0; larger rates are reduced to it. A faster force
+    /// would follow the wave within the rounding error of time. The limit changes the coefficient of
+    /// restitution by less than 1e-13.
     static constexpr Real fastestRate = Real(1e15);
 
-    /// Limits of the number of events in a row without progress in time. After the first one, the line of the
-    /// law is assumed to depend on rounding only; after the second one, no further check is made.
+    /// Limits of the number of events in a row at the same time. Above the first one, mayStay() checks
+    /// whether only rounding decides between the lines of the law; the contact then stays on its line. Above
+    /// the second one, it stays without a check.
     static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
 
     /// Largest gap, in units of I0/Z, that counts as rounding of the distance travelled, not as a separation.
     static constexpr Real closedGap = 8 * std::numeric_limits<Real>::epsilon();
 
-    /// Largest missing energy of a valid result, in the measure of Impact::energyResidual(). Correct
-    /// solutions miss at most 4e-10, where pieces of waves are joined. A force that changes between lines of
-    /// the law where they do not meet misses 1e-3 and more.
+    /// Largest missing energy of a valid result, as a share like Impact::energyResidual(). Correct solutions
+    /// miss at most 4e-10, because of joined pieces of waves. If the force changes between lines of the law
+    /// where they do not meet, 1e-3 or more is missing.
     static constexpr double mostMissingEnergy = 1e-6;
 
-    /// Number of pieces between two checks for a stop request, about one millisecond.
+    /// Number of computed pieces between two checks for a stop request; they take about one millisecond.
     static constexpr long piecesBetweenLooks = 8192;
 
     static constexpr Real never = std::numeric_limits<Real>::infinity();
@@ -186,7 +191,7 @@ class ContactMarch {
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
     bool march();
-    /// Returns the piece of the incident wave g that is now arriving.
+    /// Returns the piece of the incident wave g that is arriving at the front end now.
     Piece& incident() { return m_waves.taken(); }
     bool isSliver(const Piece& piece);
     void nextArrival();
@@ -198,8 +203,8 @@ class ContactMarch {
     void advanceContact();
     void changeBranch(Ending ending, Real length);
     bool hammerHasEnded() const { return m_hammerPiece >= m_pulse->segments.size(); }
-    /// Returns the largest possible error of the rod's momentum, with a safety factor for proofs, in units of
-    /// I0.
+    /// Returns a safe upper bound of the error of the rod's momentum, in units of I0: four times the sum of
+    /// the estimated errors. Proofs that no contact follows use it.
     Real uncertainMomentum() const { return 4 * (m_error + m_gapError + m_basis.momentumNoise()); }
     bool staysAway();
     Progress flyFree();
@@ -219,7 +224,7 @@ class ContactMarch {
         if (m_detail >= Detail::events) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
     /// Returns whether the solution must end now: at the work limit, after an error, or on a stop request.
-    /// Cheap enough to be called for every piece.
+    /// The check is cheap enough for every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
         if (m_error > m_limits.error) return fail(translatable("its error would be larger than permitted"));
@@ -254,14 +259,15 @@ class ContactMarch {
     }
 
     Basis m_basis;
-    /// Incident wave g of the next round trip, without Fa.
+    /// Incident wave g of the next round trip at the front end, without the hammer force Fa that is still to
+    /// be added.
     WaveQueue<Piece> m_waves;
     const PulseForce* m_pulse = nullptr;
     Impact* m_impact = nullptr;
     MarchLimits m_limits;
     long m_mostPieces = 0;
     std::size_t m_nextHandOver = 0;
-    /// Number of pieces after which lookForEnd() is called.
+    /// Number of computed pieces at which the work limit and a stop request are checked next.
     long m_nextLook = 0;
     Detail m_detail = Detail::cor;
 
@@ -282,9 +288,9 @@ class ContactMarch {
     int m_eventsOnTheSpot = 0;
     /// Present line of the law; `apart` also for contact without force.
     ContactLine m_line = ContactLine::apart;
-    /// Number of periods of free flight before m_gap counts.
+    /// Number of whole round trips of free flight that still pass before m_gap starts to close.
     Real m_periodsAhead = 0;
-    /// Gap that is still to close, in units of I0/Z.
+    /// Gap between bit and rock that is left after m_periodsAhead, in units of I0/Z.
     CompensatedSum<Real> m_gap;
     /// Effect of the error of m_gap on the coefficient of restitution, counted once the gap closes.
     Real m_gapError = 0;
@@ -297,7 +303,7 @@ class ContactMarch {
     Real m_force = 0;
     /// Closing velocity of the bit at the last contact, in units of F0/Z; 0 for the first contact.
     Real m_closingSpeed = 0;
-    /// Largest force since the last contact, at the ends of pieces, in units of F0.
+    /// Largest force since the last contact began, at the ends of pieces only, in units of F0.
     Real m_contactForce = 0;
     /// Factor by which rounding errors have been amplified so far (Impact::growth).
     Real m_growth = 1;

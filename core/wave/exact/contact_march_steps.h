@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Returns whether a piece is only due to rounding between two breakpoints that coincide. The impulse of such
-/// a piece is added to the error.
+/// Returns whether a piece of the wave is so short that it is only due to rounding, between two breakpoints
+/// that should coincide. The impulse of such a piece is added to the error.
 template <class Basis>
 bool ContactMarch<Basis>::isSliver(const Piece& piece) {
     const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (m_roundTrip + m_hammerTime);
@@ -53,8 +53,9 @@ void ContactMarch<Basis>::nextArrival() {
     }
 }
 
-/// Returns the work ∫Fa va dt = ∫Fa (Fa + 2g) dt over the next `length` of the hammer force [paper (1)]. g is
-/// the wave that returns to the hammer, and is now arriving.
+/// Returns the work of the hammer ∫Fa va dt = ∫Fa (Fa + 2g) dt over the next `length` of the hammer force
+/// [paper (1)], in units of I0²/(Z t0). g is the wave that returns to the hammer; it is the piece now
+/// arriving at the front end.
 template <class Basis>
 typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSegment& segment, Real into,
                                                                    Real length) {
@@ -62,7 +63,8 @@ typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSe
     return incident().isZero() ? alone : alone + 2 * m_basis.hammerProduct(segment, into, incident(), length);
 }
 
-/// Closes the gap at the end of the first `length` of `arriving`, where contact begins.
+/// Ends the free flight at the end of the first `length` of the piece `arriving`, where the gap closes and
+/// contact begins.
 template <class Basis>
 void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_opened = std::max(m_opened, m_gap + 2 * arriving.magnitude() * length);
@@ -87,8 +89,8 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_everTouched = true;
 }
 
-/// Moves the free front end by twice the impulse of the wave that arrived, and adds its rounding to the
-/// error.
+/// Moves the free front end by twice the impulse of the wave that arrived, and adds the rounding of this
+/// displacement to the error.
 template <class Basis>
 void ContactMarch<Basis>::drift(const Piece& arriving, Real impulse) {
     m_gap += -2 * impulse;
@@ -104,13 +106,13 @@ void ContactMarch<Basis>::separate() {
     // impulse that this displaces is at most 2 Fmax times that.
     if (m_impact->contacts > 1 && m_contactForce > 0)
         m_growth *= 1 + 2 * m_contactForce / std::max(m_closingSpeed, Real(0));
-    if (m_detail == Detail::cor) m_nextProof = m_s + m_roundTrip;  // else the work of the hammer is wanted
+    if (m_detail == Detail::cor) m_nextProof = m_s + m_roundTrip;  // else the hammer work is needed
     m_separatedBefore = m_impact->separationTime;
     m_impact->separationTime = double(m_arrival + m_s);
     note(ContactEvent::separation);
 }
 
-/// Removes the last separation, because no gap has opened: it was due to rounding.
+/// Removes the last separation from the result, because the gap did not open by more than rounding.
 template <class Basis>
 void ContactMarch<Basis>::rejoin() {
     m_impact->separationTime = m_separatedBefore;
@@ -131,7 +133,8 @@ void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real l
     }
 }
 
-/// Reflects the first `length` of the arriving wave at the free front end, unchanged.
+/// Adds the first `length` of the arriving wave to the waves in the rod, unchanged, because the free front
+/// end reflects it.
 template <class Basis>
 void ContactMarch<Basis>::leaveFree(Real length) {
     pass(incident(), nullptr, length);
@@ -143,7 +146,7 @@ void ContactMarch<Basis>::leaveFree(Real length) {
     joinLast();
 }
 
-/// Adds the wave that a stretch of contact reflects to the waves in the rod.
+/// Adds the wave that the front end reflects during a stretch of contact to the waves in the rod.
 template <class Basis>
 void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     pass(m_basis.incidentOf(response), &response.force, length);
@@ -155,7 +158,8 @@ void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     joinLast();
 }
 
-/// Joins the last piece of the wave to the one before it, if this saves work and is accurate enough.
+/// Joins the last piece of the wave in the rod to the piece before it, if this saves work and is accurate
+/// enough.
 template <class Basis>
 void ContactMarch<Basis>::joinLast() {
     if constexpr (Basis::joinsPieces) {
@@ -165,7 +169,8 @@ void ContactMarch<Basis>::joinLast() {
     }
 }
 
-/// Advances without contact while the hammer still pushes: the front end is free until the gap closes.
+/// Advances the front end without contact while the hammer force still acts, until the gap closes or the
+/// arriving piece ends.
 template <class Basis>
 void ContactMarch<Basis>::advanceApart() {
     const auto contact = m_basis.gapClosure(incident(), m_gap);
@@ -218,14 +223,14 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
     if (m_eventsOnTheSpot > repeatedEvents && stretch.ending != Ending::separation && mayStay(response)) {
         stretch = {response.length, Ending::none};
         if (m_line == ContactLine::primary) m_law.remember(response.force.value(response.length));
-        m_eventsOnTheSpot = repeatedEvents;  // a plateau of many pieces is one spot
+        m_eventsOnTheSpot = repeatedEvents;  // events on a plateau of many pieces count as one event
     }
     return stretch;
 }
 
-/// Returns whether the contact may stay on its present line although events repeat without progress in time.
-/// The force is then constant at its peak, and rounding decides on the line; any line will do as long as they
-/// differ by rounding only. A force that leaves the peak later decides.
+/// Returns whether the contact may stay on its present line of the law although events repeat at the same
+/// time. The force is then constant at its peak, and only rounding decides between lines that differ by
+/// rounding. It may stay until the force clearly leaves the peak.
 template <class Basis>
 bool ContactMarch<Basis>::mayStay(const Response& response) {
     if (m_eventsOnTheSpot > mostEventsOnTheSpot) return true;
@@ -235,7 +240,7 @@ bool ContactMarch<Basis>::mayStay(const Response& response) {
                                           : end <= m_law.largestForce() + rounding;
 }
 
-/// Counts the effect on the error of pieces that were joined, for one stretch of contact.
+/// Adds the effect of joined pieces of the wave, over one stretch of contact, to the error.
 template <class Basis>
 void ContactMarch<Basis>::countJoining(const Response& response, Real length, Ending ending) {
     if constexpr (Basis::joinsPieces) {
@@ -249,7 +254,7 @@ void ContactMarch<Basis>::countJoining(const Response& response, Real length, En
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
     if (incident().isZero() && m_force <= m_basis.negligibleForce()) {
-        m_force = 0;  // forceless contact: what is left of an exponential is rounding
+        m_force = 0;  // contact without force: the remainder is rounding
         m_line = ContactLine::apart;
         m_touching = true;
         m_justUnloaded = false;
@@ -265,7 +270,7 @@ void ContactMarch<Basis>::advanceContact() {
     m_impulse += end.impulse;
     m_error += end.error + Basis::roundingOfSums * m_impulse;
     countJoining(response, length, ending);
-    m_force = std::max(end.force, Real(0));  // below it: rounding
+    m_force = std::max(end.force, Real(0));  // a negative force is rounding
     if (m_detail != Detail::cor && m_law.isElastic()) {
         m_law.remember(m_force);
         m_law.remember(m_basis.largest(response, length, m_law.largestForce()));
@@ -281,7 +286,7 @@ void ContactMarch<Basis>::advanceContact() {
 
 template <class Basis>
 void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
-    // only of the same piece of wave: the front of the next one may raise the force at once
+    // only within the same piece of the wave: the front of the next piece may raise the force at once
     m_justUnloaded = ending == Ending::unloading && length > 0 && incident().length > 0;
     switch (ending) {
         case Ending::none:

@@ -12,9 +12,9 @@
 
 namespace drillwave {
 
-/// Default and maximum limit of the number of wave pieces for one blow. A piece takes 0.05 to 1.5 µs, so the
-/// most expensive blow is given up after one or two seconds. Nearly all blows take less than a thousand
-/// pieces.
+/// Default limit of the number of wave pieces for one blow, and the largest limit that may be set. A piece
+/// takes 0.05 to 1.5 µs, so the default stops the most expensive blows after one or two seconds. Nearly all
+/// blows take less than a thousand pieces.
 inline constexpr long defaultWorkLimit = 1'000'000, mostWorkLimit = 30'000'000;
 
 /// Solver for blows on a uniform rod, exact except for rounding, which reuses its memory. With Detail::cor it
@@ -39,8 +39,8 @@ inline constexpr long defaultWorkLimit = 1'000'000, mostWorkLimit = 30'000'000;
 /// layer. Blows that may multiply rounding (Impact::growth) are solved up to three times.
 class ExactSolver {
   public:
-    /// Creates a solver. `mostPieces` limits the pieces of one solution, at 0.05 to 0.3 µs each; a blow that
-    /// needs more is not solved.
+    /// Creates a solver. `mostPieces` is the maximum number of pieces of one solution, at 0.05 to 0.3 µs
+    /// each; a blow that needs more is not solved.
     explicit ExactSolver(long mostPieces = mostWorkLimit);
     ~ExactSolver();
     ExactSolver(ExactSolver&&) noexcept;
@@ -50,7 +50,7 @@ class ExactSolver {
     /// uniform rod (rodRefusal()). A stop request ends it within milliseconds as not solved.
     Impact solve(const Problem& problem, Detail detail = Detail::cor, const std::stop_token& stop = {});
 
-    /// Omits the sums of Detail::ledger if Detail::histories is requested, from now on; they double the
+    /// Omits the sums of Detail::ledger in all later solutions with Detail::histories, where they double the
     /// computing time.
     void leaveOutLedger() { m_ledger = false; }
 
@@ -67,16 +67,16 @@ class ExactSolver {
 /// their beginning. It returns the number of pieces at which it is to be called again.
 using HandOver = std::function<std::size_t(Impact&)>;
 
-/// Number of pieces above which histories are too long to be kept for some results; 90 MB. Solutions with
-/// exponential sums have fewer.
+/// Number of wave pieces above which histories are not kept, but evaluated during the computation; that many
+/// take 90 MB. Solutions with exponential sums have fewer.
 inline constexpr long mostPiecesKept = 100'000;
 
-/// Number of pieces at which HandOver is called for the first time.
+/// Number of recorded pieces at which HandOver is called for the first time.
 inline constexpr std::size_t piecesHandedOver = 20'000;
 
-/// Returns the solution of a blow whose histories are passed to `handOver` in parts; the impact has only the
-/// rest of them. Requires that ExactSolver has solved the blow with `pieces` pieces, more than
-/// mostPiecesKept. Power series are used.
+/// Returns the solution of a blow whose histories are passed to `handOver` in parts during the computation;
+/// the result contains only their last part. Requires that ExactSolver has solved the blow with `pieces`
+/// pieces, more than mostPiecesKept. Power series are used.
 Impact marchInPassing(const Problem& problem, long pieces, const HandOver& handOver,
                       const std::stop_token& stop);
 

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Computes out = p·g + q·f for the coefficients of one kind of term.
+/// Computes the coefficients out = p·g + q·f, for terms of one kind and one rate.
 inline void combine(double p, const Coefficients& g, double q, const Coefficients& f, Coefficients& out) {
     const int common = std::min(g.count, f.count);
     for (int m = 0; m < common; ++m) out.c[m] = p * g.c[m] + q * f.c[m];
@@ -18,8 +18,8 @@ inline void combine(double p, const Coefficients& g, double q, const Coefficient
     out.count = std::max(g.count, f.count);
 }
 
-/// Computes the coefficients of a derivative. The derivative of Σ c_m φ_m is λ Σ (c_{m+1} − c_m) φ_m;
-/// `factor` replaces the rate λ.
+/// Computes the coefficients of the derivative of Σ c_m φ_m, which is λ Σ (c_{m+1} − c_m) φ_m. `terms` holds
+/// the c_m; `factor` replaces the rate λ.
 inline void differences(const Coefficients& terms, double factor, Coefficients& slope) {
     slope.count = terms.count;
     const int last = terms.count - 1;
@@ -27,7 +27,7 @@ inline void differences(const Coefficients& terms, double factor, Coefficients& 
     if (last >= 0) slope.c[last] = -factor * terms.c[last];
 }
 
-/// Computes the curved terms of out = p·g + q·f, if g or f has any.
+/// Computes the terms of out = p·g + q·f that ramps and curved hammer forces leave, if g or f has any.
 template <int lines>
 void combineCurves(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                    ExponentialSum<lines>& out);
@@ -82,11 +82,11 @@ inline constexpr double largestDecays[Coefficients::capacity] = {1,
                                                                  0.14900277967433771};
 
 /// Sum of the decays Σ c_m φ_m(λx) of one rate λ at x, and its integral over [0, x], computed in one pass.
-/// The members `…Size`, `stored` and `integrated` are the sizes to which rounding errors are relative. After
-/// many reflections there are large coefficients of high order, which hardly matter where λx is small. So the
-/// size of a term is its largest value up to x.
+/// The members `…Size`, `stored` and `integrated` are magnitudes: times the machine epsilon, they estimate
+/// rounding errors. After many reflections there are large coefficients of high order, which hardly matter
+/// where λx is small. So the magnitude of a term is its largest value up to x.
 struct DecaysEnd {
-    /// The coefficient c_0, φ_0(λx) and 1 − φ_0(λx).
+    /// The coefficient c_0, the decay φ_0(λx) = e^(−λx), and the rise 1 − φ_0(λx).
     double first, firstDecay, firstRise;
     /// Sum of the terms from c_1 on at x; they are zero at x = 0.
     double higher = 0;
@@ -94,21 +94,22 @@ struct DecaysEnd {
     double higherSize = 0;
     /// Integral of all terms over [0, x], in units of t0.
     double integral = 0;
-    /// Size to which the effect of rounding of the coefficients is relative, integrated over [0, x].
+    /// Magnitude that, times the machine epsilon, estimates the effect of rounded coefficients, integrated
+    /// over [0, x].
     double stored = 0;
-    /// Size to which the rounding of the integral is relative.
+    /// Magnitude that, times the machine epsilon, estimates the rounding error of `integral`.
     double integrated = 0;
 
-    /// Computes the values at x; `decay` is e^(−λx).
+    /// Computes the sums at x for the coefficients `terms` of the rate λ = `rate`; `decay` is e^(−λx).
     DecaysEnd(const Coefficients& terms, double rate, double x, double decay);
 
     /// Returns the sum of the terms at x.
     double value() const { return first * firstDecay + higher; }
-    /// Returns the size to which the rounding of value() is relative.
+    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of value().
     double valueSize() const { return std::abs(first) * firstDecay + higherSize; }
     /// Returns the change of the sum of the terms from 0 to x.
     double change() const { return higher - first * firstRise; }
-    /// Returns the size to which the rounding of change() is relative.
+    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of change().
     double changeSize() const { return std::abs(first) * firstRise + higherSize; }
 };
 
@@ -129,7 +130,7 @@ inline DecaysEnd::DecaysEnd(const Coefficients& terms, double rate, double x, do
         sizes += size;
         largest += size * (y < m ? phi : largestDecays[m]);
     }
-    constexpr double lasting = Coefficients::capacity;  // for so many 1/λ at most a term is that large
+    constexpr double lasting = Coefficients::capacity;  // number of 1/λ over which a term may be large
     integral = risen / rate;
     stored = largest * std::min(x, lasting / rate);
     integrated = sizes * std::min(x, 1 / rate);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact solved with exponential sums, one piece from front to front, however long: fast if reflections are
-// few.
+// Contact solved with exponential sums, one piece from one wave front to the next, however long: fast if
+// reflections are few.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +20,11 @@ namespace drillwave {
 /// shape.
 ///
 /// Each reflection in contact adds one term. Terms of other rates are divided by the differences of the
-/// rates. So it fails after some reflections, for lines of the law of nearly equal slope, and for events that
-/// are tangential within rounding. The caller then uses power series.
+/// rates. Therefore the representation fails after some reflections, for lines of the law of nearly equal
+/// slope, and for events that are tangential within rounding. The caller then uses power series.
 ///
 /// `lines` is the number of lines of the law whose slopes are included: the first loading line, the elastic
-/// line, and those after the first corners. It fails if the contact reaches any further line.
+/// line, and those after the first corners. The representation fails if the contact reaches any further line.
 template <int lines>
 class ExponentialBasis {
   public:
@@ -32,7 +32,8 @@ class ExponentialBasis {
     using Piece = ExponentialSum<lines>;
     /// Type of sums; plain, because there are few pieces.
     using Sum = double;
-    /// Whether pieces are joined; not needed, because there are few.
+    /// Whether neighbouring pieces of waves are joined to save work; not needed, because exponential sums
+    /// have few pieces.
     static constexpr bool joinsPieces = false;
     /// Rounding error of each term added to a Sum, relative to the sum.
     static constexpr double roundingOfSums = std::numeric_limits<double>::epsilon() / 2;
@@ -41,7 +42,7 @@ class ExponentialBasis {
     struct Response {
         double length = 0;
         double rate = 0;
-        /// Index of the line of the law that has this rate.
+        /// Index of the line of the law on which the contact is, and whose slope is the rate of the response.
         int line = 0;
         /// Arriving wave g, which must outlive the response.
         const Piece* incident = nullptr;
@@ -52,7 +53,7 @@ class ExponentialBasis {
         double arrived = 0;
         /// Impulse ∫(g − F) up to the end of the stretch, set by endAt() for curved forces.
         double left = 0;
-        /// Size of the terms that were dropped because they are below rounding.
+        /// Magnitude of the terms that were dropped because they are below rounding, in units of F0.
         double dropped = 0;
         /// Whether drive() has been called for this response.
         bool hasDrive = false;
@@ -64,7 +65,7 @@ class ExponentialBasis {
     bool failed() const { return m_failed; }
     /// Returns the number of searches for events, and of points evaluated, since begin().
     SearchCount searchCount() const { return m_count; }
-    /// Reports that events repeat without progress in time; then this representation fails.
+    /// Makes this representation fail, because events repeat without progress in time.
     void stall() { m_failed = true; }
     /// Switches to the loading line of slope `rate`; sets m_failed if the basis has no such line.
     void turnTo(double rate) { m_failed |= lineOf(rate) == lines; }
@@ -74,12 +75,14 @@ class ExponentialBasis {
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
     /// Returns a wave with a constant value (in F0) over a length (in t0).
     Piece constant(double length, double value) const;
-    /// Returns the length of the hammer force that one piece can hold: all that is left of the segment.
+    /// Returns the length of the hammer force that one piece can represent, in units of t0: always `left`,
+    /// the rest of the segment.
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
-    /// Adds the hammer force over `length` to g; it starts at the time `into` within the segment.
+    /// Adds the hammer force to the wave g over `length`. The force starts at the time `into` within its
+    /// segment, in units of t0.
     void addHammer(const PulseSegment& segment, double into, double length, Piece& g) const;
-    /// Returns the integral of the hammer force Fa times the wave g over `length`. The force starts at the
-    /// time `into` within its segment.
+    /// Returns the integral ∫Fa g ds of hammer force times wave over `length`. The force starts at the time
+    /// `into` within its segment.
     double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
     /// Returns the solution of F' = a(2g − F), F(0) = force, over the piece g with a = `rate` [paper (5)]
@@ -94,7 +97,7 @@ class ExponentialBasis {
     /// Ends the stretch at `length`, and returns force, impulse and error there. The decays computed for it
     /// are used for all functions of the stretch.
     StretchEnd<double> endAt(Response& r, double length) const;
-    /// Removes the part of g that has passed in the stretch of the response.
+    /// Removes from the wave g the part that has arrived during the stretch of the response.
     void dropFront(Piece& g, const Response& r) const {
         g.rates = &m_rates;
         const double rest = g.isCurved ? g.curve.impulse - r.arrived : 0;
@@ -122,7 +125,7 @@ class ExponentialBasis {
     }
     /// Returns the integral ∫g of the wave over the piece, in units of I0.
     static double impulse(const Piece& g) { return g.impulse(); }
-    /// Returns the size to which the rounding of impulse() is relative.
+    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of impulse().
     static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
     /// Drops terms that are small enough to be ignored.
     void tidy(Piece& piece) const {
@@ -139,10 +142,10 @@ class ExponentialBasis {
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
   private:
-    /// Indices of the first loading line and the elastic line.
+    /// Indices in the list of rates: the first loading line and the elastic line of the law.
     static constexpr int primary = 0, elastic = 1;
 
-    /// Returns the zero unchanged; an undecided search makes the representation fail.
+    /// Returns `zero` unchanged; if the search for it was undecided, the representation fails.
     Zero<double> decided(Zero<double> zero) {
         m_failed |= zero.undecided;
         return zero;
@@ -150,7 +153,7 @@ class ExponentialBasis {
 
     using Curve = CurvedTerms<lines>;
 
-    /// Returns the index of the first line with the slope `rate`, or `lines` if there is none.
+    /// Returns the index of the first line of the law with the slope `rate`, or `lines` if there is none.
     int lineOf(double rate) const {
         int line = 0;
         while (line < lines && m_rates[line] != rate) ++line;

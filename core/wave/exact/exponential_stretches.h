@@ -11,9 +11,10 @@
 
 namespace drillwave {
 
-/// Division of [0, length] into stretches on which each of several functions is one short power series, all
-/// on the same scale. In a stretch, λx of the fastest decay that is still above `negligible` increases by at
-/// most 2. All functions must have the same rates. About 20 stretches follow one decay to its end.
+/// Division of [0, length] into stretches. On each stretch, each of several functions is one short power
+/// series, all on the same scale. In a stretch, λx of the fastest decay that is still above `negligible`
+/// increases by at most 2. All functions must have the same rates. About 20 stretches follow one decay to its
+/// end.
 template <int lines, std::size_t count>
 class ExponentialStretches {
   public:
@@ -28,8 +29,8 @@ class ExponentialStretches {
         }
     }
 
-    /// Calls visit(start, series) for each stretch in order; series[i] is function i, with the length of the
-    /// stretch.
+    /// Calls visit(start, series) for each stretch in order, with its start in t0. series[i] is function i on
+    /// this stretch.
     template <class Visit>
     void forEach(Visit visit) {
         double start = 0;

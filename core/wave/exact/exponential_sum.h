@@ -130,7 +130,8 @@ struct HammerTerms {
     double magnitude() const { return amplitude() + std::abs(decay); }
     /// Returns whether the value is certainly ≥ 0 for 0 ≤ x ≤ length.
     bool allAtLeastZero(double length) const {
-        // at most a half sine: a stretch below zero in it would hold an end or the middle
+        // the interval is at most a half sine: if the sum were negative inside, an end or the middle would be
+        // too
         return !present ||
                (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 && wave(length) >= 0);
     }
@@ -173,8 +174,8 @@ struct HammerTerms {
     }
 };
 
-/// Calls of(i) for each line of a law, without a loop, whose overhead would be as large as the work for two
-/// terms.
+/// Calls of(i) for i = 0 … lines − 1. There is no loop, because its overhead would be as large as the work
+/// for two terms.
 template <int lines, class Of>
 [[gnu::always_inline]] inline void eachLine(Of of) {
 #pragma GCC unroll 8
@@ -200,8 +201,8 @@ struct CurvedTerms {
     TermsOfLines<lines> rises;
     /// Terms s sin πx + k cos πx + d e^(−x) of a curved hammer force.
     HammerTerms hammer;
-    /// Integral of the whole exponential sum over its length, or `unknown`. It must be set to `unknown`
-    /// whenever coefficients are changed from outside.
+    /// Integral of the whole exponential sum over its length, in units of I0, or `unknown`. It must be set to
+    /// `unknown` whenever coefficients are changed from outside.
     mutable double impulse = unknown;
 
     bool hasRises() const {
@@ -319,9 +320,9 @@ struct ExponentialSum {
     }
 
     /// Returns an upper bound of the integral of the absolute values of all terms over the length, in units
-    /// of I0. The rounding of ∫f is relative to it.
+    /// of I0. Times the machine epsilon, it estimates the rounding error of ∫f.
     double integralOfSizes() const {
-        constexpr double lasting = Coefficients::capacity;  // for so many 1/λ at most a decay is that large
+        constexpr double lasting = Coefficients::capacity;  // number of 1/λ over which a decay may be large
         double sum = std::abs(c0) * length;
         eachLine<lines>([&](int i) {
             if (decays[i].count) sum += decays[i].magnitude() * std::min(lasting / (*rates)[i], length);
@@ -409,7 +410,7 @@ struct ExponentialSum {
         eachLine<lines>([&](int i) { steps += decays[i].most(); });
         return steps;
     }
-    // Parts of the functions above for curved sums, kept apart so that others do not pay for them
+    // Parts of the functions above for curved sums; they are separate, so that other sums do not pay for them
     double mostOfHammer() const;
     double mostOfRises() const;
     double leastOfRises() const;

@@ -7,7 +7,7 @@
 
 namespace drillwave {
 
-/// Start of a search for a zero, and what it may ignore.
+/// Start of the search for a zero of an exponential sum, and the values that count as no zero.
 struct Search {
     /// Start of the search within the interval, in units of t0.
     double start = 0;

@@ -18,13 +18,13 @@ struct InputMove {
     int tau = 0;
 };
 
-/// Largest growth of rounding errors (Impact::growth, a worst case) that the summed error covers if
-/// multiplied by it. Contacts multiply the rounding of earlier ones. If there are many, the coefficient of
-/// restitution may have few digits or none, although each step was accurate to the last digit.
+/// Growth of rounding errors (Impact::growth, a worst case) up to which multiplying the error by the growth
+/// is sufficient. Larger growth needs a second solution with changed input. If there are many contacts, the
+/// coefficient of restitution may have few digits or none, although each step was accurate to the last digit.
 inline constexpr double coveredGrowth = 8;
 
-/// Upper bound of the rounding error of the coefficient of restitution without growth by contacts; no case
-/// seen exceeded it.
+/// Upper bound of the rounding error of the coefficient of restitution if contacts do not amplify it; no case
+/// seen exceeded this value.
 inline constexpr double ordinaryRounding = 1e-13;
 
 /// Returns whether the rounding error of a solved blow may have grown beyond its stated error.
@@ -32,8 +32,8 @@ inline bool mayOutgrowItsError(const Impact& impact) {
     return impact.growth > coveredGrowth && impact.growth * ordinaryRounding > impact.corError;
 }
 
-/// Returns the error of the coefficient of restitution due to the rounding of the points of a hammer force.
-/// The factor of two allows for one reflection by the rock.
+/// Returns the error of the coefficient of restitution caused by the rounding of the points of a hammer
+/// force, ≥ 0. The factor of two allows for one reflection by the rock.
 inline double roundingOfHammer(const PulseForce& hammer) {
     return 2 * hammer.rounding;
 }
@@ -68,11 +68,12 @@ void coverGrowth(Impact& impact, const Solve& solve) {
             return;
         }
         change = std::max(change, std::abs(moved.cor - impact.cor));
-        if (luck * factor * change <= impact.corError) break;  // what grows is too little to count
+        if (luck * factor * change <= impact.corError) break;  // the change is negligible
     }
     impact.corError += factor * change;
-    // The march has proven that no contact follows with its own error of the momentum −e. With the grown one
-    // that is undecided for a rod nearly at rest: what the rock could still give it is of that size too.
+    // It was proven that no contact follows, with the error of the momentum −e before it was raised. With the
+    // raised error this is undecided for a rod nearly at rest. The impulse of a further contact would be as
+    // small as that error, so it is covered by a factor of 3.
     if (impact.cor <= impact.corError) impact.corError *= 3;
 }
 

@@ -36,16 +36,18 @@ class SeriesBasis {
         Real length = 0;
         /// Arriving wave g, which must outlive the response; it may point to `cut`.
         const Piece* incident = nullptr;
-        /// Part of the arriving wave, on a scale of its own.
+        /// First part of the arriving wave, as a series whose scale is its own length; `incident` may point
+        /// to it.
         Piece cut;
         /// Impact force F over the stretch, in units of F0.
         Piece force;
         /// Product aℓ of the contact's rate a and the length ℓ of the stretch.
         Real alpha = 0;
-        /// Whether F is the slow solution 2g − F'/a without an initial layer, so that its slope does not
-        /// follow from 2g − F.
+        /// Whether F is the slow solution 2g − F'/a, without the initial layer in which F approaches it. Its
+        /// slope then cannot be computed from 2g − F.
         bool isSlow = false;
-        /// Sum of the absolute coefficients, to which rounding errors are relative, in units of F0.
+        /// Sum of the absolute coefficients of the response, in units of F0; times the machine epsilon, it
+        /// estimates the rounding error.
         Real size = 0;
     };
 
@@ -69,7 +71,7 @@ class SeriesBasis {
     /// Returns the number of searches for events, and of points evaluated, since begin().
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
-    /// Continues the contact along a line of any slope; nothing needs to be done.
+    /// Does nothing: a power series can follow a line of the law with any slope.
     void turnTo(Real) const {}
     /// Returns the force that is small enough to be ignored, in units of F0.
     Real negligibleForce() const { return m_negligible; }
@@ -214,7 +216,7 @@ class SeriesBasis {
     /// Removes the part of g that has passed in the stretch of the response.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
-    /// Returns the time at which the incident wave g closes the gap (∫2g equals the gap), if it does so
+    /// Returns the time at which the incident wave g closes the gap (∫2g ds equals `gap`), if it does so
     /// within the piece.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
@@ -273,19 +275,19 @@ class SeriesBasis {
     Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
     /// Returns the integral ∫g of the wave over the piece, in units of I0.
     static Real impulse(const Piece& g) { return g.way().whole; }
-    /// Returns the size to which the rounding of impulse() is relative.
+    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of impulse().
     static Real impulseSize(const Piece& g) { return g.way().size; }
 
     /// Drops terms that are small enough to be ignored.
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
-    /// Joins `next` to `last` if that is accurate enough, and adds the effect to `error`; returns whether it
-    /// did.
+    /// Joins the piece `next` to the piece `last` if that is accurate enough, and adds the effect on the
+    /// coefficient of restitution to `error`. Returns whether the pieces were joined.
     bool join(Piece& last, const Piece& next, Real& error) { return m_joiner.join(last, next, error); }
-    /// Counts the error by joined pieces over a stretch of the given length on the elastic line.
+    /// Adds the error that joined pieces cause during a stretch of the given length [t0] on the elastic line.
     void passElastic(Real length) { m_joiningError.passElastic(length); }
-    /// Counts the error by joined pieces at an event that ends the stretch at `length`. `arriving` is the
-    /// length of the arriving piece that has not passed yet.
+    /// Adds the error that joined pieces cause at a contact event, which ends the stretch at `length` [t0].
+    /// `arriving` is the length of the arriving piece that has not passed yet.
     void passEvent(ContactEvent event, const Response& r, Real length, Real arriving) {
         m_joiningError.pass(event, length > 0 ? r.incident->displaced : r.incident->displacedAtStart,
                             arriving);
@@ -309,10 +311,11 @@ class SeriesBasis {
     }
 
   private:
-    /// Power of two, relative to the largest wave force, below which terms are dropped: 2^-10 of a rounding
-    /// error or less.
+    /// Exponent of the power of two below which terms are dropped, relative to the largest wave force: 2^-10
+    /// of a rounding error or less.
     static constexpr int negligibleExponent = std::numeric_limits<Real>::digits == 53 ? -62 : -80;
-    /// Factor from the largest acceptable last coefficient to the size of a rounding error.
+    /// Ratio of the largest acceptable last coefficient to m_negligible, the magnitude of dropped terms. It
+    /// makes that coefficient as large as a rounding error.
     static constexpr Real seenByRounding = 1024;
     /// Largest sum of absolute coefficients relative to the wave force; larger ones would cancel and lose as
     /// many digits.
@@ -323,9 +326,10 @@ class SeriesBasis {
     static constexpr Real longestSine = 0.5;
     /// Longest piece of an exponential, in units of t0.
     static constexpr Real longestDecay = 2;
-    /// Largest product aℓ of rate and length for one piece of contact.
+    /// Largest product aℓ of rate and length for one piece of contact in general.
     static constexpr Real layer = 2;
-    /// Largest aℓ of a piece with a faint layer; e^6 cancels three of its digits.
+    /// Largest product aℓ of rate and length for a piece in which F is already near the slow solution; e^6
+    /// cancels three digits of the small difference.
     static constexpr Real widestLayer = 6;
     static constexpr Real lastOrder = Piece::capacity - 2;
 
@@ -373,8 +377,9 @@ class SeriesBasis {
         return true;
     }
 
-    /// Returns the length to take of a long piece: aℓ = 2 in general, more if only a faint layer remains. The
-    /// series may then neglect a larger share of the layer, (aℓ)^n/n! with the last order n.
+    /// Returns the length to take of a long piece, in units of t0: aℓ = 2 in general, more if F is nearly the
+    /// slow solution. The series may then neglect a larger share of the small difference, (aℓ)^n/n! with the
+    /// last order n.
     Real layerLength(const Piece& g, Real rate, Real alpha) const {
         if (!isStiff(alpha, g)) return g.length / std::ceil(alpha / layer);
         const Real faint = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
@@ -412,11 +417,11 @@ class SeriesBasis {
     /// Whether a search for an event ended without a result.
     bool m_undecided = false;
     SearchCount m_count;
-    /// Largest wave force of this blow, in units of F0.
+    /// Largest wave force of this blow, in units of F0; the scale for negligible terms.
     Real m_scale = 1;
-    /// Size of dropped terms, in units of F0.
+    /// Magnitude up to which terms are dropped, in units of F0.
     Real m_negligible = 0;
-    /// Distance of F from the slow solution, in units of F0.
+    /// Distance of F from the slow solution 2g − F'/a, in units of F0.
     Real m_layer = 0;
     SeriesJoiner<Real> m_joiner;
     JoiningError<Real> m_joiningError;
