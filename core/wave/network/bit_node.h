@@ -88,7 +88,8 @@ class BitNode {
     /// cell has the width number `index` and begins at `time`, in units of t0. If `jump` returns a place,
     /// nothing else is valid: all cells must be cut there, and the step repeated.
     void step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump);
-    /// State at a time within a cell, and the reflected wave up to that time.
+    /// State at a time within a cell (time step), and the reflected wave from the start of the cell to that
+    /// time.
     struct Part {
         BitNodeState state;
         WaveCell leaving;
@@ -140,10 +141,10 @@ class BitNode {
     void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
     /// Returns the mass of the bit M/(Zr t0); 0 for none.
     double mass() const { return m_mass; }
-    /// Returns the rate at which the force approaches 2g on the elastic line, in units of 1/t0. With a bit
-    /// mass, it is the fastest rate of the oscillation.
+    /// Returns the rate at which the force approaches 2g on the elastic line of the law, in units of 1/t0; g
+    /// is the arriving wave. With a bit mass, it is the fastest rate of the oscillation.
     double fastestRate() const;
-    /// Appends to `rates` all rates at which the force follows the wave, in units of 1/t0.
+    /// Appends to `rates` all rate constants of the differential equations of bit and rock, in units of 1/t0.
     void addRates(std::vector<double>& rates) const;
     /// Returns the number of pieces computed in cells with contact events, a measure of the work.
     long pieces() const { return m_pieces; }
@@ -153,7 +154,8 @@ class BitNode {
   private:
     struct CellMaps;
     struct EventPiece;
-    /// Event that ends a piece of a cell, and the line of the law that follows it.
+    /// Event that ends a part of a cell with one formula of the force, and the line of the law after the
+    /// event.
     struct LineEvent {
         Zero<double> zero;
         ContactLine line;
@@ -203,10 +205,11 @@ class BitNode {
 
     double m_impedance;
     double m_mass;
-    /// 2/Z: velocity of a free end per arriving wave.
+    /// Factor 2/Z from an arriving wave to the velocity of a free end.
     double m_toSpeed;
     std::vector<CellMaps> m_maps;
-    /// Maps of the previous widths, reused if a width occurs again.
+    /// Linear maps for the cell widths that were set before the last setWidths(), reused if a width occurs
+    /// again.
     std::vector<CellMaps> m_mapsBefore;
     ContactLaw<double> m_untouched{BitRockLaw{}};
     /// Residual penetration at the start of the present blow, in units of I0/Zr.

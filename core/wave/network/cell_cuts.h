@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places at which every cell (time step) is cut, so that jumps of waves lie between its parts.
+// Points within a cell (time step) at which every cell is cut, so that jumps of waves lie between its parts.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace drillwave {
 
 /// Fineness of the parts of a cell after a wave front, where some quantity changes fast.
 struct Grading {
-    /// Width of the first part after the front, times the fastest rate.
+    /// Width of the first part after a wave front, times the fastest rate of the differential equations;
+    /// dimensionless.
     double first;
     /// Ratio of the width of each part to that of the part before.
     double growth;
@@ -23,7 +24,7 @@ struct Grading {
 };
 
 /// Division of every cell (time step) into parts. If all round trips of the string are whole numbers of
-/// cells, a jump of a wave is at the same place of every cell; so all cells are cut at the same places.
+/// cells, a jump of a wave is at the same point of every cell; so all cells are cut at the same points.
 class CellCuts {
   public:
     CellCuts() = default;
@@ -31,25 +32,25 @@ class CellCuts {
     CellCuts(double cell, const std::vector<double>& rates, const Grading& grading) {
         begin(cell, rates, grading);
     }
-    /// Starts with uncut cells of the size `cell` [t0]. `rates` are those at which quantities follow each
-    /// other [1/t0]; they and `grading` decide how finely a cell is divided after a front.
+    /// Starts with uncut cells of the size `cell` [t0]. `rates` are the rate constants of the differential
+    /// equations [1/t0]. Together with `grading` they decide how finely a cell is divided after a wave front.
     void begin(double cell, const std::vector<double>& rates, const Grading& grading);
 
     /// Returns the number of parts of each cell.
     std::size_t count() const { return m_places.size(); }
-    /// Returns the place in the cell at which each part begins, as a fraction of the cell: 0 = places()[0] <
-    /// … < 1.
+    /// Returns the position in the cell at which each part begins, as a fraction of the cell: 0 = places()[0]
+    /// < … < 1.
     const std::vector<double>& places() const { return m_places; }
     /// Returns the width of each part, in units of t0.
     const std::vector<double>& widths() const { return m_widths; }
 
     /// Returns the time at which part number `step` starts, in units of t0. Parts are counted from the start
-    /// of a whole cell at the time 0, and may be negative.
+    /// of a whole cell at the time 0; `step` and the time may be negative.
     double clock(long step) const { return Walk(*this, step).clock(); }
     /// Returns the width of part number `step`, in units of t0.
     double width(long step) const { return Walk(*this, step).width(); }
 
-    /// Iterator over consecutive parts, which avoids a division for each part.
+    /// Iterator over consecutive parts of cells; it avoids a division for each part.
     class Walk {
       public:
         /// Starts at part number `step`, counted from the start of a whole cell at the time 0.
@@ -81,17 +82,18 @@ class CellCuts {
 
     /// Returns whether the maximum number of cuts is reached.
     bool isFull() const;
-    /// Cuts every cell at `place` (a fraction of the cell), and after it as finely as after a front. Returns
-    /// false and changes nothing if cells are cut there already, or if the maximum number of cuts is reached.
+    /// Cuts every cell at `place` (a fraction of the cell), and divides the cell after it as finely as after
+    /// a wave front. Returns false and changes nothing if cells are cut there already, or if the maximum
+    /// number of cuts is reached.
     bool cutAt(double place);
 
-    /// Cuts every cell at `place` (a fraction of the cell) where no wave bends, so that a part ends there; it
-    /// adds no finer parts.
+    /// Cuts every cell at `place` (a fraction of the cell), so that a part ends there. No wave bends there,
+    /// so no finer parts are added.
     void endPartAt(double place);
 
     /// Splits whole cells, given as consecutive parts of the coarser division `coarse`, into parts of this
     /// division. `cells` starts with part number `first` of `coarse`; the result is written to `parts`. It
-    /// has count() entries for every coarse.count() entries of `cells`. This division must contain all places
+    /// has count() entries for every coarse.count() entries of `cells`. This division must contain all cuts
     /// of `coarse`.
     void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
                std::span<WaveCell> parts) const;

@@ -20,20 +20,22 @@
 namespace drillwave {
 
 /// Computation of one blow in cells (time steps) with cubic waves. Every node (end of a section) has its own
-/// clock: waves towards the rock arrive at once, waves away from it a round trip later. A jump that a contact
-/// makes inside a cell cuts all cells at that place from then on. One blow after another can be computed in
-/// the same memory.
+/// clock: on these clocks, waves towards the rock arrive at once, waves away from it a round trip later. A
+/// jump that a contact makes inside a cell cuts all cells at that point from then on. One blow after another
+/// can be computed in the same memory.
 class CellLattice {
   public:
     /// Starts a blow at the first contact of hammer and string. The plan must outlive the blow. No further
-    /// places are cut once about `mostRecut` cells within the sections have been cut.
+    /// cuts are made once about `mostRecut` cells (time steps) of the waves within the sections have been
+    /// cut.
     void begin(const MarchPlan& plan, long mostRecut);
 
-    /// Computes the next block of `stepsOfBlock` steps, and passes the state of the nodes to the census if
-    /// its time is in the block. Cells are cut where waves jump, unless the rest of the blow would then take
-    /// more than `spareWork` (cells × nodes). After a stop request the block is unfinished.
+    /// Computes the next block of `stepsOfBlock` steps. If the time of the census is in this block, it
+    /// receives the state of the nodes (ends of sections). Cells are cut where waves jump, unless the rest of
+    /// the blow would then take more than `spareWork` (cells × nodes). After a stop request the block is
+    /// unfinished.
     void takeBlock(StringCensus& census, double spareWork, const std::stop_token& stop);
-    /// Moves on to the next block of steps.
+    /// Makes the computed block part of the past, so that takeBlock() computes the next one.
     void advance();
 
     // Functions for the last computed block
@@ -42,15 +44,16 @@ class CellLattice {
     const CellCuts& cuts() const { return m_cuts; }
     /// Returns the number of steps (parts of cells) before the block, the same on every clock.
     long step() const { return m_step; }
-    /// Returns the time on every clock at the start of the block, in units of t0.
+    /// Returns the clock reading at the start of the block, in units of t0; it is the same on the clocks of
+    /// all nodes.
     double clock() const { return m_cuts.clock(m_step); }
-    /// Returns the waves towards the rock that enter a section at its rear end, one for each step of the
-    /// block.
+    /// Returns the waves towards the rock that enter a section at its rear end, in units of F0, one for each
+    /// step of the block.
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
-    /// Returns the waves in a section that run away from the rock.
+    /// Returns the waves in a section that run away from the rock, in units of F0.
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }
-    /// Returns the impact force at each time step of the current block of steps; valid only if histories are
-    /// requested.
+    /// Returns the impact force at each time step of the current block, in units of F0; valid only if
+    /// histories are requested.
     const WaveCell* bitForces() const { return m_bitForces.data(); }
 
     // Functions for the state after the last computed block
@@ -64,12 +67,12 @@ class CellLattice {
 
     /// Returns the factor e^−αL by which a section reduces the amplitude of a wave.
     double passing(std::size_t section) const { return m_passing[section]; }
-    /// Returns the number of cells that are within all sections at one time.
+    /// Returns the number of cells (time steps) of waves that are stored for all sections at one time.
     double held() const;
-    /// Returns the work beyond the steps themselves, in cells: for cells that were cut within sections, and
-    /// for cells with contact events.
+    /// Returns the work beyond the time steps themselves, in cells: for cells that were cut within sections,
+    /// and for cells with contact events.
     long work() const { return m_recut + workOfEvents(); }
-    /// Returns the work of cells with contact events, in units of the work of a cell without.
+    /// Returns the work of cells with contact events, in units of the work of a cell without events.
     long workOfEvents() const;
     /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const {
@@ -77,7 +80,8 @@ class CellLattice {
     }
 
   private:
-    /// State of all nodes, except the waves within sections, that a block of steps changes.
+    /// State that a block of steps changes, of all nodes (ends of sections); the waves within sections are
+    /// not included.
     struct Nodes {
         FaceNodeState face;
         BitNodeState bit;
@@ -115,25 +119,27 @@ class CellLattice {
     std::size_t faceSection() const { return m_plan->problem().hammerSections(); }
 
     const MarchPlan* m_plan = nullptr;
-    /// Number of sections; m_lines and m_joints may be longer.
+    /// Number of sections in use; m_lines and m_joints may be longer.
     std::size_t m_count = 0;
     /// Factor e^−αL by which each section reduces the amplitude of a wave.
     std::vector<double> m_passing;
     CellCuts m_cuts;
-    /// Joint [j] is in front of section j + 1; the joint at the hammer face is not used.
+    /// Joints of neighbouring sections: m_joints[j] is between the sections j and j + 1. The joint at the
+    /// hammer face is not used.
     std::vector<Joint> m_joints;
     FaceNode m_face;
-    /// Force on the rear end of the first section, which replaces hammer and face.
+    /// Prescribed force on the rear end of the first section; empty if a hammer strikes the string.
     std::optional<ForceNode> m_force;
     BitNode m_bit;
-    /// Waves away from the rock, for each section.
+    /// Waves that run away from the rock, for each section.
     std::vector<DelayLine<WaveCell>> m_lines;
     /// Waves towards the rock over the block, for one section after the other.
     std::vector<WaveCell> m_downs;
-    /// Nodes and their steps in a block, in order of computation.
+    /// Order of computation in a block: nodes (ends of sections) and the steps of each.
     std::vector<NodeTurn> m_turns;
     CutAt m_cutAt = CutAt::nothing;
-    /// Number of steps of the block after which face and bit may request cuts.
+    /// Number of steps at the start of the block in which the hammer face, or the bit, may not request a cut
+    /// of the cells, because a cut was refused.
     std::size_t m_faceTaken = 0, m_bitTaken = 0;
     long m_step = 0;
     std::vector<ImpactEvent> m_events;
@@ -141,12 +147,13 @@ class CellLattice {
     /// Whether cuts are still allowed; false once the rest of the blow would take too much work with more
     /// parts.
     bool m_mayCut = true;
-    /// Waves away from the rock over the block, as they arrive at the rear end of a section.
+    /// Waves away from the rock over the block after attenuation, as they arrive at the rear end of a
+    /// section.
     std::vector<WaveCell> m_weakened;
-    /// Impact force at each time step of the current block of steps.
+    /// Impact force at each time step of the current block, in units of F0.
     std::vector<WaveCell> m_bitForces;
 
-    // Members that are kept only to reuse their memory
+    // Temporary data; these are members only to reuse their memory
     Nodes m_before;
     CellCuts m_coarse;
     std::vector<WaveCell> m_whole;

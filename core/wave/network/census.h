@@ -57,7 +57,7 @@ class LineCensus {
     /// Sets the exact part, up to the clock time `to`, of the cell that begins at `start`. It replaces the
     /// first part of that cell's cubic, which has the moments of the whole cell only.
     void setEntered(const WaveCell& part, double start) { m_entered = {part, start}; }
-    /// Returns the integrals of the cells added so far.
+    /// Returns the integrals over the cells added so far, in units of I0 and F0² t0.
     const LineSums& sums() const { return m_sums; }
 
   private:
@@ -75,11 +75,11 @@ class LineCensus {
 /// Motions and energies of the whole system at one time. Units are the dimensionless ones of Problem
 /// (problem.h): time t0, force F0, impulse I0 = F0 t0, energy I0²/(Zr t0).
 struct CensusResult {
-    /// Time for which all members hold, in units of t0.
+    /// Time to which all members of this state refer, in units of t0.
     double time = 0;
-    /// State of bit and rock at that time.
+    /// State of bit and rock.
     BitNodeState bit = {};
-    /// State of the contact of hammer and string at that time.
+    /// State of the contact of hammer and string.
     FaceNodeState face = {};
     /// Momentum [I0] and energy [I0²/(Zr t0)] of the hammer.
     double hammerMomentum = 0, hammerEnergy = 0;
@@ -104,9 +104,10 @@ struct StringClocks {
     std::vector<double> delays;
     /// One-way transit time of each section, in units of t0.
     std::vector<double> transitTimes;
-    /// Returns the delay of the rear end of the hammer, the smallest one; ≤ 0.
+    /// Returns the delay of the rear end of the hammer, in units of t0; it is the smallest of all nodes and ≤
+    /// 0.
     double earliest() const { return delays.front(); }
-    /// Returns the delay of the bit, the largest one.
+    /// Returns the delay of the bit, in units of t0; it is the largest of all nodes.
     double bit() const { return delays.back(); }
 };
 
@@ -123,7 +124,8 @@ class StringCensus {
 
     /// Returns the time for which the sum is taken, in units of t0.
     double time() const { return m_result.time; }
-    /// Returns the clock reading at which the last node has passed the time of the sum, in units of t0.
+    /// Returns the clock reading, in units of t0, at which the sum is complete: all nodes (ends of sections)
+    /// have passed its time.
     double lastClock() const { return m_result.time - m_clocks->earliest(); }
     /// Returns the reading of a node's clock at the time of the sum, in units of t0.
     double clockOf(std::size_t node) const { return m_result.time - m_clocks->delays[node]; }
@@ -139,7 +141,7 @@ class StringCensus {
     /// Sets the velocity of the mass after section `j`, in units of F0/Zr.
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 
-    /// Returns the sums and ends this census. Requires that the clocks have passed lastClock().
+    /// Returns the result of the sum and ends it. Requires that the clocks have passed lastClock().
     CensusResult finish();
 
   private:

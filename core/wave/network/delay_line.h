@@ -9,13 +9,14 @@
 
 namespace drillwave {
 
-/// Queue of fixed length for the waves that run through a section. Cells (or means of cells) leave it as many
-/// steps after their entry as the section's round trip has. It is a window that moves over a buffer.
+/// Queue of fixed length for the waves that run through a section. A cell (time step of a wave), or the mean
+/// of a cell, leaves the queue after one round trip of the section. The queue is a window that moves over a
+/// buffer.
 template <class Cell>
 class DelayLine {
   public:
-    /// Restarts the queue with the length `delay`, in the same memory. Its content must be written by
-    /// content(). At most `mostBlock` cells may be written before each advance().
+    /// Restarts the queue with the length `delay` (in cells), in the same memory. Its content must be written
+    /// by content(). At most `mostBlock` cells may be written before each advance().
     void restart(std::size_t delay, std::size_t mostBlock) {
         m_mostBlock = mostBlock;
         m_delay = delay;
@@ -24,11 +25,11 @@ class DelayLine {
         if (m_cells.size() < room()) grow();
     }
 
-    /// Returns the next cells that leave the section.
+    /// Returns a pointer to the next cells that leave the section, the oldest first.
     const Cell* arriving() const { return m_cells.data() + m_at; }
-    /// Returns the memory for the next cells that enter the section.
+    /// Returns a pointer to the memory for the next cells that enter the section.
     Cell* leaving() { return m_cells.data() + m_at + m_delay; }
-    /// Returns the last written cells that enter the section.
+    /// Returns a pointer to the last written cells that enter the section.
     const Cell* leaving() const { return m_cells.data() + m_at + m_delay; }
     /// Returns the length of the queue in cells.
     std::size_t delay() const { return m_delay; }
@@ -45,8 +46,8 @@ class DelayLine {
     }
 
   private:
-    /// Returns the size of the buffer. The larger it is, the less often its content is moved back to the
-    /// start.
+    /// Returns the size of the buffer, in cells. The larger the buffer is, the less often its content is
+    /// moved back to the start.
     std::size_t room() const { return 3 * m_delay + 2 * m_mostBlock; }
 
     /// Enlarges the buffer to more than is needed now, because the queue becomes longer with every cut of the
@@ -54,7 +55,7 @@ class DelayLine {
     void grow() {
         if (m_cells.capacity() < room()) {
             const std::size_t more = std::max(room(), 2 * m_cells.capacity());
-            m_cells.clear();  // nothing in it is wanted, nor to be copied
+            m_cells.clear();  // the old content need not be copied
             m_cells.reserve(more);
         }
         m_cells.resize(room());

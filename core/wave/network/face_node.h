@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of hammer and string: it can push and cannot pull (strings §4).
+// Contact of hammer and string: the faces can push each other and cannot pull (strings §4).
 #pragma once
 
 #include <optional>
@@ -43,9 +43,10 @@ struct FaceNodeState {
     FaceRecord record;
 };
 
-/// Contact of the two faces of hammer (impedance Z1) and string (Z2), with a gap h ≥ 0. If no force acted
-/// between them, they would close at the velocity w = 2(f1/Z1 + b2/Z2). Rigid faces in contact: P = Z* w with
-/// Z* = Z1 Z2/(Z1 + Z2). Faces with a contact stiffness: P' = kc (w − P/Z*). Apart: h' = −w.
+/// Contact of the two faces of hammer (impedance Z1) and string (Z2), with a gap h ≥ 0. The waves f1 (in the
+/// hammer) and b2 (in the string) arrive. If no force acted between the faces, they would approach at the
+/// velocity w = 2(f1/Z1 + b2/Z2). Rigid faces in contact: P = Z* w with Z* = Z1 Z2/(Z1 + Z2). Faces with a
+/// contact stiffness: P' = kc (w − P/Z*). Apart: h' = −w.
 class FaceNode {
   public:
     FaceNode() : FaceNode(1, 1, {}) {}
@@ -66,7 +67,8 @@ class FaceNode {
     /// and begins at `time`, in units of t0. If `jump` returns a place, all cells must be cut there, and the
     /// step repeated.
     void step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump);
-    /// State at a time within a cell, and the leaving waves up to that time.
+    /// State at a time within a cell (time step), and the leaving waves from the start of the cell to that
+    /// time.
     struct Part {
         FaceNodeState state;
         WaveCell f2, b1;
@@ -103,14 +105,15 @@ class FaceNode {
     void separate(double time);
 
     double m_impedance1, m_impedance2;
-    /// 2/Z1 and 2/Z2: closing velocity per arriving wave.
+    /// Factors 2/Z1 and 2/Z2 from an arriving wave to the closing velocity of the faces.
     double m_of1, m_of2;
     /// Combined impedance Z* = Z1 Z2/(Z1 + Z2).
     double m_common;
     std::optional<double> m_stiffness;
     bool m_restrike;
     std::vector<double> m_widths;
-    /// Maps of the contact force for each width, for faces with a contact stiffness.
+    /// Linear maps of the contact force over a cell, one for each cell width; used for faces with a contact
+    /// stiffness.
     std::vector<Relaxation> m_maps;
 
     FaceNodeState m_now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motion of hammer and string while nothing touches them: check that they stay away from each other and from
+// Motion of hammer and string while no contact force acts: check that they stay away from each other and from
 // the rock.
 #pragma once
 
@@ -41,12 +41,12 @@ class FreeFlight {
 
     /// Starts a flight in the same memory. The waves must be written by waves() before the flight continues.
     void begin(const Problem& problem, const CellGrid& grid, const FlightStart& start);
-    /// Returns the means of the waves in a section that run towards the hammer, the oldest first, one for
-    /// each cell of its round trip.
+    /// Returns the waves in a section that run towards the hammer, as means over each cell (time step) of its
+    /// round trip, the oldest first.
     std::span<double> waves(std::size_t section) { return m_lines[section].content(); }
 
-    /// Computes the motion for at least `cells` cells. Returns false as soon as something may have touched,
-    /// or after a stop request.
+    /// Computes the motion for at least `cells` cells (time steps). Returns false as soon as bodies may have
+    /// touched, or after a stop request.
     bool staysClear(double cells, const std::stop_token& stop);
     /// Returns the number of cells computed so far.
     double gone() const { return m_gone; }
@@ -70,11 +70,11 @@ class FreeFlight {
     double m_cell = 0;
     bool m_released = false;
     std::vector<double> m_impedances;
-    /// Reflection coefficient of the node in front of section j.
+    /// Reflection coefficient of the joint at the rear end of each section, −1 … 1.
     std::vector<double> m_reflections;
-    /// Waves of the sections; there may be more entries than are used.
+    /// Waves in the sections that run towards the hammer; there may be more entries than are used.
     std::vector<DelayLine<double>> m_lines;
-    /// Waves towards the rock over a block, for one section after the other.
+    /// Waves towards the rock over a block of cells, for one section after the other.
     std::vector<double> m_downs;
     std::vector<std::size_t> m_delays;
     std::vector<NodeTurn> m_turns;

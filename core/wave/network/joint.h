@@ -22,8 +22,8 @@ namespace drillwave {
 class Joint {
   public:
     Joint() = default;
-    /// Creates the joint after the section `near`, whose mass and loss it has. `velocity` is the initial
-    /// velocity of the mass, in units of F0/Zr.
+    /// Creates the joint between the section `near` (hammer side) and the section `far`. Its mass and loss
+    /// are those given for `near`. `velocity` is the initial velocity of the mass, in units of F0/Zr.
     Joint(const UniformSection& near, const UniformSection& far, double velocity)
         : m_impedance1(near.impedance),
           m_impedance2(far.impedance),

@@ -16,7 +16,7 @@ namespace drillwave {
 
 // Order in which the nodes (ends of sections) compute the steps of a block
 
-/// Consecutive steps of a block that one node computes without waiting for others.
+/// Consecutive steps of a block that one node (end of a section) computes without waiting for other nodes.
 struct NodeTurn {
     /// Index of the node: node j is the rear end of section j; the index after the last section is the bit.
     std::size_t node;
@@ -55,14 +55,16 @@ struct NetworkWants {
 struct ForeseenWork {
     /// Work, in cells (time steps) times nodes (ends of sections).
     double work = 0;
-    /// Number of cells that are stored for all sections at one time.
+    /// Number of cells (time steps) of waves that are stored for all sections at one time.
     double held = 0;
 };
 
-/// Number of steps that one node computes before the next one; as many as fit into a first-level cache.
+/// Number of steps in a block, which one node (end of a section) computes before the next node; as many as
+/// fit into a first-level cache.
 inline constexpr std::size_t stepsOfBlock = 64;
 
-/// Work to find the largest forces in one cell, in units of the work of a cell without.
+/// Work to find the largest forces in one cell (time step), in units of the work to compute that cell
+/// otherwise.
 inline constexpr long workOfForces = 8;
 
 /// Plan for the computation of a blow. One plan after another can be made in the same memory; no memory for
@@ -105,7 +107,7 @@ class MarchPlan {
     bool m_lossy = false;
     std::vector<double> m_transitTimes;
     StringClocks m_clocks;
-    /// Rates at which a quantity in this string follows the waves, in units of 1/t0.
+    /// Rate constants of all differential equations at the ends of sections, in units of 1/t0.
     std::vector<double> m_rates;
     CellCuts m_cuts;
     ForeseenWork m_foreseen;

@@ -31,7 +31,8 @@ class NetworkMarch {
     /// Returns the result of the blow that was planned last. The work is limited to `mostCells` (cells ×
     /// nodes); a blow that needs more is not solved.
     Impact run(long mostCells, const std::stop_token& stop);
-    /// Returns the number of cells that were stored for all sections at the end of the blow.
+    /// Returns the number of cells (time steps) of waves that were stored for all sections at the end of the
+    /// blow.
     double held() const { return m_lattice.held(); }
 
   private:
@@ -55,9 +56,10 @@ class NetworkMarch {
     long m_cells = 0;
     /// Work of free flights, in cells times nodes.
     double m_flown = 0;
-    /// Sums at a time when hammer, string and rock were apart, if they have stayed apart since.
+    /// Momentum, energy and state at a time when hammer, string and rock were apart; empty if they have
+    /// touched since.
     std::optional<CensusResult> m_free;
-    /// Clock time up to which they are known to stay apart, in units of t0.
+    /// Clock reading up to which hammer, string and rock are known to stay apart, in units of t0.
     double m_landing = 0;
 };
 

@@ -44,8 +44,8 @@ class Relaxation {
     /// Creates the map; `rate` > 0 is per width of the cell.
     explicit Relaxation(double rate);
 
-    /// Returns the moments of y over the cell for the input q. `y` is the value at the start, and becomes
-    /// that at the end.
+    /// Returns the solution y over the cell for the input q, both as Legendre coefficients. `y` is the value
+    /// at the start of the cell, and becomes the value at its end.
     WaveCell follow(const WaveCell& q, double& y) const {
         WaveCell out;
         for (int k = 0; k < WaveCell::count; ++k) {

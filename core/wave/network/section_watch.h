@@ -36,9 +36,10 @@ class WindowMaxima {
     /// Removes blocks that end before the step `oldest`.
     void dropBefore(long oldest);
 
-    /// Calls `tell(step)` for all steps first ≤ step < behind, the newest first, whose blocks may contain the
-    /// wanted value. mayHold(largest, from, to) decides this for a block; its arguments are the maximum of
-    /// the block and its steps from ≤ step < to. Returns the number of blocks examined.
+    /// Calls `tell(step)` for the steps first ≤ step < behind that may have the wanted value, the newest
+    /// first. For each block, mayHold(largest, from, to) decides whether the block may contain it; the
+    /// arguments are the maximum of the block and its steps from ≤ step < to. Returns the number of blocks
+    /// examined.
     template <class MayHold, class Tell>
     long search(long first, long behind, MayHold mayHold, Tell tell) const {
         if (m_levels.empty() || first >= behind) return 0;
@@ -119,11 +120,11 @@ class SectionWatch {
     SectionForces forces() const {
         return {m_compression.during, m_tension.during, m_compression.after, m_tension.after};
     }
-    /// Returns the number of blocks and pairs of cells examined closely where attenuation makes the place of
-    /// a meeting matter; a measure of the work.
+    /// Returns the number of blocks and pairs of cells examined closely, a measure of the work. Close
+    /// examination is needed if attenuation makes the force depend on where the waves meet.
     long looked() const { return m_looked; }
-    /// Returns the number of cells towards the rock that were examined closely, for compression and tension
-    /// together.
+    /// Returns the number of cells of the wave towards the rock that were examined closely, for compression
+    /// and tension together.
     long cellsLookedInto() const { return m_cells; }
 
   private:
@@ -132,19 +133,21 @@ class SectionWatch {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak during, after;
-        /// Largest force after the time that counts; used if bit and rock touch again.
+        /// Largest force after the time for residual waves (setEndOfBlow()). It counts only if bit and rock
+        /// touch again, so that the end of the blow moves to a later time.
         SectionPeak later;
-        /// Upper bounds of the cells within the section.
+        /// Upper bounds of the wave away from the rock in the cells that are within the section.
         WindowMaxima maxima;
     };
-    /// Cell of the wave towards the rock, and the cells of the other wave that it meets.
+    /// Cell of the wave towards the rock, and the cells of the wave away from it that meet that cell in the
+    /// section.
     struct Meeting;
 
-    /// Interval of time, with the largest force found in it.
+    /// Interval of time in which forces count, with the largest force found in it so far.
     struct Span {
         SectionPeak& peak;
         double after, until;
-        /// Whether some of the meetings are before or after the interval.
+        /// Whether some of the waves considered meet before or after the interval.
         bool hasEdge = false;
     };
 

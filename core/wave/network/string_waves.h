@@ -20,19 +20,20 @@ enum class TimeSide { before, after };
 
 /// Wave of a uniform piece as seen at one position in it.
 struct WaveAtPlace {
-    /// Wave as it enters the piece: one cubic for each step of the clock.
+    /// Wave as it enters the piece of the string: one cubic for each time step.
     const std::vector<WaveCell>* cells;
-    /// Value of the wave before its first cell arrives, in units of F0.
+    /// Value of the wave before its first recorded time step arrives, in units of F0.
     double first;
     /// Time t/t0 at which the clock of the piece's rear end reads zero.
     double rearTime;
-    /// Delay from that time until the wave that entered at clock zero arrives at this position, in units of
-    /// t0: ξτ for f, (2 − ξ)τ for b.
+    /// Delay from rearTime until the wave that entered at the clock reading zero arrives at this position, in
+    /// units of t0: ξτ for the wave f towards the rock, (2 − ξ)τ for the wave b away from it.
     double delay;
     /// Factor by which attenuation has reduced the wave's amplitude at this position; 0 … 1.
     double kept;
 
-    /// Returns the time t/t0 at which the wave that entered at clock zero arrives at this position.
+    /// Returns the time t/t0 at which the wave that entered the piece at the clock reading zero arrives at
+    /// this position.
     double zero() const { return rearTime + delay; }
 };
 
@@ -47,7 +48,8 @@ struct SectionWaves {
     double decay = 0;
     /// Time t/t0 at which the clock of the rear end reads zero; at the front end it is τ later.
     double rearTime = 0;
-    /// Value of f before that time, in units of F0; b has the value −first then.
+    /// Value of the wave f towards the rock before `rearTime`, in units of F0. The wave b away from the rock
+    /// has the value −first then.
     double first = 0;
     /// Waves f (`down`) and b (`up`) as they enter, one cubic for each step of the clock.
     std::vector<WaveCell> down, up;
@@ -74,12 +76,13 @@ class StringWaves {
     static constexpr std::size_t mostBytes = 40'000'000;
 
     /// Creates an empty recording. `rearTimes` are the times t/t0 at which the clocks of the rear ends of the
-    /// pieces read zero.
+    /// uniform pieces read zero.
     StringWaves(const Problem& problem, const std::vector<double>& rearTimes);
 
     // Functions for recording
 
-    /// Adds the next cells of the two waves of a uniform piece, as they enter it.
+    /// Adds one time step of the two waves of a uniform piece: `down` towards the rock, `up` away from it,
+    /// each where it enters the piece. Compression is positive, in units of F0.
     void add(std::size_t piece, const WaveCell& down, const WaveCell& up) {
         m_pieces[piece].down.push_back(down);
         m_pieces[piece].up.push_back(up);
@@ -93,7 +96,7 @@ class StringWaves {
     void addDamper(const WaveCell& force) { m_damperForces.push_back(force); }
     /// Sets the momentum of rod or string at the start of the blow, in units of I0.
     void setMomentum(double momentum) { m_momentum = momentum; }
-    /// Returns whether the limit of memory is reached, so that no more steps should be added.
+    /// Returns whether the memory limit mostBytes is reached, so that no more steps should be added.
     bool isFull() const;
     /// Ends the recording; all waves are known up to the time `end`, in units of t0.
     void finish(double end);
@@ -104,7 +107,7 @@ class StringWaves {
     double end() const { return m_end; }
     /// Returns both waves of every uniform piece, from the rear end of the hammer to the bit.
     std::span<const SectionWaves> pieces() const { return m_pieces; }
-    /// Returns the number of sections of hammer and string, or of the hammer only.
+    /// Returns the number of sections of the scenario, in hammer and string together.
     std::size_t sections() const { return m_firstPieces.size() - 1; }
     std::size_t hammerSections() const;
     /// Returns the index in pieces() of the first piece of a section. For section == sections() it returns
@@ -114,7 +117,7 @@ class StringWaves {
     int piecesOf(std::size_t section) const {
         return static_cast<int>(m_firstPieces[section + 1] - m_firstPieces[section]);
     }
-    /// Position in a uniform piece: its index in pieces(), and ξ in it, 0 … 1.
+    /// Position in a uniform piece: the index of the piece in pieces(), and ξ in it, 0 at its rear end … 1.
     struct PiecePlace {
         std::size_t piece;
         double xi;
@@ -168,7 +171,7 @@ class StringWaves {
     /// mass. Its integral is the displacement of the bit.
     const PiecewisePolynomial& bitVelocity() const { return m_bitVelocity; }
 
-    /// Returns the largest difference of two times that counts as rounding, in units of t0.
+    /// Returns the largest difference of two times that counts as rounding, in units of t0; ≥ 0.
     double rounding() const;
 
   private:
@@ -184,7 +187,7 @@ class StringWaves {
     /// Index of the first piece of each section, and finally the number of pieces.
     std::vector<std::size_t> m_firstPieces;
     std::size_t m_hammerPieces;
-    /// Clock reading at the start, and width of each step.
+    /// Clock reading at the start of each time step, and width of each time step, in units of t0.
     std::vector<double> m_clocks, m_widths;
     /// Forces at the bit and at the rear end over each step; kept until finish(), empty if not requested.
     std::vector<WaveCell> m_bitForces, m_rearForces, m_damperForces;

@@ -13,7 +13,7 @@ namespace drillwave {
 /// Its moments ∫f u^k du, k = 0 … 3, are those of the wave that it represents. The remainder of the wave is
 /// orthogonal to all cubics (strings §11).
 struct WaveCell {
-    /// Number of coefficients of a cubic.
+    /// Number of coefficients of a cubic polynomial.
     static constexpr int count = 4;
     /// Coefficients of powers of u: p(u) = Σ p_k u^k.
     using Powers = std::array<double, count>;
@@ -66,7 +66,7 @@ struct WaveCell {
     double least() const { return c[0] - spread(); }
     double most() const { return c[0] + spread(); }
 
-    /// Maximum of f in the cell: its place u, 0 … 1, and its value.
+    /// Maximum of f in the cell: its position u, 0 … 1, and its value.
     struct Peak {
         double place;
         double value;
@@ -143,15 +143,15 @@ class CellProjection {
 
 // Events inside a cell: rules for which of them cut the cells, and which are only rounding
 
-/// Safety margin to an event, as a multiple of the wave's variation over the cell. A cell with a larger
-/// distance is computed as a whole; projection changes the wave by less.
+/// Safety margin to a possible event, as a multiple of the wave's variation over the cell. If the distance to
+/// the event is larger, the cell is computed as a whole; its projection to a cubic changes the wave by less.
 inline constexpr double quietMargin = 1e-3;
 
 /// Product of rate and width of a cell above which a force rises too fast for one cubic.
 inline constexpr double fastRise = 0.4;
 
-/// Maximum number of events at one point of a cell. A state that is still undecided after as many events is
-/// taken as standing still.
+/// Maximum number of events at one time in a cell. A state that is still undecided after so many events is
+/// assumed to stay as it is for the rest of the cell.
 inline constexpr int mostStanding = 4;
 
 /// Sets all coefficients with an absolute value of at most `rounding` to zero.
@@ -170,15 +170,16 @@ enum class CutAt {
     corners
 };
 
-/// First place in a cell at which all cells are to be cut.
+/// First point in a cell at which all cells are to be cut.
 struct CellJump {
-    /// Whether there is a place at which cells are to be cut.
+    /// Whether there is a point at which cells are to be cut.
     bool found = false;
-    /// Place as a fraction of the cell, 0 … 1.
+    /// Position of the cut as a fraction of the cell, 0 … 1.
     double place = 0;
 
-    /// Offers an event at the place `at` of the cell. It is taken if `cutAt` includes its kind, no earlier
-    /// one was taken, and it is not at an end of the cell.
+    /// Records an event at the fraction `at` of the cell as the point to cut. It is ignored if `cutAt`
+    /// excludes its kind, if an earlier event is recorded, or at an end of the cell. `isJump` says that the
+    /// force rises too fast for a cell.
     void offer(CutAt cutAt, bool isJump, double at) {
         constexpr double nearest = 1e-9;  // nearer to its ends a cell is not cut
         if (found || at <= nearest || at >= 1 - nearest) return;

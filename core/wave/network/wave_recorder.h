@@ -21,8 +21,8 @@ class WaveRecorder {
     /// Starts the recording of a blow. `plan` and `lattice` must outlive the blow.
     void begin(const MarchPlan& plan, const CellLattice& lattice);
 
-    /// Adds the block that the lattice has computed last. The recording of waves stops when they are too
-    /// many.
+    /// Records the block that the lattice has computed last. The recording of waves stops when they are too
+    /// many to be kept.
     void add(const std::stop_token& stop);
     /// Discards the waves of a blow that could not be solved.
     void abandon() { m_waves.reset(); }
@@ -30,8 +30,8 @@ class WaveRecorder {
     /// t0.
     void finish(double time, Impact& impact);
 
-    /// Returns the additional work for the largest forces in units of a cell. `cells` is the work done so far
-    /// without it, in cells times nodes.
+    /// Returns the additional work for the largest forces, in units of the work of a cell (time step).
+    /// `cells` is the work done so far without it, in cells times nodes.
     long workForForces(long cells) const;
     /// Discards the largest forces, because they take too much work.
     void leaveOutForces();
@@ -51,13 +51,14 @@ class WaveRecorder {
     const MarchPlan* m_plan = nullptr;
     const CellLattice* m_lattice = nullptr;
     bool m_hasForces = false, m_leftOutForces = false;
-    /// Number of parts of a cell; it increases when cells are cut.
+    /// Number of parts of a cell (time step) when the last block was recorded; it increases when cells are
+    /// cut.
     std::size_t m_parts = 0;
     double m_stringTransit = 0, m_endOfBlow = 0;
     std::vector<SectionWatch> m_watches;
-    /// Copies of the joints that only receive waves from the hammer.
+    /// Copies of the joints on which only waves from the hammer act, to measure what each joint reflects.
     std::vector<Joint> m_alone;
-    /// Energy integral ∫b1² dt of the waves that these joints reflect.
+    /// Energy integral ∫b1² dt of the waves that each joint in m_alone reflects, in units of F0² t0.
     std::vector<double> m_reflected;
     std::shared_ptr<StringWaves> m_waves;
 };
