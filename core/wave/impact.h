@@ -25,7 +25,8 @@ enum class Detail {
     summary,
     /// Also the contact events and their times.
     events,
-    /// Also the sums over the waves that balance momentum and energy independently of the impact force.
+    /// Also the sums over the waves (finalMomentum, finalEnergy) that check the balances of momentum and
+    /// energy independently of the impact force.
     ledger,
     /// Also the incident wave g(s) and the impact force F(s), from which every wave in the rod follows by
     /// delays.
@@ -36,12 +37,12 @@ enum class Detail {
 enum class Outcome {
     /// It is proven that no contact of bit and rock can follow (theory §3.3, strings §8).
     rebounded,
-    /// The end time set by the user was reached.
+    /// The end time that the user set was reached.
     endTime,
-    /// The next blow was reached before the end of this blow was proven; the numbers are not final.
+    /// The next blow began before it was proven that this blow is over; the numbers are not final.
     nextBlow,
-    /// The work limit was reached, or the course was undecidable. `Impact::reason` says why; the numbers are
-    /// invalid.
+    /// The work limit was reached, or rounding hid the order of events. `Impact::reason` says why; the
+    /// numbers are invalid.
     notSolved,
 };
 
@@ -92,7 +93,7 @@ class StringWaves;
 /// Result of one blow on a uniform rod or drill string. Quantities have the units of the paper's section 5.1:
 /// time t0, force F0 = I0/t0, impulse I0, displacement I0/Z (half of d0), energy I0²/(Z t0) = 2τ W0.
 struct Impact {
-    /// Value of a time for something that does not happen; NaN.
+    /// Time of an event that does not happen: NaN.
     static constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
     /// Reason why the computation of the blow ended.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reasons why a blow or a sequence of blows is not solved that a larger work limit removes.
+// Reasons why a blow or a sequence of blows is not solved because of the work limit; a larger limit removes
+// them.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +9,8 @@
 
 namespace drillwave {
 
-/// Patterns of the reasons for Hindrance::workLimit, by which rows and studies that keep only a reason know
-/// it.
+/// Texts of the reasons for Hindrance::workLimit. Rows and studies that keep only the text recognise the
+/// hindrance by it.
 struct WorkLimitReason {
     static constexpr const char* pieces = translatable(
         "its waves have more polynomial pieces than the work limit permits, because of very many "

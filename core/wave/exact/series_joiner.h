@@ -15,26 +15,27 @@ namespace drillwave {
 
 // Permitted error of joined pieces of waves, which depends on the work that they save
 
-/// Limits of joining for one blow, in double precision. A contact with soft rock lasts about 1.6/√(βτ) round
-/// trips; with small γ it is 1.6/√β, because the front end returns only when the blow passes. Each round trip
-/// leaves kinks in the wave, which pass in every later one, so work grows with the square of their number.
+/// Limits of the errors that joining pieces of waves may cause in one blow, in double precision. A contact
+/// with soft rock lasts about 1.6/√(βτ) round trips of a wave. With small γ it lasts 1.6/√β, because the
+/// front end moves back only while the wave of the blow passes. Each round trip adds kinks to the wave, and
+/// all earlier kinks arrive again. The work therefore grows with the square of the number of round trips.
 /// From hundreds of round trips on, fewer digits of e are required.
 struct JoiningBudget {
     /// Approximate number of times that a piece of the wave meets the rock; ≥ 1.
     double passes = 1;
-    /// Largest effect of one joint on the impulse over all passes, without events in the joined piece, in
-    /// units of I0.
+    /// Largest effect that joining two pieces once may have on the impulse over all passes, in units of I0.
+    /// It applies while no contact event occurs in the joined piece.
     double smoothEffect = 0;
-    /// Largest error of the bit's path that joining two pieces may cause, in units of I0/Z.
+    /// Largest error of the bit's position that joining two pieces may cause, in units of I0/Z.
     double mostDisplaced = 0;
-    /// Largest deviation of the wave force, in units of F0.
+    /// Largest change of the wave force by joining two pieces, in units of F0.
     double mostDeviation = 0;
     /// Weight of an impulse error before the last force peak, relative to one during the rebound; 0 … 1.
     double loadingWeight = 1;
 
     explicit JoiningBudget(const Problem& problem) {
         const double gamma = problem.law.gamma, tau = problem.transitTime();
-        // of the steepest loading line, and of the least steep one
+        // slopes of the steepest and of the least steep loading line
         double beta = problem.law.firstSlope * problem.law.beta, softest = beta;
         for (const LawCorner& corner : problem.law.corners) {
             beta = std::max(beta, corner.slope * problem.law.beta);
@@ -47,9 +48,9 @@ struct JoiningBudget {
         const double share = std::min(1.0, leastError / mostError * excess);
         const double error = share * mostError;
         smoothEffect = error / passes;
-        // An error D of a peak of the way displaces √(βτ/γ) D while the rod rebounds, D at most. The peaks of
-        // all trips displace some sixteen times that, growing with the trips from hundreds on; more where γ
-        // is larger, and work no matter.
+        // An error D of the largest penetration in one round trip changes e by √(βτ/γ) D during the rebound,
+        // at most by D. All round trips together have about sixteen times this effect, and more from hundreds
+        // of trips on. A larger γ needs a larger margin; work is no concern there.
         const double perDisplacement = std::min(1.0, std::sqrt(beta * tau / gamma));
         const double peaks = std::max(16.0, trips / 12) * std::clamp(2000 * gamma, 1.0, 4.0);
         mostDisplaced = error / (perDisplacement * peaks);
@@ -59,7 +60,7 @@ struct JoiningBudget {
     }
 
   private:
-    /// Number of passes that are cheap without joining.
+    /// Number of passes up to which a blow takes little work even if no pieces are joined.
     static constexpr double fewPasses = 100;
     /// Permitted error of the coefficient of restitution up to fewPasses passes.
     static constexpr double leastError = 1e-15;
@@ -71,9 +72,9 @@ struct JoiningBudget {
 
 /// Sum of the errors of the coefficient of restitution that joining pieces of the wave causes. The impact
 /// force depends on the path of the bit, and on its largest penetration so far. Joining makes the path wrong
-/// by D, but only inside a joined piece; a force peak inside the piece keeps the error for ever. Until the
-/// primary line is reached again, the force is wrong by at most (β/γ) 2D. Each change contributes at most 2D
-/// to the impulse, since F follows the wave.
+/// by D, but only inside a joined piece. If the force has a peak there, the error of that peak remains. Until
+/// the primary line is reached again, the force is wrong by at most (β/γ) 2D. Each change contributes at most
+/// 2D to the impulse, since F follows the wave.
 ///
 /// An impulse error before the last peak changes the energy stored there, of which the rod receives the share
 /// γ; so it counts √γ times. Errors after the peak count in full.
@@ -87,12 +88,12 @@ class JoiningError {
         m_loading = m_rebound = m_peak = 0;
     }
 
-    /// Counts a stretch of the given length on the elastic line.
+    /// Adds the error that arises during a stretch of the given length [t0] on the elastic line of the law.
     void passElastic(Real length) { m_rebound += displacedBy(m_peak, length); }
 
-    /// Counts a contact event inside a joined piece of the wave. `displaced` is the error of the bit's path
-    /// by joining there, in units of I0/Z; `length` is the part of the piece that has not passed yet, in
-    /// units of t0.
+    /// Adds the error that arises if a contact event is inside a joined piece of the wave. `displaced` is the
+    /// error of the bit's path by joining there, in units of I0/Z; `length` is the part of the piece that has
+    /// not passed yet, in units of t0.
     void pass(ContactEvent event, Real displaced, Real length) {
         m_rebound += displacedBy(displaced, length);
         if (event == ContactEvent::unloading) m_peak = displaced;
@@ -156,7 +157,8 @@ struct WavePiece : PowerSeries<Real> {
     /// Discards the stored integrals; must be called when coefficients were changed from outside.
     void forgetWay() { m_hasWay = false; }
 
-    /// Reduces the interval to [x, length], which begins inside a joined piece.
+    /// Removes the part of the piece before x, in units of t0 from its start. The bit's path may then be
+    /// wrong already at the start of the piece.
     void dropFront(Real x) {
         PowerSeries<Real>::dropFront(x);
         displacedAtStart = displaced;
@@ -168,13 +170,13 @@ struct WavePiece : PowerSeries<Real> {
         this->length = x;
         forgetWay();
     }
-    /// Sets the path errors to those of the piece `other`, from which this one is made.
+    /// Copies the errors of the bit's path from the piece `other`, from which this piece is made.
     void displaceLike(const WavePiece& other) {
         displaced = other.displaced;
         displacedAtStart = other.displacedAtStart;
     }
-    /// Adds `more`, the path error by joining this piece to `next`. Such errors have either sign, so they are
-    /// added as squares.
+    /// Adds `more`, the error of the bit's path by joining this piece to `next`, in units of I0. Such errors
+    /// have either sign, so their squares are added.
     void displace(const WavePiece& next, Real more) {
         const Real before = std::max(displaced, next.displaced);
         displaced = std::sqrt(before * before + more * more);
@@ -185,13 +187,13 @@ struct WavePiece : PowerSeries<Real> {
     mutable bool m_hasWay = false;
 };
 
-/// Joining of pieces of the wave in the rod. Every event leaves a kink in the reflected wave, and kinks stay
-/// for ever: after thousands of round trips there would be thousands of pieces in each. Most of the kinks are
-/// far too small to matter.
+/// Joining of pieces of the wave in the rod. Every contact event leaves a kink in the reflected wave, and
+/// kinks never vanish. After thousands of round trips there would be thousands of pieces in each. Most of the
+/// kinks are far too small to matter.
 ///
-/// A joined piece keeps the moments 0 to 3 of both. A contact without an event in it then ends as before, up
-/// to the fourth order of aℓ; the remainder is counted here. Events inside a joined piece have an effect
-/// through the displaced path of the bit, which JoiningError counts when they happen.
+/// A joined piece keeps the moments 0 to 3 of both pieces. A contact without an event in it then ends as
+/// before, up to the fourth order of aℓ; join() reports the remainder. Events inside a joined piece have an
+/// effect through the wrong path of the bit, which JoiningError adds when they happen.
 template <class Real>
 class SeriesJoiner {
   public:
@@ -208,8 +210,9 @@ class SeriesJoiner {
         m_mostDeviation = Real(budget.mostDeviation) * precision;
     }
 
-    /// Joins `next` to `last` if that is accurate enough, and adds its effect without events to `error`.
-    /// Returns whether the pieces were joined.
+    /// Joins `next` to `last` if that is accurate enough, and returns whether the pieces were joined. The
+    /// effect on the coefficient of restitution, for contact without an event in the piece, is added to
+    /// `error`.
     bool join(Piece& last, const Piece& next, Real& error) {
         const Real whole = last.length + next.length;
         const Real weight = whole * m_fastest;
@@ -243,17 +246,18 @@ class SeriesJoiner {
   private:
     using Series = PowerSeries<Real>;
 
-    /// Largest aℓ of a joined piece. A longer piece would include the layer of a stiff contact, which no
-    /// other series follows.
+    /// Largest product aℓ of rate and length for a joined piece. A longer piece would include the initial
+    /// layer of a stiff contact, which no other series follows.
     static constexpr double layer = 0.5;
 
-    /// Returns the jump between two constant pieces, otherwise 0. It is the most frequent reason not to join,
-    /// and quickly computed.
+    /// Returns the size of the jump between two constant pieces, in units of F0; 0 if a piece is not
+    /// constant. A jump is the most frequent reason not to join pieces, and quickly computed.
     static Real jump(const Piece& last, const Piece& next) {
         return last.count <= 1 && next.count <= 1 ? std::abs(last.startValue() - next.startValue()) : Real(0);
     }
 
-    /// Returns ∫|f| over the length of f, or a slightly larger value.
+    /// Returns ∫|f| over the length of f, or a slightly larger value: the error of the bit's path, in units
+    /// of I0, if a wave is wrong by f.
     static Real displacement(const Series& f) {
         Real sum = 0;
         for (int k = 0; k < f.count; ++k) sum += std::abs(f.c[k]) / Real(k + 1);
@@ -272,7 +276,7 @@ class SeriesJoiner {
     }
 
     Real m_fastest = 0;  ///< larger rate β/γ of the contact, per t0
-    Real m_passes = 1;   ///< number of passes, see JoiningBudget
+    Real m_passes = 1;   ///< number of times that a piece of the wave meets the rock
     Real m_smoothEffect = 0;
     Real m_mostDisplaced = 0;
     Real m_mostDeviation = 0;

@@ -21,8 +21,8 @@ double recordedTime(const Impact& impact, double s);
 /// Returns how long, from the time s on, the recorded time advances with s without a jump, in units of t0.
 double uninterrupted(const Impact& impact, double s);
 
-/// Returns the total duration of the periods that were left out of the recording before a recorded time, in
-/// units of t0.
+/// Returns the total duration of the periods of free flight that were left out of the recording before a
+/// recorded time, in units of t0.
 double unrecordedBefore(const Impact& impact, double recorded);
 
 /// Returns the incident wave g/F0 before the first wave arrives (s < 0). It is 1/(2τ) in the reference case,

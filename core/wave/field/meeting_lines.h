@@ -51,8 +51,9 @@ class UpperEdge {
 
     /// Raises the envelope to the line wherever the line is higher.
     void raise(const MeetingLine& line);
-    /// Returns the minimum of the envelope over the delays [begin, end], plus the rounding. As soon as a
-    /// value below `enough` is found, the search ends and returns that value.
+    /// Returns the minimum of the envelope over the delays [begin, end], plus the `rounding` of the
+    /// constructor, in units of F0. As soon as a value below `enough` is found, the search ends and returns
+    /// that value.
     double leastOver(double begin, double end,
                      double enough = -std::numeric_limits<double>::infinity()) const;
     /// Returns the lines of the envelope in order of delay; each begins where the previous one ends.

@@ -44,14 +44,15 @@ int forcePeaks(const Impact& impact);
 /// histories are kept, since a force in the rod depends on the waves of one round trip.
 class PassingWaves {
   public:
-    /// Creates the object for a blow that is computed a second time. `solved` is its result with
-    /// Detail::summary or more, `pulse` its hammer force. `choice` selects the forces to find.
+    /// Creates the object for a blow that is computed a second time. `solved` is the result of the first
+    /// computation, with Detail::summary or more; `pulse` is the hammer force. `choice` selects the forces to
+    /// find.
     PassingWaves(const Impact& solved, const PulseForce& pulse, const RodForceChoice& choice);
 
     /// Processes the histories recorded so far, and removes all but the last two round trips from
     /// `recording`. Returns the number of recorded pieces at which to call it again.
     std::size_t take(Impact& recording);
-    /// Processes the rest of the histories, after the blow has ended.
+    /// Processes the last part of the histories, which take() has not seen, after the blow has ended.
     void takeLast(Impact& recording);
 
     /// Returns the number of peaks of the impact force.
@@ -65,7 +66,7 @@ class PassingWaves {
     PulseForce m_pulse;
     RodForceChoice m_choice;
     Impact m_window;         ///< impact with the last part of its histories
-    std::size_t m_seen = 0;  ///< number of its pieces already processed
+    std::size_t m_seen = 0;  ///< number of pieces of m_window already processed
     ForcePeaks m_peaks;
     RodForces m_forces;
 };

@@ -12,8 +12,8 @@
 namespace drillwave {
 
 /// Largest force at every section of the rod, as points from the struck end to the bit, to be joined by
-/// straight lines. Forces and times are interpolated in the same way. Two points have the same section where
-/// the line jumps, or where another wave becomes the largest.
+/// straight lines. The times of the forces are interpolated in the same way. Two points have the same section
+/// where the line jumps, or where another wave becomes the largest.
 using EnvelopeLine = std::vector<RodForce>;
 
 /// Four lines of the largest forces over the rod: compression and tension, during and after the blow.

@@ -21,12 +21,13 @@ struct RodForce {
 };
 
 /// Largest compression −N and tension N in the rod, during and after the blow. The blow lasts until one
-/// transit after the last separation. The residual waves after it are undamped in the model; for them, time
-/// and section are those of their first meeting. Sizes are 0 if the rod is never compressed or stretched.
+/// transit after the last separation. The residual waves after it are undamped in the model and meet again
+/// and again; time and section are those of the first meeting. Sizes are 0 if the rod is never compressed or
+/// stretched.
 using RodForces = OfLoads<RodForce>;
 
-/// Selection of the forces to compute: compression, tension, and both of them after the blow. Forces that are
-/// not selected stay 0.
+/// Selection of the forces to compute: compression and tension during the blow, and both after it. Forces
+/// that are not selected stay 0.
 struct RodForceChoice {
     bool compression = true, tension = true, after = true;
 };

@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-// For the files of this folder only; of an impact solved with Detail::histories. Times are recorded times
-// (history_reader.h) in t0, forces in F0.
+// For the files of this folder only; they need an impact solved with Detail::histories. Times are recorded
+// times (history_reader.h) in t0, forces in F0.
 
 /// Side of a breakpoint of a wave from which its value is taken: the start of a piece, its inside, or its
 /// end.
@@ -99,23 +99,25 @@ void forEachInstant(const Impact& impact, double from, const std::vector<double>
                  [&](std::size_t piece, double x, Side side) { pass(instantIn(impact, piece, x, side)); });
 }
 
-/// Returns the recorded time at the front end at which the blow is over: one transit after the last
-/// separation.
+/// Returns the recorded time at the front end at which the blow is over, in units of t0: one transit after
+/// the last separation.
 double recordedEndOfBlow(const Impact& impact);
 
-/// Returns the times b = 2·end − a, increasing, for all instants a of the histories within half a round trip
-/// of `end`. A wave that reaches the front end at a and one that left it at b meet in the rod at the recorded
-/// time `end`. Only times b from `first` to `last` are included.
+/// Returns the times b = 2·end − a, increasing, for the times a of all instants of the histories within half
+/// a round trip of `end`. A wave that reaches the front end at a and one that left it at b meet in the rod at
+/// the recorded time `end`. Only times b from `first` to `last` are included.
 std::vector<double> counterparts(const Impact& impact, double end, double first, double last);
-/// Returns the times b = 2·end − a for all instants a within half a round trip of `end`. Waves with the times
-/// a and b at the front end meet in the rod at the recorded time `end`.
+/// Returns the times b = 2·end − a for the times a of all instants of the histories within half a round trip
+/// of `end`. A wave that reaches the front end at a and one that left it at b meet in the rod at the recorded
+/// time `end`.
 std::vector<double> counterparts(const Impact& impact, double end);
 
 /// Returns incident and reflected wave at the front end before the first front arrives, at a time ≤ 0. They
 /// are 0, or those of a uniform motion in the reference case (a rod that arrives as a rigid body).
 Instant instantBeforeFront(const Impact& impact, double time);
 
-/// Returns the instants of the last round trip of the recording, which then repeats for ever.
+/// Returns the values of both waves in the last round trip of the recording; after it the waves repeat for
+/// ever.
 std::vector<Instant> lastPeriod(const Impact& impact);
 
 /// Returns the rounding error of the interval between `time` and one round trip earlier, in units of t0.
@@ -124,9 +126,9 @@ double roundingOfTrip(double time, double roundTrip);
 // Upper bounds of both waves over stretches of time, used to skip stretches in which the largest force cannot
 // lie.
 
-// For the files of this folder only; of an impact solved with Detail::histories.
+// For the files of this folder only; they need an impact solved with Detail::histories.
 
-/// Place at which a span of parts is split in two.
+/// Position at which a WaveSpan (several parts of a piece of the waves) is split in two.
 enum class Cut {
     middle,
     /// Cut after the first part of the span.
@@ -135,16 +137,19 @@ enum class Cut {
     back,
 };
 
-/// Neighbouring parts of one piece of both waves, between two instants.
+/// Part of the recording in which both waves at the front end follow the same two polynomials, between two
+/// instants. It consists of one or more of the parts into which a piece of the histories is divided.
 struct WaveSpan {
     std::size_t piece = 0;
-    /// Range of the parts: from the end of part number `first` to the end of part number `last`.
+    /// Range within the piece, which is divided into bends.parts parts: from the end of part number `first`
+    /// to the end of part number `last`.
     int first = 0, last = 1;
-    /// Deviation of the waves from their chords in the whole piece, and its number of parts.
+    /// Deviation of the waves from their chords in the whole piece of the histories, and number of parts of
+    /// the piece.
     PieceBends bends;
     /// Values of both waves at the two ends of the span.
     Instant begin, end;
-    /// Place at which the span is to be split.
+    /// Position at which the span is to be split in two.
     Cut cut = Cut::middle;
 
     /// Returns whether the span is a single part, which cannot be split.
@@ -156,7 +161,8 @@ inline bool follows(const WaveSpan& span, const WaveSpan& next) {
     return span.piece == next.piece && span.last == next.first;
 }
 
-/// Upper bounds of both waves within a span, in units of F0, for waves multiplied by a sign of 1 or −1.
+/// Upper bounds of the incident and of the reflected wave within a span, in units of F0. Both waves are
+/// multiplied by a sign of 1 or −1 first.
 struct SpanBound {
     double incident = 0, reflected = 0;
 };
@@ -167,24 +173,24 @@ SpanBound boundOf(const WaveSpan& span, double sign);
 /// and largest at an end of the piece, only the outermost part is split off, because the others can probably
 /// be skipped. Otherwise the span is halved.
 Cut cutForIncident(const WaveSpan& span, double sign);
-/// Returns where to split a span for its reflected wave multiplied by `sign` (1 or −1), by the rule of
-/// cutForIncident().
+/// Returns where to split a span for its reflected wave multiplied by `sign` (1 or −1). If that wave is steep
+/// and largest at an end of the piece, only the outermost part is split off; otherwise the span is halved.
 Cut cutForReflected(const WaveSpan& span, double sign);
 
 /// Returns one span for each whole piece that ends at the recorded time `from` or later and begins at `until`
 /// or before.
 std::vector<WaveSpan> wholePieces(const Impact& impact, double from, double until);
 
-/// Writes the spans into `parts`, which is cleared first. Spans of more than one part are split in two at
-/// their member `cut`.
+/// Writes the spans, split more finely, into `parts`, which is cleared first. Every span of more than one
+/// part becomes two spans, split at its member `cut`.
 void cut(const Impact& impact, const std::vector<WaveSpan>& spans, std::vector<WaveSpan>& parts);
 
 /// Writes the instants at the ends of the spans into `instants`, which is cleared first. Each instant appears
 /// once, in order of time.
 void endsOf(const std::vector<WaveSpan>& spans, std::vector<Instant>& instants);
 
-/// Maximum over ranges of a sequence of numbers. A query takes a time proportional to the logarithm of their
-/// count.
+/// Maximum of a sequence of numbers over any range of indices. A query takes a time proportional to the
+/// logarithm of the length of the sequence.
 class RangeMaximum {
   public:
     /// Replaces the sequence of numbers that over() searches.

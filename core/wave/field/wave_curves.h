@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-// Everything here needs an impact solved with Detail::histories. Times are global, in t0, forces in F0,
-// impulses in I0. ξ = x/L: rear end 0, bit 1.
+// Everything here needs an impact solved with Detail::histories. Times are in t0 since the start of the blow,
+// forces in F0, impulses in I0. ξ = x/L: rear end 0, bit 1.
 
 /// Curve as points to be joined by straight lines. A time occurs twice where the curve jumps.
 struct SampledCurve {
@@ -66,20 +66,20 @@ SampledHistory sampleHistory(const Impact& impact);
 
 // Normal force at a section over time, and the waves whose sum it is.
 
-// Everything here needs an impact solved with Detail::histories. Times are global, in t0, forces in F0,
-// tension positive, impulses in I0. ξ = x/L: rear end 0, bit 1.
+// Everything here needs an impact solved with Detail::histories. Times are in t0 since the start of the blow,
+// forces in F0, tension positive, impulses in I0. ξ = x/L: rear end 0, bit 1.
 
-/// Normal force that a strain gauge measures at a section of the rod, and the waves that follow the first
-/// ones there.
+/// Normal force that a strain gauge measures at a section of the rod, and the waves there that follow the
+/// waves given as `first` to sectionForce().
 struct SectionForce {
-    /// Normal force N = Np + Nn (T2), from time 0, or from the first wave at the section if that is earlier;
-    /// tension positive.
+    /// Normal force N = Np + Nn (T2), in units of F0, tension positive. It begins at time 0, or with the
+    /// first wave at the section if that is earlier.
     SampledCurve force;
-    /// Waves towards the bit that follow the given first ones, joined in order of time; N4p, N6p … after four
-    /// waves.
+    /// Later waves towards the bit, joined in order of time, in units of F0, tension positive. After four
+    /// waves given as `first` to sectionForce(), they are N4p, N6p …
     SampledCurve toBit;
-    /// Waves from the bit that follow the given first ones, joined in order of time; N5n, N7n … after four
-    /// waves.
+    /// Later waves away from the bit, joined in order of time, in units of F0, tension positive. After four
+    /// waves given as `first` to sectionForce(), they are N5n, N7n …
     SampledCurve fromBit;
 };
 

@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Means of the hammer force Fa/F0 over consecutive time steps [0, Δ), [Δ, 2Δ) … Their sum has the impulse of
-/// the pulse, for any pulse and step.
+/// Means of the hammer force Fa/F0 over consecutive time steps [0, Δ), [Δ, 2Δ) … The sum of all means times Δ
+/// is the impulse of the pulse, for any pulse and step.
 class HammerCells {
   public:
     /// Creates a sequence without a force.

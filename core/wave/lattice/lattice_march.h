@@ -64,12 +64,12 @@ class StepHistory {
     std::size_t m_pieces = 0;
 };
 
-/// Solver for one blow by the lattice method. `Waves` stores the waves in the segments: MovedWaves or
-/// RingWaves.
+/// Solver for one blow by the lattice method. `Waves` is the class that stores the waves in the segments:
+/// MovedWaves or RingWaves.
 template <class Waves>
 class LatticeMarch {
   public:
-    /// Computes a blow with `segments` segments of the rod, and writes the result into `impact`, except its
+    /// Computes a blow on a rod of `segments` equal segments, and writes the result into `impact`, except its
     /// corError.
     void solve(const Problem& problem, int segments, Detail detail, const std::stop_token& stop,
                Impact& impact);
@@ -137,13 +137,14 @@ class LatticeMarch {
     /// Sums ΣFa (2g − Fa) and ΣF (2g − F); times Δ they are works.
     CompensatedSum<double> m_hammerPowers, m_rockPowers;
     double m_contactStart = 0, m_impulseAtContact = 0;
-    /// Number of periods of free flight before the bit can reach the rock.
+    /// Number of whole round trips of free flight that still pass before the bit can reach the rock.
     double m_periodsAhead = 0;
 
-    /// Number of successive steps without contact and hammer force.
+    /// Number of successive steps with neither contact nor hammer force.
     long m_freeSteps = 0;
     double m_freeMomentum = 0, m_freeEnergy = 0;
-    /// Largest Σg since the free flight began.
+    /// Largest sum Σg since the free flight began; times 2Δ it is the largest displacement of the front end,
+    /// in units of I0/Z.
     double m_farthest = 0;
 };
 
@@ -181,8 +182,8 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
     m_contactStart = m_impulseAtContact = 0;
     m_freeSteps = 0;
     m_freeMomentum = m_freeEnergy = m_farthest = 0;
-    // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
-    // that are kept apart, exactly.
+    // Once the hammer force has ended, free flight closes the gap by 2 in each round trip. Whole round trips
+    // of the gap beyond that are counted separately, without rounding.
     const double hammerPeriods = std::ceil(problem.force().end / (2 * problem.transitTime())) + 2;
     m_periodsAhead = std::max(0.0, std::floor(problem.gap) - hammerPeriods);
     const double gap = isRigidBody ? 0 : 2 * (problem.gap - m_periodsAhead);
@@ -277,7 +278,8 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
     }
 }
 
-/// Counts a step without hammer force and contact; after a whole period it decides how to continue.
+/// Counts a step without hammer force and contact; after a whole round trip it decides whether the blow is
+/// over.
 template <class Waves>
 void LatticeMarch<Waves>::flyFree(double g) {
     if (m_freeSteps++ == 0) m_freeMomentum = m_freeEnergy = m_farthest = 0;
@@ -289,8 +291,8 @@ void LatticeMarch<Waves>::flyFree(double g) {
     m_freeSteps = 0;
 }
 
-/// Decides how to continue after one whole period without contact, when the incident wave is periodic. Either
-/// the blow is over, or the rod drifts towards the rock and hits it again later (theory §3.3).
+/// Decides how to continue after a whole round trip without contact, when the incident wave is periodic.
+/// Either the blow is over, or the rod drifts towards the rock and hits it again later (theory §3.3).
 template <class Waves>
 void LatticeMarch<Waves>::decide() {
     if (m_periodsAhead > 0) {
