@@ -8,12 +8,13 @@
 
 namespace drillwave {
 
-/// Bounds of slope and curvature of an exponential sum over its whole length. They are valid, but may be
-/// wide.
+/// Bounds of slope and curvature of an exponential sum over its whole length. The true values are certainly
+/// within them, but may be far from them.
 struct ExponentialCourse {
-    /// Lower and upper bound of the slope, per t0.
+    /// Lower and upper bound of the slope of the sum over its whole length, in units of F0/t0.
     double leastSlope = 0, mostSlope = 0;
-    /// Lower and upper bound of the curvature, per t0².
+    /// Lower and upper bound of the curvature (second derivative) of the sum over its whole length, in units
+    /// of F0/t0².
     double leastCurvature = 0, mostCurvature = 0;
 
     template <int lines>

@@ -43,25 +43,26 @@ struct Coefficients {
         for (int m = 0; m < count; ++m) sum += std::abs(c[m]);
         return sum;
     }
-    /// Returns an upper (`most`) or lower (`least`) bound of Σ c_m φ_m, including 0. No φ_m is negative, and
-    /// their sum is at most 1.
+    /// Returns an upper bound of Σ c_m φ_m, at least 0. No φ_m is negative, and their sum is at most 1.
     double most() const {
         double largest = 0;
         for (int m = 0; m < count; ++m) largest = std::max(largest, c[m]);
         return largest;
     }
+    /// Returns a lower bound of Σ c_m φ_m, at most 0.
     double least() const {
         double smallest = 0;
         for (int m = 0; m < count; ++m) smallest = std::min(smallest, c[m]);
         return smallest;
     }
-    /// Returns an upper (`mostRisen`) or lower (`leastRisen`) bound of Σ c_m ω_m, including 0. Since 1 ≥ ω_0
-    /// ≥ ω_1 ≥ …, the sum is a mean of the partial sums Σ_{k≤m} c_k.
+    /// Returns an upper bound of Σ c_m ω_m, at least 0. Since 1 ≥ ω_0 ≥ ω_1 ≥ …, the sum is a mean of the
+    /// partial sums Σ_{k≤m} c_k.
     double mostRisen() const {
         double largest = 0, sum = 0;
         for (int m = 0; m < count; ++m) largest = std::max(largest, sum += c[m]);
         return largest;
     }
+    /// Returns a lower bound of Σ c_m ω_m, at most 0.
     double leastRisen() const {
         double smallest = 0, sum = 0;
         for (int m = 0; m < count; ++m) smallest = std::min(smallest, sum += c[m]);
@@ -103,7 +104,7 @@ struct Coefficients {
             c[k] = sum * decay;
         }
     }
-    /// Returns the sums Σ_{m≥k} c_m for each k, used for the integral of rises: ∫ω_m dy = y − Σ_{k≤m} ω_k.
+    /// Returns the sums Σ_{m≥k} c_m for each k. The integral of rises uses them: ∫ω_m dy = y − Σ_{k≤m} ω_k.
     Coefficients sumsFromEach() const {
         Coefficients sums = *this;
         for (int k = count - 2; k >= 0; --k) sums.c[k] += sums.c[k + 1];
@@ -159,7 +160,8 @@ struct HammerTerms {
         }
         if (decay != 0) decay *= std::exp(-x);
     }
-    /// Sets all terms to zero if their absolute value is at most `negligible`.
+    /// Sets all coefficients to zero if the absolute value of the terms is at most `negligible`, in units of
+    /// F0.
     void trim(double negligible) {
         if (magnitude() <= negligible) *this = {};
     }

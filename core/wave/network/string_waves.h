@@ -109,6 +109,7 @@ class StringWaves {
     std::span<const SectionWaves> pieces() const { return m_pieces; }
     /// Returns the number of sections of the scenario, in hammer and string together.
     std::size_t sections() const { return m_firstPieces.size() - 1; }
+    /// Returns the number of sections of the scenario that belong to the hammer; 0 for a prescribed force.
     std::size_t hammerSections() const;
     /// Returns the index in pieces() of the first piece of a section. For section == sections() it returns
     /// the number of pieces.
@@ -125,9 +126,10 @@ class StringWaves {
     /// Returns the uniform piece at the position ξ of a section, and the position in it. Where two pieces
     /// meet, the one towards the rock is taken.
     PiecePlace pieceAt(std::size_t section, double xi) const;
-    /// Returns the clock reading at the start of each recorded step, or the width of each step, in units of
-    /// t0. They are the same for all waves.
+    /// Returns the clock reading at the start of each recorded time step, in units of t0. It is the same for
+    /// all waves.
     std::span<const double> clocks() const { return m_clocks; }
+    /// Returns the width of each recorded time step, in units of t0. It is the same for all waves.
     std::span<const double> widths() const { return m_widths; }
     /// Returns the force P/F0 at the position ξ of a section, compression positive.
     double force(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
@@ -139,13 +141,17 @@ class StringWaves {
         return (down(section, xi, t, side) - up(section, xi, t, side)) /
                m_pieces[pieceAt(section, xi).piece].impedance;
     }
-    /// Returns the wave towards the rock (`down`) or away from it (`up`) at the position ξ of a section, in
-    /// units of F0, compression positive.
+    /// Returns the wave towards the rock at the position ξ of a section and the time t, in units of F0,
+    /// compression positive.
     double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
+    /// Returns the wave away from the rock at the position ξ of a section and the time t, in units of F0,
+    /// compression positive.
     double up(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
-    /// Returns the integral over time of the wave towards the rock (`down`) or away from it (`up`) at a
-    /// position, in units of I0. It begins with the first contact of hammer and string and ends at t.
+    /// Returns the impulse of the wave towards the rock at the position ξ of a section, in units of I0: its
+    /// integral from the first contact of hammer and string to the time t.
     double downImpulse(std::size_t section, double xi, double t) const;
+    /// Returns the impulse of the wave away from the rock at the position ξ of a section, in units of I0: its
+    /// integral from the first contact of hammer and string to the time t.
     double upImpulse(std::size_t section, double xi, double t) const;
 
     /// Returns the momentum that rod or string would have at the time t if there were no rock, in units of

@@ -62,8 +62,9 @@ struct WaveCell {
     double spread() const { return std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]); }
     /// Returns an upper bound of |f| over the cell.
     double largest() const { return std::abs(c[0]) + spread(); }
-    /// Returns a lower bound (`least`) or an upper bound (`most`) of f over the cell.
+    /// Returns a lower bound of f over the cell.
     double least() const { return c[0] - spread(); }
+    /// Returns an upper bound of f over the cell.
     double most() const { return c[0] + spread(); }
 
     /// Maximum of f in the cell: its position u, 0 … 1, and its value.
