@@ -24,7 +24,7 @@ namespace drillwave {
 /// Start of one blow of a sequence under a feed, with the waves and motions that earlier blows have left.
 struct MarchedStart {
     long number = 1;  ///< Number of the blow in the sequence, from 1.
-    /// Largest force that the rock of this blow has felt before, in units of F0.
+    /// Largest force that the rock under the bit has felt before this blow, in units of F0.
     double rememberedForce = 0;
 };
 
@@ -42,17 +42,17 @@ struct Blow {
     Problem problem;
     /// Result of the solver; its `reason` says why there is none.
     Impact impact;
-    /// Numbers of the result, dimensionless; invalid if the blow is not solved, as is `feed`.
+    /// Numbers of the result, dimensionless. They and `feed` are invalid if the blow is not solved.
     ImpactSummary summary;
-    /// Estimate of the feed force that the blow requires; nothing if thrustProblem() gives a reason. Its
-    /// cases over all gaps are computed only by a study (core/study/thrust).
+    /// Estimate of the feed force that the blow requires; nothing if thrustProblem() gives a reason. The
+    /// cases over all gaps are not included; a study computes them (core/study/thrust).
     std::optional<FeedEstimate> feed;
     /// Alerts of the scenario, followed by those of the result.
     std::vector<Alert> alerts;
     /// Computing time of the solver only, in seconds.
     double runTime = 0;
-    /// Start of the blow if it belongs to a sequence. Then `summary` has only the values that its pages draw,
-    /// without rebound, and there is no `feed`.
+    /// Number and start of the blow if it belongs to a sequence; then `summary` has only the values that the
+    /// pages of a sequence draw, without rebound, and there is no `feed`.
     std::optional<MarchedStart> marched = {};
 
     /// Returns whether the blow is solved, so that its numbers are valid.
@@ -62,14 +62,14 @@ struct Blow {
     /// Returns the energy that energy shares refer to, in units of W0 = m v0²/2: the energy of the hammer, or
     /// the work of the prescribed force.
     double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
-    /// Returns (effective feed force)/(largest of the four required feed forces) − 1; nullopt if one of them
-    /// is unknown.
+    /// Returns the margin of the feed force, (effective feed force)/(largest of the four required feed
+    /// forces) − 1; nullopt if one of these forces is unknown.
     std::optional<double> thrustMargin() const { return feed ? feed->margin() : std::nullopt; }
 };
 
 /// Choice whether the largest forces in the rod are computed, which requires the histories of the waves.
 enum class Stresses {
-    /// Only if alerts need them, because the rod has a strength.
+    /// Largest forces only if alerts need them, because the rod has a strength.
     asNeeded,
     /// Largest forces whenever they can be computed.
     wanted,
@@ -100,7 +100,8 @@ struct SolverWords {
     std::string key;
     /// Name for the user, such as "lattice of 1000 segments".
     Message name;
-    /// Name within a sentence, such as "method lattice, 1000 segments" or "polynomial cells".
+    /// Name within a sentence that lists settings, such as "method lattice, 1000 segments" or "polynomial
+    /// cells".
     Message asked;
     /// Remark in files, which remarksOf() can read, such as "method polynomial_cells".
     std::string remark;

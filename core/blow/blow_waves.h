@@ -106,20 +106,21 @@ class BlowWaves {
     /// contact of hammer and string, or the start of the pulse. It ends one round trip after the last
     /// separation of bit and rock, and after a dozen round trips at the latest.
     TimeSpan interesting() const;
-    /// Returns the time t/t0 at which the first wave reaches the bit, and the round-trip time from there to
-    /// the struck end and back.
+    /// Returns the time t/t0 at which the first wave reaches the bit.
     double arrival() const;
+    /// Returns the time that a wave needs from the bit to the struck end and back, in units of t0.
     double roundTrip() const;
-    /// Returns the times t/t0 at which wave fronts start at the struck end, or the paths of one of these
-    /// fronts between two times.
+    /// Returns the times t/t0 at which wave fronts start at the struck end.
     std::vector<double> fronts() const;
+    /// Returns the paths, between the times `begin` and `end`, of the wave front that starts at the struck
+    /// end at the time `start`. Times are in t0.
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
-    /// Returns the intervals of contact of bit and rock, in order of time, in units of t0. A contact that had
-    /// not ended when the computation did lasts to end().
+    /// Returns the intervals of contact of bit and rock, in order of time, in units of t0. If the computation
+    /// ended during a contact, that contact lasts to end().
     std::vector<ContactInterval> contacts() const;
     /// Returns the intervals of contact of hammer and string, in order of time, in units of t0; empty for a
-    /// rod. A contact that had not ended when the computation did lasts to end().
+    /// rod. If the computation ended during a contact, that contact lasts to end().
     std::vector<ContactInterval> faceContacts() const;
     /// Returns the contact state of bit and rock at the time t/t0; `contacts` is the result of contacts().
     BitState bit(const std::vector<ContactInterval>& contacts, double t) const;

@@ -15,12 +15,12 @@ struct ChainSolution {
     Impact impact;
 };
 
-/// Returns the solution of a blow on a drill string. Each cone is replaced by uniform pieces. Their number is
-/// doubled until coefficient of restitution and efficiency hardly change, or the work limit is near. The
-/// error of the pieces is proportional to the square of their length. The stated errors contain twice the
-/// last change, or more if the changes before were larger. If the largest forces of so many pieces take too
-/// much work, the result has fewer pieces. If the waves are too many to be kept, they are those of fewer
-/// pieces.
+/// Returns the solution of a blow on a drill string. Each conical section is replaced by uniform pieces.
+/// Their number is doubled until coefficient of restitution and efficiency hardly change, or the work limit
+/// is near. The error that the pieces cause is proportional to the square of their length. The stated errors
+/// contain twice the last change, or more if earlier changes were larger. If the largest forces take too much
+/// work for so many pieces, the result is that of fewer pieces. If the waves are too many to be kept, they
+/// are those of fewer pieces.
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                          const std::stop_token& stop = {});
 

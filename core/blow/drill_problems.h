@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks whether a scenario can be computed blow after blow, and the numbers of such sequences.
+// Checks whether the blows of a scenario can be computed in succession, and the numbers that such sequences
+// give.
 #pragma once
 
 #include <optional>
@@ -22,15 +23,15 @@ struct DrillNumbers {
     Number gapMean, gapDeviation, gap05, gap50, gap95;
     /// Mean penetration of the bit per blow, in units of d0.
     Number penetration;
-    /// 95 % error of the mean penetration per blow.
+    /// Bound of the error of the mean penetration per blow at 95 % confidence, in units of d0.
     Number penetrationError;
     /// Mean penetration rate (length drilled per time), in m/s.
     Number penetrationRate;
-    /// Mean impulse on the rock per blow.
+    /// Mean impulse on the rock per blow, in units of I0.
     Number rockImpulse;
-    /// Mean over all blows of the largest impact force in each.
+    /// Mean over all blows of the largest impact force in each, in units of F0.
     Number peakForce;
-    /// Largest damper force of all blows.
+    /// Largest damper force of all blows, in units of F0.
     Number damperForce;
     /// Share of blows that start with the bit within 0.05 d0 of the rock; 0 … 1.
     Number contactShare;
@@ -50,16 +51,18 @@ struct DrillNumbers {
     Number energyResidual;
 };
 
-/// Numbers that require a sequence of blows to be computed.
+/// Outputs requested for which a sequence of blows must be computed.
 struct RequiredMarches {
-    /// Whether the Lyapunov exponent is required, which takes a second sequence.
+    /// Whether any output requires a sequence of blows.
     bool any = false;
-    /// Whether the error of the penetration is required, which takes a sequence with other time steps.
+    /// Whether the Lyapunov exponent is required, which takes a second sequence.
     bool lyapunov = false;
+    /// Whether the error of the penetration is required, which takes a sequence with other time steps.
     bool penetrationError = false;
 };
 
-/// Default number of blows for each value in a study of many values, and of the transient blows among them.
+/// Default number of blows for each value in a study of many values, and number of transient blows among
+/// them.
 inline constexpr long scanBlows = 300, scanSettle = 100;
 
 /// Number of blows of a sequence, and of transient blows at its start that the statistics exclude.
@@ -68,8 +71,8 @@ struct DrillLength {
     long settle = scanSettle;
 };
 
-/// Returns the numbers of blows for each value in a study of many values, as the scenario sets them. If it
-/// only sets the number of blows, a fifth of them are transient.
+/// Returns the number of blows and of transient blows for each value in a study of many values, as the
+/// scenario sets them. If the scenario only sets the number of blows, a fifth of them are transient.
 DrillLength scanLengthOf(const Scenario& scenario);
 
 /// Returns the reasons why a sequence of blows cannot be computed for a valid scenario, each with its key:
@@ -77,7 +80,7 @@ DrillLength scanLengthOf(const Scenario& scenario);
 std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length);
 
 /// Returns the reasons why no sequence of blows can be computed in a study of many values, as one line; empty
-/// if one can.
+/// if a sequence can be computed.
 Message drillProblem(const Scenario& scenario);
 
 }  // namespace drillwave

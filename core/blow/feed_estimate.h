@@ -21,7 +21,8 @@ namespace drillwave {
 enum class ThrustCase {
     /// The blow of the scenario, with its own gap.
     scenario,
-    /// 95 % of all gaps within a period, in the rock of the scenario.
+    /// Gaps within a period, in the rock of the scenario: the required feed force is sufficient for 95 % of
+    /// them.
     gapQuantile,
     /// Rigid rock, with the coefficient of restitution e = 1; the usual estimate.
     rigidRock,

@@ -63,14 +63,15 @@ std::string describe(const MethodChoice& choice);
 /// Returns the reason why a method cannot solve a blow that other methods can; empty if it can solve it.
 Message methodRefusal(Method method, const Problem& problem);
 
-/// Work of a wave piece of the exact solver, in units of the work of a cell of a drill string.
+/// Work to compute a wave piece with the exact solver, in units of the work to compute a cell (time step) of
+/// a drill string.
 inline constexpr long cellsOfPiece = 30;
 
 /// Limits of the work of one blow. A blow that needs more is not solved.
 struct WorkLimits {
     /// Maximum number of wave pieces of the exact solver.
     long pieces = defaultWorkLimit;
-    /// Maximum number of cells times nodes for a drill string.
+    /// Maximum work for a drill string, in cells (time steps) times nodes (ends of sections).
     long cells = mostNetworkCells;
 };
 
@@ -95,7 +96,7 @@ class MethodSolver {
     /// of this solver.
     ChainSolution solveString(const Scenario& scenario, NetworkSettings settings,
                               const std::stop_token& stop = {});
-    /// Returns the maximum number of cells times nodes for a drill string.
+    /// Returns the maximum work for a drill string, in cells (time steps) times nodes (ends of sections).
     long mostCells() const { return m_mostCells; }
 
   private:

@@ -41,7 +41,7 @@ enum class Measure {
     stress,
     /// Velocity, in units of v0: velocity of the hammer, or I0 over the mass of the rod.
     velocity,
-    /// Force in N. This and the following measures have no dimensionless number.
+    /// Force in N. This unit, power and velocity in m/s have no dimensionless number.
     newton,
     /// Power in W; there is no dimensionless number.
     watt,
@@ -92,10 +92,10 @@ struct Output {
     std::string_view meaning;
     /// Unit, which decides how the value is shown.
     Measure measure;
-    /// Detail that the solver must provide for this output.
+    /// Least detail with which the solver must be called for this output.
     Detail detail;
-    /// Function that returns the value in units of `measure`; nullopt without the waves, or if problem()
-    /// gives a reason.
+    /// Function that returns the value in units of `measure`; nullopt if it needs waves that were not
+    /// computed, or if problem() gives a reason.
     std::optional<double> (*number)(const OutputSource&);
     /// Title in reports, such as "peak force".
     std::string_view title;
@@ -110,17 +110,18 @@ struct Output {
     /// Kind of load, if the output is a largest force or stress.
     std::optional<Load> load = {};
     /// Function that returns the reason why a scenario for which the output is defined has no value; nullptr
-    /// if all have one.
+    /// if every such scenario has a value.
     Message (*lack)(const Scenario&) = nullptr;
     /// Title in the window if it differs from `title`; otherwise empty.
     std::string_view shortTitle = {};
-    /// Position within its group; final values come before largest values during the blow.
+    /// Position among the outputs of the same group; final values come before largest values during the blow.
     int order = 0;
 
     /// Returns the reason why a scenario for which the output is defined has no value, and the remedy; empty
     /// if it has one.
     Message problem(const Scenario& scenario) const;
-    /// Returns the value in units of `measure`; nothing without the waves, or if problem() gives a reason.
+    /// Returns the value in units of `measure`; nothing if it needs waves that were not computed, or if
+    /// problem() gives a reason.
     std::optional<double> value(const OutputSource& source) const {
         return concerns(source.scenario) ? number(source) : std::nullopt;
     }
@@ -129,19 +130,20 @@ struct Output {
     bool concerns(const Scenario& scenario) const;
     /// Returns the title in the window, such as "peak force"; empty if the window does not list the output.
     std::string_view label() const;
-    /// Returns whether the output has a value in SI only.
+    /// Returns whether the output has a value in SI units only, and no dimensionless one.
     bool isOnlySi() const;
     /// Returns whether the output requires OutputSource::thrustMargin.
     bool needsThrustStudy() const;
     /// Returns whether the output requires OutputSource::drill; true for all drillOutputs().
     bool needsDrilling() const;
-    /// Returns the physical quantity of the value; Quantity::ratio if its number in SI is the same, and for
-    /// shares of the energy.
+    /// Returns the physical quantity of the value; Quantity::ratio for shares of the energy, and for numbers
+    /// that are the same in SI.
     Quantity quantity() const;
-    /// Returns the physical quantity of the result of inSi(): energy for a share of the energy, otherwise
-    /// that of quantity().
+    /// Returns the physical quantity of the value converted by inSi(): energy for a share of the energy,
+    /// otherwise that of quantity().
     Quantity siQuantity() const;
-    /// Returns the factor from the dimensionless value to SI; 1 for a share of the energy.
+    /// Returns the factor by which the dimensionless value is multiplied to give SI units; 1 for a share of
+    /// the energy.
     double scale(const Scales& scales) const;
     /// Returns the value converted to SI. A share of the energy becomes J, with the hammer work in `source`.
     double inSi(double value, const OutputSource& source, const Scales& scales) const;
@@ -151,7 +153,7 @@ struct Output {
 std::span<const Output> outputs();
 
 /// Returns the outputs `drill_…` of many blows under a feed, which follow those of one blow in the table.
-/// Each case requires a sequence of blows, so they are computed only when requested by name.
+/// They require a sequence of blows for each case, so they are computed only when requested by name.
 std::span<const Output> drillOutputs();
 
 /// Returns the sequences of blows that an output of drillOutputs() requires.

@@ -18,16 +18,16 @@ namespace drillwave {
 struct StressPeak {
     /// Magnitude of the stress, in Pa; ≥ 0.
     double stress = 0;
-    /// Position, in m from the rear end of the section.
+    /// Position of the stress, in m from the rear end of the section.
     double place = 0;
-    /// Time since the start of the blow, in s.
+    /// Time of the stress since the start of the blow, in s.
     double time = 0;
 };
 
 /// Largest compressive and tensile stress of a section, during the blow and after it as in SectionForces.
 using SectionStress = OfLoads<StressPeak>;
 /// Returns the largest stresses of all sections in SI, from the rear end of the hammer on; empty unless the
-/// forces were requested.
+/// largest forces were requested.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact);
 /// Returns the largest stresses of a uniform rod in SI, as a list with one section.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const RodForces& forces);
@@ -46,7 +46,7 @@ StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
                  const std::vector<int>& pieces);
 
-/// Returns whether the blow was computed beyond its end, so that there are stresses after it.
+/// Returns whether the blow was computed beyond its end, so that stresses of the residual waves are known.
 bool hasStressesAfter(const Impact& impact);
 
 /// Returns the alerts about strengths; none for sections without a strength. `stress_above_yield`: the
@@ -55,11 +55,11 @@ bool hasStressesAfter(const Impact& impact);
 /// the strength. Each alert has position and time.
 std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
 
-/// Returns the alerts about the solution of a drill string: rounded lengths, a blow that was not over at the
-/// end of the computation, stresses that were left out because of their work.
+/// Returns the alerts about the solution of a drill string: rounded lengths, a blow that was not over when
+/// the computation ended, and stresses that were not computed because they would take too long.
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
-// Use of the strengths of sections by the largest stresses of a blow
+// Stress over strength of the sections, for the largest stresses during a blow
 
 /// Largest stress of a section compared with one of its strengths.
 struct StrengthUse {
@@ -77,15 +77,15 @@ struct StrengthUse {
     double share() const { return peak.stress / strength; }
 };
 
-/// Returns the largest use of strength of a section during the blow. The candidates are tension over fatigue
-/// strength, and tension or compression over yield strength. Returns nothing if the section has neither
-/// strength.
+/// Returns the largest ratio of stress to strength of a section during the blow. The candidates are tension
+/// over fatigue strength, and tension or compression over yield strength. Returns nothing if the section has
+/// neither strength.
 std::optional<StrengthUse> strengthUse(const SectionStress& stress,
                                        const std::optional<double>& yieldStrength,
                                        const std::optional<double>& fatigueStrength);
 
-/// Returns the use of strength of every section, in the order of sectionStresses(). A uniform rod is one
-/// section.
+/// Returns the largest ratio of stress to strength for every section, in the order of sectionStresses(). A
+/// uniform rod is one section.
 std::vector<std::optional<StrengthUse>> strengthUses(const Scenario& scenario,
                                                      const std::vector<SectionStress>& stresses);
 

@@ -13,9 +13,10 @@
 
 namespace drillwave {
 
-// Change of e of a measured blow if only some of its samples are used
+// Change of the coefficient of restitution of a measured blow if only some of its samples are used
 
-/// Maximum number of samples used; also the longest table that a scenario may have.
+/// Maximum number of samples of a measured blow that are used; also the longest table that a scenario may
+/// have.
 inline constexpr std::size_t mostSamplesFollowed = 100'000;
 
 /// Effect on the coefficient of restitution of using only some of the samples of a measured blow.
@@ -23,9 +24,9 @@ struct ThinningEffect {
     /// Coefficient of restitution e with the points that are used.
     double cor = 0;
     /// Change of the coefficient of restitution: `cor` less the value with all samples, or with
-    /// mostSamplesFollowed of them.
+    /// mostSamplesFollowed of them if there are more.
     double change = 0;
-    /// Upper bound of the numerical error of the change.
+    /// Upper bound of the absolute numerical error of `change`.
     double error = 0;
 };
 
@@ -43,7 +44,7 @@ inline constexpr double thinningError = 1e-4;
 
 /// Measured hammer force with reduced points, and the effect of the reduction.
 struct ThinnedBlow {
-    /// Hammer force with the points that are used.
+    /// Hammer force made from the points that are used.
     ShapedSignal signal;
     /// Magnitude of the relative change of the impulse, compared with all samples.
     double impulseChange = 0;

@@ -49,8 +49,8 @@ class ContactLaw {
             addLines(law);
     }
 
-    /// Returns the law with every slope limited to `steepest` > 0. Only its slopes, the rates of a solver,
-    /// are meaningful: penetrations no longer belong to β.
+    /// Returns the law with every slope limited to `steepest` > 0, in units of k0 = Z/t0. Use only the slopes
+    /// of the result, as rates of a solver: its penetrations do not match β.
     ContactLaw limitedTo(Real steepest) const {
         ContactLaw limited = *this;
         if (m_slopes.elastic <= steepest) return limited;
@@ -111,7 +111,8 @@ class ContactLaw {
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
     /// Returns the force at which the current loading line ends, in units of F0; infinity if it does not end.
     Real cornerForce() const { return m_cornerForce; }
-    /// Continues the loading on the line above the next corner of the loading curve. Requires hasCorner().
+    /// Passes the next corner of the loading curve: loading continues on the line above it. Requires
+    /// hasCorner().
     void passCorner() {
         assert(hasCorner());
         m_from = (*m_lines)[++m_line];
