@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Roots and minima of functions of one variable, by Brent's methods. Boost.Math offers both, with equally
-// good roots. Its minima are accurate to 4e-8, these to 1e-9, and its headers take 140 MB.
+// Roots and minima of functions of one variable, by Brent's methods. Boost.Math has equally good roots. Its
+// minima are accurate to 4e-8 only, those here to 1e-9, and its headers take 140 MB.
 #pragma once
 
 #include <algorithm>

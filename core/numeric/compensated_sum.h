@@ -18,7 +18,7 @@ class CompensatedSum {
     }
     CompensatedSum& operator+=(Real term) {
         const Real sum = m_sum + term;
-        // no branch for the larger of the two: its prediction would often fail
+        // no branch that selects the larger number: the processor would often predict it wrongly
         const Real added = sum - m_sum;
         m_lost += (m_sum - (sum - added)) + (term - added);
         m_sum = sum;

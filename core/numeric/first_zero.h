@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Result of the search for the first zero u of a function that starts positive.
+/// Result of the search for the first zero u of a function that is positive at the start of the search.
 template <class Real>
 struct Zero {
     bool found = false;
@@ -81,8 +81,8 @@ std::array<Real, 2> valueAndSlope(const Real* c, int count, Real u) {
 /// out.
 enum class MarchEnd { zero, passed, exhausted };
 
-/// Returns the largest step h with value + slope·h − bend·h²/2 ≥ 0, or a little less. If a zero is near, 1 +
-/// √(1 + q) is replaced by 2 + q/2, which is larger and needs no square root.
+/// Returns the largest step h with value + slope·h − bend·h²/2 ≥ 0, or a little less. If a zero is near,
+/// 1 + √(1 + q) is replaced by 2 + q/2, which is larger and needs no square root.
 template <class Real>
 Real stepOver(Real value, Real slope, Real bend) {
     constexpr Real tiny = std::numeric_limits<Real>::min();
@@ -92,10 +92,10 @@ Real stepOver(Real value, Real slope, Real bend) {
     return slope > 0 ? (slope + root) / (bend + tiny) : 2 * value / (root - slope + tiny);
 }
 
-/// Advances u towards `end` until the zero of p(u) = Σ c_k u^k or until u passes `end`, and returns which
-/// came first, or that 24 steps were too few. Requires p(u) ≥ 0 at the start and −bend ≤ p'' ≤ rise,
-/// both ≥ 0, which limit the steps: none passes a zero. Convergence is quadratic. The number of steps is
-/// written to `step`. Always inlined, as a call takes 1.5 % of the time of a solution.
+/// Advances u towards `end` until the zero of p(u) = Σ c_k u^k or until u passes `end`. Returns which of both
+/// came first, or that 24 steps were too few. Requires p(u) ≥ 0 at the start and −bend ≤ p'' ≤ rise, with
+/// bend and rise ≥ 0; these bounds limit the steps, so that no step passes a zero. Convergence is quadratic.
+/// The number of steps is written to `step`. Always inlined, as a call takes 1.5 % of the time of a solution.
 template <class Real>
 [[gnu::always_inline]] inline MarchEnd marchToZero(const Real* c, int count, Real end, Real bend, Real rise,
                                                    Real noise, Real& u, int& step) {
@@ -163,8 +163,8 @@ Zero<Real> firstZero(const Real* c, int count, Real end, SearchCount& tally, Rea
         while (count > 0 && c[0] == 0) ++c, --count;
     if (count == 0) return {};
     if (start == 0 && c[0] < 0) return Zero<Real>::at(0);
-    // Bounds over [0, 1] by Horner's scheme: c_k + u r(u) ≥ c_k + min(least r, 0). They see how coefficients
-    // of alternating signs cancel.
+    // Bounds over [0, 1] by Horner's scheme: c_k + u r(u) ≥ c_k + min(least r, 0). They are narrow even if
+    // coefficients of alternating signs cancel.
     Real size = 0, least = 0;
     for (int k = count - 1; k >= 0; --k) {
         size += std::abs(c[k]);
@@ -196,7 +196,7 @@ Zero<Real> firstZero(const Real* c, int count, Real end, SearchCount& tally, Rea
 }
 
 /// Calls found(x) for each maximum of the integral of f in (0, length), where f changes from positive to
-/// negative. Returns false if a zero could not be decided.
+/// negative. Returns false if one of the searches for a zero was undecided.
 template <class Real, class Found>
 bool forEachMaximum(const PowerSeries<Real>& f, Real length, Found found) {
     if (f.isZero()) return true;

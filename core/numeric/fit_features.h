@@ -35,8 +35,8 @@ struct MonotoneSegment {
 /// has no values. The segments point to the pieces, which must outlive them.
 std::vector<MonotoneSegment> segmentsOf(std::span<const FitPiece> pieces, std::size_t output);
 
-/// One side of a point where the slope of a fitted function may jump. It has the nearest piece with a
-/// reliable slope, the slope at that end, and the error of the slope.
+/// One side of a point where the slope of a fitted function may jump: the nearest piece with a reliable
+/// slope, the slope at the end of that piece, and the error of the slope.
 struct FitSide {
     const FitPiece* piece = nullptr;
     double slope = 0;
@@ -53,9 +53,9 @@ inline constexpr double leastSlopeWidth = 1e-6;
 /// of the fit.
 bool hasSlope(const FitPiece& piece);
 
-/// Returns the left and right side of a point that may be a kink. Both `fromLeft` and `fromRight` are this
-/// point, but differ by the period for a periodic function. Returns nullopt inside a piece, where the
-/// function is smooth, and where one side is missing.
+/// Returns the left and right side of a point that may be a kink. Both `fromLeft` and `fromRight` are the x
+/// of this point; for a periodic function they may differ by the period. Returns nullopt inside a piece,
+/// where the function is smooth, and where one side is missing.
 std::optional<std::pair<FitSide, FitSide>> sidesAt(std::span<const FitPiece> pieces, std::size_t output,
                                                    double fromLeft, double fromRight);
 
@@ -66,8 +66,8 @@ bool isAngle(const FitSide& left, const FitSide& right, double scale);
 /// Least or largest value of a function, and the x at which it is taken.
 struct FitExtreme {
     Estimate value;
-    /// Position x of the extreme. Its error is the distance within which the value stays within its own
-    /// error.
+    /// Position x of the extreme. Its error is the distance within which the value of the function changes by
+    /// no more than the error of that value.
     Estimate place;
     bool everywhere = false;  ///< the function is constant within its errors
 };
@@ -82,8 +82,8 @@ FitExtreme extremeOf(std::span<const MonotoneSegment> segments, Extreme which);
 struct LocalExtreme {
     Extreme which = Extreme::least;
     Estimate value;
-    /// Position x of the extreme. Its error is the distance within which the value stays within its own
-    /// error.
+    /// Position x of the extreme. Its error is the distance within which the value of the function changes by
+    /// no more than the error of that value.
     Estimate place;
 };
 /// Returns the local minima and maxima of a function in ascending order of x, without those at its two ends.

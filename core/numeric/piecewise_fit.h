@@ -51,12 +51,12 @@ class Chebyshev {
 /// Largest number of functions that are fitted together, on the same pieces.
 inline constexpr std::size_t mostFitFunctions = 3;
 
-/// Values at one x of all functions that are fitted together.
+/// Values at one x of all functions that are fitted together, and their error.
 struct FitSample {
     double x = 0;
     std::array<double, mostFitFunctions> values{};
     double error = 0;  ///< bound on the absolute error of the values
-    /// Number that stays the same while the functions are smooth; it differs on the two sides of a kink.
+    /// Number that is equal for all samples between two kinks, and differs on the two sides of a kink.
     std::uint64_t order = 0;
     int label = 0;        ///< any number by which the caller distinguishes pieces
     bool solved = false;  ///< whether the functions have values at this x
@@ -91,20 +91,19 @@ struct FitSettings {
     // is available for later intervals.
     std::uint64_t solvesOfCell = 2'000;
     std::uint64_t kinksOfCell = 100;
-    /// Limit on the number of samples without values in an interval between two cuts. The limit is not
-    /// carried over to later intervals.
+    /// Maximum number of samples without values in an interval between two cuts. Numbers that were not used
+    /// are not carried over to later intervals.
     std::uint64_t failuresOfCell = 20;
-    /// Limit on the total effort of all evaluations. Beyond it pieces are not refined, and count as not
-    /// resolved.
+    /// Maximum total effort of all evaluations. Beyond it pieces are not refined, and count as not resolved.
     long mostEffort = std::numeric_limits<long>::max();
-    /// Limit on the total effort of evaluations that gave no values.
+    /// Maximum total effort of evaluations that gave no values.
     long mostFailedEffort = std::numeric_limits<long>::max();
     /// Treatment of a point where values end: the pieces next to it are halved, or it is bracketed like a
     /// kink.
     enum class Ends { halved, bracketed } ends = Ends::halved;
 };
 
-/// Piecewise fit of the functions from the first cut to the last.
+/// Result of a piecewise fit of the functions, from the first cut to the last.
 struct PiecewiseFit {
     /// Pieces in ascending order without gaps, with very short ones of length kinkWidth around kinks.
     std::vector<FitPiece> pieces;
@@ -114,9 +113,10 @@ struct PiecewiseFit {
     double unsolved = 0;          ///< total length, in units of x, over which there are no values
 };
 
-/// Function that is fitted: returns the sample at x. Results after a stop request are not used.
+/// Function that evaluates the fitted functions and returns the sample at x. Results after a stop request are
+/// not used.
 using FitFunction = std::function<FitSample(double x)>;
-/// Function called during the fit with the x up to which pieces are complete.
+/// Function called during the fit with the x up to which the pieces are complete.
 using FitProgress = std::function<void(double x)>;
 
 /// Fits the functions between ascending `cuts`, at least two, and returns the pieces. Pieces end where the
@@ -136,8 +136,8 @@ PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, 
 /// with values at or before x.
 const FitPiece& pieceAt(std::span<const FitPiece> pieces, double x);
 
-/// Returns ascending x at which to draw a fit: the ends of the pieces with values, and points between them at
-/// most `farthest` apart. Points closer than 1e-9 are merged.
+/// Returns the x, ascending, at which to draw a fit: the ends of the pieces with values, and points between
+/// them at most `farthest` apart. Points closer than 1e-9 are merged.
 std::vector<double> samplePlaces(std::span<const FitPiece> pieces, double farthest);
 
 }  // namespace drillwave

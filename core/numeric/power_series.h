@@ -44,8 +44,9 @@ Real sumOf(int first, int count, Term term) {
     return sum + other;
 }
 
-/// Performs `passes` synthetic divisions of the Taylor shift moveBy() at once, starting with coefficient
-/// `first`. Each division depends only on the current value of the one before, so that they run in parallel.
+/// Performs `passes` synthetic divisions of the polynomial Σ c_k x^k by (x − u) at once, from coefficient
+/// `first` on; moveBy() consists of such divisions. Each division needs only the current value of the one
+/// before, so that they run in parallel.
 template <int passes, class Real>
 void divide(Real* c, int count, int first, Real u) {
     std::array<Real, passes> s;
@@ -56,14 +57,15 @@ void divide(Real* c, int count, int first, Real u) {
         for (int m = 1; m < passes; ++m) s[m] = s[m - 1] + u * s[m];
         c[k] = s[passes - 1];
     }
-    for (; k >= first; --k) {  // the last of the divisions have ended
+    for (; k >= first; --k) {  // one division fewer in each step
         s[0] = c[k] + u * s[0];
         for (int m = 1; m <= k - first; ++m) s[m] = s[m - 1] + u * s[m];
         c[k] = s[k - first];
     }
 }
 
-/// Replaces the coefficients of p(u) by those of p(u + shift), where `u` is the shift (Taylor shift).
+/// Replaces the `count` coefficients c of a polynomial p(x) by those of p(x + u), with the shift u (Taylor
+/// shift).
 template <class Real>
 void moveBy(Real* c, int count, Real u) {
     constexpr int atOnce = 4;
@@ -191,7 +193,7 @@ struct PowerSeries {
     }
 };
 
-// Preservation of the moments of a power series when another one replaces it.
+// Polynomial that preserves the moments of a power series when another series replaces it.
 
 /// Number of moments that a replaced series preserves: ∫ f xʲ dx for j = 0 … 3.
 inline constexpr int keptMoments = 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measurement of the run time of a function, little disturbed by other work on the machine.
+// Measurement of the processor time of a function, little disturbed by other work on the machine.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ class Stopwatch {
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// Processor time of one run in seconds, as median and minimum of several runs after a warm-up. It is the
-/// time of the thread, so that other work on the machine has little effect.
+/// Processor time of one run in seconds, as median and minimum of several runs after a warm-up. Only the time
+/// of this thread counts, so that other work on the machine has little effect.
 struct RunTime {
     double median = 0;
     double least = 0;
@@ -38,7 +38,7 @@ inline double threadSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Measures the processor time of work(), which has already run once and took about `estimate` seconds. Short
+/// Returns the processor time of work(), which has already run once and took about `estimate` seconds. Short
 /// work is repeated within a run until a run takes 1 ms. Calls onRun() after each run. A stop request ends
 /// the measurement early.
 template <class Work, class OnRun>
