@@ -85,8 +85,8 @@ class BitNode {
     void setWidths(const std::vector<double>& widths);
 
     /// Advances the bit by one cell (time step): computes the reflected wave b from the arriving wave g. The
-    /// cell has the width number `index` and begins at `time`, in units of t0. If `jump` returns a place,
-    /// nothing else is valid: all cells must be cut there, and the step repeated.
+    /// cell has the width number `index` and begins at `time`, in units of t0. If `jump` then says that all
+    /// cells must be cut, nothing else is valid, and the step must be repeated after the cut.
     void step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump);
     /// State at a time within a cell (time step), and the reflected wave from the start of the cell to that
     /// time.
@@ -94,12 +94,13 @@ class BitNode {
         BitNodeState state;
         WaveCell leaving;
     };
-    /// Returns the state after the fraction `share` (0 … 1) of the next cell, without advancing the bit. g is
-    /// the arriving wave, `index` the number of the cell's width, `time` its start in units of t0.
+    /// Returns the state after the fraction `share` (0 … 1) of the next cell (time step), without advancing
+    /// the bit. g is the arriving wave, `index` the number of the cell's width, `time` its start in units of
+    /// t0.
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
-    /// Advances a bit without mass that certainly stays away from the rock; it reflects −g. Returns false and
-    /// changes nothing if the bit may touch the rock in this cell, or has a mass.
+    /// Advances a bit without mass by one cell (time step) if it certainly stays away from the rock; the bit
+    /// then reflects −g. Returns false and changes nothing if the bit may touch the rock, or has a mass.
     bool flyStep(const WaveCell& g, std::size_t index) {
         return m_mass == 0 && m_now.isApart() && fly(g, m_maps[index].width);
     }
@@ -117,7 +118,8 @@ class BitNode {
     /// `isFresh`, the bottom of the crater becomes the surface of new rock. A force that acts then continues
     /// along the first loading line; on a straight line, F becomes γF.
     Turned beginCycle(bool isFresh);
-    /// Requests that the record includes peaks that are below the largest force that the rock remembers.
+    /// Makes the record include force peaks below the largest force that the rock remembers; by default they
+    /// are left out.
     void notePeaksOfCycles() { m_notesAllPeaks = true; }
     /// Sets the velocity of the bit mass, in units of F0/Zr, positive towards the rock.
     void setVelocity(double velocity) { m_now.velocity = velocity; }
@@ -130,7 +132,7 @@ class BitNode {
     /// The rock then remembers `largestForce` (in F0).
     void putAt(double placeFromBottom, double largestForce);
 
-    /// Returns the impact force over the cell of the last step.
+    /// Returns the impact force over the last cell (time step), in units of F0.
     const WaveCell& cellForce() const { return m_cellForce; }
 
     /// Returns the state of bit and rock after the last step.
@@ -146,7 +148,8 @@ class BitNode {
     double fastestRate() const;
     /// Appends to `rates` all rate constants of the differential equations of bit and rock, in units of 1/t0.
     void addRates(std::vector<double>& rates) const;
-    /// Returns the number of pieces computed in cells with contact events, a measure of the work.
+    /// Returns the number of stretches between events that were computed in cells (time steps) with contact
+    /// events, a measure of the work.
     long pieces() const { return m_pieces; }
     /// Returns the reason why an event could not be located; empty if there was no such failure.
     std::string_view failureReason() const { return m_failureReason; }
@@ -154,12 +157,13 @@ class BitNode {
   private:
     struct CellMaps;
     struct EventPiece;
-    /// Event that ends a part of a cell with one formula of the force, and the line of the law after the
-    /// event.
+    /// Event that ends a stretch of a cell (time step) on one line of the bit–rock law, and the line after
+    /// the event.
     struct LineEvent {
         Zero<double> zero;
         ContactLine line;
-        /// Whether the same line of the law continues with another slope.
+        /// Whether the event is a corner of the loading curve, so that the same kind of line continues with
+        /// another slope.
         bool isCorner = false;
     };
 
@@ -179,13 +183,14 @@ class BitNode {
     void touch(double time);
     double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }
 
-    /// Linear maps of the force along one loading line of the law, for one cell width.
+    /// Linear maps over a cell (time step) for the force on one loading line of the bit–rock law, for one
+    /// cell width.
     struct LineMaps {
-        /// Number of the line, ContactLaw::loadingLine().
+        /// Index of the loading line for which the maps are, as in ContactLaw::loadingLine().
         std::size_t line = 0;
-        /// Map for a bit without mass (M = 0).
+        /// Linear map of the force over a cell for a bit without mass (M = 0).
         Relaxation free;
-        /// Map of velocity and force for a bit with mass (M > 0).
+        /// Linear map of velocity and force over a cell for a bit with mass (M > 0).
         Oscillation mass;
     };
     LineMaps mapsOfLine(double width) const;
@@ -193,13 +198,13 @@ class BitNode {
 
     struct CellMaps {
         double width = 0;
-        /// Maps for the current loading line, at first the first one.
+        /// Linear maps for the loading line of the bit–rock law that is now in use, at first the first line.
         LineMaps loading;
-        /// Map of the force on the elastic line, for M = 0.
+        /// Linear map of the force on the elastic line of the bit–rock law, for a bit without mass.
         Relaxation elastic;
-        /// Map of the velocity while apart, for M > 0.
+        /// Linear map of the velocity of a bit with mass while bit and rock are apart.
         Relaxation apart;
-        /// Map of velocity and force on the elastic line, for M > 0.
+        /// Linear map of velocity and force on the elastic line of the bit–rock law, for a bit with mass.
         Oscillation elasticMass;
     };
 

@@ -11,14 +11,14 @@
 
 namespace drillwave {
 
-/// Fineness of the parts of a cell after a wave front, where some quantity changes fast.
+/// Fineness of the parts of a cell (time step) after a wave front, where forces change fast.
 struct Grading {
     /// Width of the first part after a wave front, times the fastest rate of the differential equations;
     /// dimensionless.
     double first;
-    /// Ratio of the width of each part to that of the part before.
+    /// Ratio of the width of each part of a cell to that of the part before; ≥ 1.
     double growth;
-    /// Maximum number of wave fronts for which cells are cut.
+    /// Maximum number of wave fronts for which cells (time steps) are cut.
     int mostCuts;
     bool operator==(const Grading&) const = default;
 };
@@ -28,7 +28,7 @@ struct Grading {
 class CellCuts {
   public:
     CellCuts() = default;
-    /// Creates uncut cells of the size `cell` [t0]; see begin().
+    /// Creates uncut cells (time steps) of the size `cell` [t0]; the arguments are those of begin().
     CellCuts(double cell, const std::vector<double>& rates, const Grading& grading) {
         begin(cell, rates, grading);
     }
@@ -36,18 +36,19 @@ class CellCuts {
     /// equations [1/t0]. Together with `grading` they decide how finely a cell is divided after a wave front.
     void begin(double cell, const std::vector<double>& rates, const Grading& grading);
 
-    /// Returns the number of parts of each cell.
+    /// Returns the number of parts of each cell (time step); 1 if cells are not cut.
     std::size_t count() const { return m_places.size(); }
     /// Returns the position in the cell at which each part begins, as a fraction of the cell: 0 = places()[0]
     /// < … < 1.
     const std::vector<double>& places() const { return m_places; }
-    /// Returns the width of each part, in units of t0.
+    /// Returns the width of each part of a cell (time step), in units of t0.
     const std::vector<double>& widths() const { return m_widths; }
 
     /// Returns the time at which part number `step` starts, in units of t0. Parts are counted from the start
     /// of a whole cell at the time 0; `step` and the time may be negative.
     double clock(long step) const { return Walk(*this, step).clock(); }
-    /// Returns the width of part number `step`, in units of t0.
+    /// Returns the width of part number `step`, in units of t0. Parts are counted through all cells (time
+    /// steps).
     double width(long step) const { return Walk(*this, step).width(); }
 
     /// Iterator over consecutive parts of cells; it avoids a division for each part.
@@ -59,7 +60,7 @@ class CellCuts {
             m_cell = step >= 0 ? step / parts : -((parts - 1 - step) / parts);
             m_part = static_cast<std::size_t>(step - m_cell * parts);
         }
-        /// Returns the index of the present part within its cell.
+        /// Returns the index of the present part within its cell (time step), from 0.
         std::size_t part() const { return m_part; }
         /// Returns the time at which the present part starts, in units of t0.
         double clock() const {
@@ -67,7 +68,7 @@ class CellCuts {
         }
         /// Returns the width of the present part, in units of t0.
         double width() const { return m_cuts.m_widths[m_part]; }
-        /// Advances to the next part, in the next cell if necessary.
+        /// Advances to the next part of the cell (time step), or to the first part of the next cell.
         void next() {
             if (++m_part < m_cuts.count()) return;
             m_part = 0;
@@ -80,7 +81,7 @@ class CellCuts {
         std::size_t m_part;
     };
 
-    /// Returns whether the maximum number of cuts is reached.
+    /// Returns whether the maximum number of cuts, Grading::mostCuts, is reached.
     bool isFull() const;
     /// Cuts every cell at `place` (a fraction of the cell), and divides the cell after it as finely as after
     /// a wave front. Returns false and changes nothing if cells are cut there already, or if the maximum
@@ -98,8 +99,8 @@ class CellCuts {
     void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
                std::span<WaveCell> parts) const;
 
-    /// Writes the mean of each whole cell to `means`. `parts` are consecutive parts from part number `step`
-    /// on, count() of them for each mean.
+    /// Writes the mean of each whole cell (time step) to `means`. `parts` are consecutive parts from part
+    /// number `step` on, count() of them for each mean.
     void meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const;
 
   private:
@@ -122,16 +123,16 @@ class CellCuts {
 struct CellGrid {
     /// Size Δ of a cell (time step), in units of t0.
     double cell = 0;
-    /// Number of cells in the round trip of each section: 2T = roundTrips · Δ.
+    /// Round trip of each section as a number of cells (time steps): 2T = roundTrips · Δ.
     std::vector<long> roundTrips;
     /// Largest rounding error of a round trip, |2T − roundTrips · Δ|, in units of t0.
     double rounding = 0;
 
-    /// Halves the size of the cells and doubles the numbers of cells.
+    /// Halves the size Δ of the cells and doubles the number of cells in each round trip.
     void halve();
 };
 
-// Both functions reuse the memory of the given grid.
+// Both functions write to the given grid and reuse its memory.
 
 /// Writes the largest cell that divides all round trips to 1e-9 of the longest one. Returns false if that
 /// cell would be smaller than `leastCell` [t0]; the content of `grid` is then invalid.

@@ -40,9 +40,10 @@ class CellLattice {
 
     // Functions for the last computed block
 
-    /// Returns the present division of cells into parts.
+    /// Returns the present division of cells (time steps) into parts.
     const CellCuts& cuts() const { return m_cuts; }
-    /// Returns the number of steps (parts of cells) before the block, the same on every clock.
+    /// Returns the number of time steps (parts of cells) before the block; it is the same on the clocks of
+    /// all nodes.
     long step() const { return m_step; }
     /// Returns the clock reading at the start of the block, in units of t0; it is the same on the clocks of
     /// all nodes.
@@ -58,7 +59,7 @@ class CellLattice {
 
     // Functions for the state after the last computed block
 
-    /// Returns the state of the hammer face, or of the force that replaces the hammer.
+    /// Returns the state of the hammer face, or of the prescribed force that replaces the hammer.
     const FaceNodeState& face() const { return m_force ? m_force->state() : m_face.state(); }
     /// Returns the state of bit and rock.
     const BitNodeState& bit() const { return m_bit.state(); }
@@ -72,7 +73,8 @@ class CellLattice {
     /// Returns the work beyond the time steps themselves, in cells: for cells that were cut within sections,
     /// and for cells with contact events.
     long work() const { return m_recut + workOfEvents(); }
-    /// Returns the work of cells with contact events, in units of the work of a cell without events.
+    /// Returns the work of cells (time steps) with contact events, in units of the work of a cell without
+    /// events.
     long workOfEvents() const;
     /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const {
@@ -91,11 +93,11 @@ class CellLattice {
     void keepNodes();
     void restoreNodes();
 
-    /// Jump of a wave that a node causes within a step of the block.
+    /// Jump of a wave that the contact at a node (end of a section) causes within a time step of the block.
     struct NodeJump {
         bool found = false;
         std::size_t node = 0, step = 0;
-        /// Place of the jump as a fraction of the cell, 0 … 1.
+        /// Position of the jump as a fraction of the cell (time step), 0 … 1.
         double place = 0;
     };
 
@@ -133,7 +135,7 @@ class CellLattice {
     BitNode m_bit;
     /// Waves that run away from the rock, for each section.
     std::vector<DelayLine<WaveCell>> m_lines;
-    /// Waves towards the rock over the block, for one section after the other.
+    /// Waves towards the rock over the block of time steps, for one section after the other.
     std::vector<WaveCell> m_downs;
     /// Order of computation in a block: nodes (ends of sections) and the steps of each.
     std::vector<NodeTurn> m_turns;
@@ -144,8 +146,8 @@ class CellLattice {
     long m_step = 0;
     std::vector<ImpactEvent> m_events;
     long m_recut = 0, m_mostRecut = 0;
-    /// Whether cuts are still allowed; false once the rest of the blow would take too much work with more
-    /// parts.
+    /// Whether cells (time steps) may still be cut; false once the rest of the blow would take too much work
+    /// with more parts.
     bool m_mayCut = true;
     /// Waves away from the rock over the block after attenuation, as they arrive at the rear end of a
     /// section.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Momentum, energy and state of everything that moves, at one time.
+// Momentum, energy and state of hammer, string and rock at one time.
 #pragma once
 
 #include <optional>
@@ -17,29 +17,32 @@ namespace drillwave {
 /// Integrals over time of one wave of a section: over the part that has left the section, and over the part
 /// that is in it.
 struct LineSums {
-    /// ∫f dt and ∫f² dt of the part of the wave f that has left the section, with the amplitudes at its
-    /// entry.
+    /// ∫f dt [I0] and ∫f² dt [F0² t0] of the part of the wave f that has left the section, with the
+    /// amplitudes at its entry.
     double passed = 0, passedSquare = 0;
-    /// ∫f dt and ∫f² dt of the part of the wave f in the section, with the amplitudes at its entry.
+    /// ∫f dt [I0] and ∫f² dt [F0² t0] of the part of the wave f in the section, with the amplitudes at its
+    /// entry.
     double entered = 0, enteredSquare = 0;
-    /// ∫f dt and ∫f² dt of the part of the wave f in the section, with its present amplitudes.
+    /// ∫f dt [I0] and ∫f² dt [F0² t0] of the part of the wave f in the section, with its present amplitudes.
     double present = 0, presentSquare = 0;
 };
 
-/// Accumulator of the integrals over one wave of a section, cell by cell.
+/// Accumulator of the integrals over one wave of a section, to which the cells (time steps) of the wave are
+/// added one by one.
 class LineCensus {
   public:
-    /// Creates the integrals of a wave for the clock time `to`. The section then contains what entered since
-    /// `from`. Over that time the logarithm of the amplitude decreases by `decay`. Before clock time 0 the
-    /// wave was constant, `before`.
+    /// Creates the integrals of a wave in a section at the time `to`, on the clock where the wave enters. The
+    /// section then contains what entered since `from`. Over that time the logarithm of the amplitude
+    /// decreases by `decay`. Before the clock time 0 the wave had the constant value `before`.
     LineCensus(double from, double to, double decay, double before);
 
-    /// Returns whether cells that enter between two clock times contribute. Cells that have left the section
-    /// only do if energy is lost.
+    /// Returns whether cells (time steps of the wave) that enter the section from `start` to `end` contribute
+    /// to the integrals. Cells that have left the section contribute only if energy is lost.
     bool concerns(double start, double end, bool losses) const {
         return start < m_to && (losses || end > m_from);
     }
-    /// Adds a cell that enters the section at the clock time `start`.
+    /// Adds a cell (time step) of the wave, of the given width, that enters the section at the clock time
+    /// `start`, in units of t0.
     void add(const WaveCell& cell, double start, double width) {
         if (start >= m_to) return;
         if (start + width <= m_from) {
@@ -54,8 +57,9 @@ class LineCensus {
             addAcross(cell, start, width);
         }
     }
-    /// Sets the exact part, up to the clock time `to`, of the cell that begins at `start`. It replaces the
-    /// first part of that cell's cubic, which has the moments of the whole cell only.
+    /// Sets the exact part, up to the clock time `to` of the constructor, of the cell (time step) that begins
+    /// at `start`. It replaces the first part of that cell's cubic, which has the moments of the whole cell
+    /// only.
     void setEntered(const WaveCell& part, double start) { m_entered = {part, start}; }
     /// Returns the integrals over the cells added so far, in units of I0 and F0² t0.
     const LineSums& sums() const { return m_sums; }
@@ -93,31 +97,34 @@ struct CensusResult {
 
 // Sums over hammer and string at one time, taken while the blow is computed
 
-/// Clocks of the nodes (ends of sections). A node's clock lags behind the time by the travel time from the
+/// Clocks of the nodes (ends of sections). The clock of a node is late by the travel time of a wave from the
 /// hammer face to the node.
 struct StringClocks {
     /// Sets the clocks of a string. `transitTimes` are the one-way transit times of its sections, in units of
     /// t0.
     void begin(std::size_t hammerSections, const std::vector<double>& transitTimes);
 
-    /// Delay of each node: time = clock + delays[i], in units of t0. It is negative in the hammer.
+    /// Delay of the clock of each node (end of a section): time = clock + delays[i], in units of t0. It is
+    /// negative in the hammer.
     std::vector<double> delays;
     /// One-way transit time of each section, in units of t0.
     std::vector<double> transitTimes;
-    /// Returns the delay of the rear end of the hammer, in units of t0; it is the smallest of all nodes and ≤
-    /// 0.
+    /// Returns the delay of the clock at the rear end of the hammer, in units of t0; it is the smallest of
+    /// all clocks and ≤ 0.
     double earliest() const { return delays.front(); }
-    /// Returns the delay of the bit, in units of t0; it is the largest of all nodes.
+    /// Returns the delay of the clock at the bit, in units of t0; it is the largest of all clocks.
     double bit() const { return delays.back(); }
 };
 
-/// Sums of momentum and energy over hammer, string and rock at one time. They are complete when every node's
-/// clock has passed that time. One sum after another can be taken in the same memory.
+/// Sums of momentum and energy over hammer, string and rock at one time. They are complete when the clock of
+/// every node (end of a section) has passed that time. One sum after another can be taken in the same memory.
 class StringCensus {
   public:
-    /// Starts a new sum for the time `time`, in units of t0. `problem` and `clocks` must outlive it.
+    /// Starts a new sum of momentum and energy at the time `time`, in units of t0. `problem` and `clocks`
+    /// must outlive it.
     void begin(const Problem& problem, const StringClocks& clocks, double time);
-    /// Returns whether a sum is being taken, from begin() to finish(). All other functions require this.
+    /// Returns whether a sum of momentum and energy is being taken, from begin() to finish(). All other
+    /// functions require this.
     bool isUnderWay() const { return m_isUnderWay; }
     /// Ends the present sum without a result.
     void abandon() { m_isUnderWay = false; }
@@ -127,7 +134,7 @@ class StringCensus {
     /// Returns the clock reading, in units of t0, at which the sum is complete: all nodes (ends of sections)
     /// have passed its time.
     double lastClock() const { return m_result.time - m_clocks->earliest(); }
-    /// Returns the reading of a node's clock at the time of the sum, in units of t0.
+    /// Returns the reading of the clock of a node (end of a section) at the time of the sum, in units of t0.
     double clockOf(std::size_t node) const { return m_result.time - m_clocks->delays[node]; }
 
     /// Returns the sums of the wave towards the rock that enters section `j` at its rear end.
@@ -141,7 +148,8 @@ class StringCensus {
     /// Sets the velocity of the mass after section `j`, in units of F0/Zr.
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 
-    /// Returns the result of the sum and ends it. Requires that the clocks have passed lastClock().
+    /// Returns the completed sums of momentum and energy, and ends them. Requires that the clocks have passed
+    /// lastClock().
     CensusResult finish();
 
   private:
@@ -153,8 +161,9 @@ class StringCensus {
     CensusResult m_result;
 };
 
-/// Returns the time t/t0 from which a string without losses cannot meet rock or hammer again, if it meets
-/// neither between the census and that time (strings §8). Returns nothing if that time is unknown.
+/// Returns the time t/t0 from which a string without losses cannot meet rock or hammer again. This assumes
+/// that it meets neither from the time of `census` to that time (strings §8). Returns nothing if that time is
+/// unknown.
 std::optional<double> restTime(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

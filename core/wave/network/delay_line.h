@@ -15,8 +15,8 @@ namespace drillwave {
 template <class Cell>
 class DelayLine {
   public:
-    /// Restarts the queue with the length `delay` (in cells), in the same memory. Its content must be written
-    /// by content(). At most `mostBlock` cells may be written before each advance().
+    /// Restarts the queue with the length `delay` (in cells), in the same memory. The caller must write its
+    /// content by content(). At most `mostBlock` cells may be written before each advance().
     void restart(std::size_t delay, std::size_t mostBlock) {
         m_mostBlock = mostBlock;
         m_delay = delay;
@@ -31,9 +31,9 @@ class DelayLine {
     Cell* leaving() { return m_cells.data() + m_at + m_delay; }
     /// Returns a pointer to the last written cells that enter the section.
     const Cell* leaving() const { return m_cells.data() + m_at + m_delay; }
-    /// Returns the length of the queue in cells.
+    /// Returns the length of the queue in cells (time steps): the round trip of the section.
     std::size_t delay() const { return m_delay; }
-    /// Returns all cells in the section, the oldest first.
+    /// Returns all cells (time steps) of the wave in the section, the oldest first.
     std::span<const Cell> content() const { return {arriving(), m_delay}; }
     std::span<Cell> content() { return {m_cells.data() + m_at, m_delay}; }
 
@@ -50,8 +50,8 @@ class DelayLine {
     /// moved back to the start.
     std::size_t room() const { return 3 * m_delay + 2 * m_mostBlock; }
 
-    /// Enlarges the buffer to more than is needed now, because the queue becomes longer with every cut of the
-    /// cells.
+    /// Enlarges the buffer to more than is needed now, because the queue becomes longer whenever cells (time
+    /// steps) are cut.
     void grow() {
         if (m_cells.capacity() < room()) {
             const std::size_t more = std::max(room(), 2 * m_cells.capacity());

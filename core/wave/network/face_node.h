@@ -63,9 +63,9 @@ class FaceNode {
         const WaveCell &f1, &b2;
         WaveCell &b1, &f2;
     };
-    /// Advances the contact by one cell, and writes the leaving waves. The cell has the width number `index`
-    /// and begins at `time`, in units of t0. If `jump` returns a place, all cells must be cut there, and the
-    /// step repeated.
+    /// Advances the contact by one cell (time step), and writes the leaving waves. The cell has the width
+    /// number `index` and begins at `time`, in units of t0. If `jump` then says that all cells must be cut,
+    /// the step must be repeated after the cut.
     void step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump);
     /// State at a time within a cell (time step), and the leaving waves from the start of the cell to that
     /// time.
@@ -73,9 +73,9 @@ class FaceNode {
         FaceNodeState state;
         WaveCell f2, b1;
     };
-    /// Returns the state after the fraction `share` (0 … 1) of the next cell, without advancing the contact.
-    /// f1 and b2 are the arriving waves, `index` is the number of the cell's width, `time` its start in units
-    /// of t0.
+    /// Returns the state after the fraction `share` (0 … 1) of the next cell (time step), without advancing
+    /// the contact. f1 and b2 are the arriving waves, `index` is the number of the cell's width, `time` its
+    /// start in units of t0.
     Part partOfStep(const WaveCell& f1, const WaveCell& b2, int index, double share, double time) const;
 
     /// Returns the state of the contact after the last step.
@@ -86,7 +86,8 @@ class FaceNode {
     std::optional<double> stiffness() const { return m_stiffness; }
     /// Returns the rate at which the contact force follows the waves, in units of 1/t0; 0 for rigid faces.
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
-    /// Returns the number of pieces computed in cells with contact events, a measure of the work.
+    /// Returns the number of stretches between events that were computed in cells (time steps) with contact
+    /// events, a measure of the work.
     long pieces() const { return m_pieces; }
     /// Returns the reason why an event could not be located; empty if there was no such failure.
     std::string_view failureReason() const { return m_failureReason; }
@@ -127,11 +128,12 @@ class FaceNode {
 /// end of the force, its state is that of a face from which the hammer has separated for ever.
 class ForceNode {
   public:
-    /// Creates the rear end of a section of this impedance. `force` must outlive it.
+    /// Creates the rear end of a section of this impedance, on which the prescribed force `force` acts.
+    /// `force` must outlive the object.
     ForceNode(const PulseForce& force, double impedance) : m_force(&force), m_impedance(impedance) {}
 
-    /// Returns the wave f towards the rock over a cell of the given width that begins at `time` [t0], while
-    /// the wave `back` arrives.
+    /// Returns the wave f towards the rock over a cell (time step) of the given width that begins at `time`
+    /// [t0], while the wave `back` arrives.
     WaveCell step(const WaveCell& back, double time, double width);
 
     /// Returns the state of the rear end, including impulse and work of the force so far.

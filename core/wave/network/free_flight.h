@@ -14,7 +14,8 @@
 
 namespace drillwave {
 
-/// State of hammer and string at the start of a flight, in the dimensionless units of Problem (problem.h).
+/// State of hammer and string at the start of a free flight, in the dimensionless units of Problem
+/// (problem.h).
 struct FlightStart {
     /// Gap between hammer and string, in units of I0/Zr.
     double faceGap = 0;
@@ -32,14 +33,16 @@ struct FlightStart {
 /// √(Δ E/Z) (inequality of Cauchy and Schwarz).
 class FreeFlight {
   public:
-    /// Returns whether the method applies to the string: no section may have a mass, a loss or attenuation.
+    /// Returns whether this check applies to the hammer and string of a problem: no section may have a mass,
+    /// a loss or attenuation.
     static bool suits(const Problem& problem);
 
-    /// Returns whether the distances at the start are large enough that nothing can touch within a cell of
-    /// this size [t0], whatever the waves are.
+    /// Returns whether hammer, string and rock are so far apart at the start that none can touch another
+    /// within a cell (time step) of this size [t0], whatever the waves are.
     static bool isClear(const Problem& problem, double cell, const FlightStart& start);
 
-    /// Starts a flight in the same memory. The waves must be written by waves() before the flight continues.
+    /// Starts the check of a free flight, in the same memory. The caller must write the waves by waves()
+    /// before staysClear().
     void begin(const Problem& problem, const CellGrid& grid, const FlightStart& start);
     /// Returns the waves in a section that run towards the hammer, as means over each cell (time step) of its
     /// round trip, the oldest first.
@@ -48,7 +51,7 @@ class FreeFlight {
     /// Computes the motion for at least `cells` cells (time steps). Returns false as soon as bodies may have
     /// touched, or after a stop request.
     bool staysClear(double cells, const std::stop_token& stop);
-    /// Returns the number of cells computed so far.
+    /// Returns the number of cells (time steps) that were computed since the start of the free flight.
     double gone() const { return m_gone; }
 
   private:
@@ -56,7 +59,7 @@ class FreeFlight {
         double face = 0, bit = 0;
     };
     static Margins margins(const Problem& problem, double cell, const FlightStart& start);
-    /// Number of cells that one node computes before the next one.
+    /// Number of cells (time steps) that one node (end of a section) computes before the next node.
     static constexpr std::size_t block = 128;
 
     bool step(const NodeTurn& turn);

@@ -40,26 +40,28 @@ class Joint {
             for (const double width : widths) m_maps.emplace_back(rate() * width);
     }
 
-    /// Computes the leaving waves b1 and f2 from the arriving waves f1 and b2 for the next `count` steps. The
-    /// first of them is part number `part` of the `parts` parts of a cell. f1 = f2 and b2 = b1 are allowed.
+    /// Computes the leaving waves b1 and f2 from the arriving waves f1 and b2 for the next `count` time
+    /// steps. The first of them is part number `part` of the `parts` parts of a cell. f1 = f2 and b2 = b1 are
+    /// allowed.
     void step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell* f2, std::size_t count,
               std::size_t part, std::size_t parts);
 
     /// Returns the reflection coefficient R of the joint for a wave from the near side, −1 … 1.
     double reflection() const { return m_reflection; }
-    /// Returns the factor √(1 − η) by which the loss reduces the amplitude of a wave.
+    /// Returns the factor √(1 − η) by which the loss η of the joint reduces the amplitude of a transmitted
+    /// wave.
     double passing() const { return m_passing; }
     /// Returns the lumped mass M/(Zr t0); ≥ 0.
     double mass() const { return m_mass; }
     /// Returns the rate at which the velocity of the mass follows the waves, in units of 1/t0; requires a
     /// mass.
     double rate() const { return (m_impedance1 + m_impedance2) / m_mass; }
-    /// Returns the velocity of the mass, in units of F0/Zr, positive towards the rock.
+    /// Returns the velocity of the lumped mass, in units of F0/Zr, positive towards the rock.
     double velocity() const { return m_velocity; }
-    /// Sets the velocity of the mass, in units of F0/Zr.
+    /// Sets the velocity of the lumped mass, in units of F0/Zr, positive towards the rock.
     void setVelocity(double velocity) { m_velocity = velocity; }
-    /// Computes the leaving waves for a single cell, or part of one, of the given width [t0]; requires a
-    /// mass.
+    /// Computes the leaving waves b1 and f2 for one time step (a cell or a part of one) of the given width
+    /// [t0]; requires a lumped mass.
     void stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2);
 
   private:

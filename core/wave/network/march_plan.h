@@ -20,9 +20,9 @@ namespace drillwave {
 struct NodeTurn {
     /// Index of the node: node j is the rear end of section j; the index after the last section is the bit.
     std::size_t node;
-    /// First step within the block, and number of steps.
+    /// First time step within the block, and number of time steps.
     std::size_t from, count;
-    /// Returns the index of the first step after these.
+    /// Returns the index of the time step after the last one of this turn.
     std::size_t behind() const { return from + count; }
     bool operator==(const NodeTurn&) const = default;
 };
@@ -44,9 +44,10 @@ struct NetworkWants {
     bool forcesIfTheyFit = false;
     /// Whether the waves of every section are recorded over time.
     bool histories = false;
-    /// Kind of events at which cells are cut.
+    /// Kind of contact events at which all cells (time steps) are cut.
     CutAt cutAt = CutAt::jumps;
-    /// Fineness of the parts of a cell after a cut.
+    /// Fineness of the parts of a cell (time step) after a cut: width of the first part, growth, maximum
+    /// number of cuts.
     Grading grading{0.3, 1.5, 24};
     bool operator==(const NetworkWants&) const = default;
 };
@@ -75,25 +76,26 @@ class MarchPlan {
     /// requested results.
     void begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
 
-    /// Returns the problem as it is computed: round trips are rounded to whole cells, and the last section of
-    /// hammer and of string has no loss after it.
+    /// Returns the problem as it is computed: round trips are rounded to whole cells (time steps), and the
+    /// last section of hammer and of string has no loss after it.
     const Problem& problem() const { return m_problem; }
     /// Returns the number of sections of hammer and string.
     std::size_t sections() const { return m_problem.sections.size(); }
-    /// Returns the size of the cells and the round trips of the sections in cells.
+    /// Returns the size of the cells (time steps), and the round trips of the sections in cells.
     const CellGrid& grid() const { return m_grid; }
     /// Returns the requested results of the blow.
     const NetworkWants& wants() const { return m_wants; }
-    /// Returns the clocks of all nodes (ends of sections).
+    /// Returns the clocks of all nodes (ends of sections) and their delays.
     const StringClocks& clocks() const { return m_clocks; }
-    /// Returns the division of cells into parts at the start of the blow.
+    /// Returns the division of cells (time steps) into parts at the start of the blow.
     const CellCuts& cuts() const { return m_cuts; }
     /// Returns whether joints or sections of the string lose energy.
     bool isLossy() const { return m_lossy; }
     /// Returns the latest time to which the blow is computed, in units of t0: the end time, the next blow, or
     /// 40 round trips after the end of the force.
     double limitTime() const;
-    /// Returns the estimated work of the blow, and the number of cells it stores.
+    /// Returns the estimated work of the blow, and the number of cells (time steps) of waves that must be
+    /// stored.
     const ForeseenWork& foreseen() const { return m_foreseen; }
 
   private:

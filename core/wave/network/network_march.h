@@ -16,20 +16,21 @@
 
 namespace drillwave {
 
-/// Computation of a blow in blocks of steps, until it is proven that the string meets neither rock nor hammer
-/// again. One blow after another can be computed in the same memory. If only integrals are requested, a blow
-/// no larger than those before allocates nothing. The object cannot be moved, because its members point to
-/// each other.
+/// Computation of a blow in blocks of time steps, until it is proven that the string meets neither rock nor
+/// hammer again. One blow after another can be computed in the same memory. If only integrals are requested,
+/// a blow no larger than those before allocates nothing. The object cannot be moved, because its members
+/// point to each other.
 class NetworkMarch {
   public:
     NetworkMarch() = default;
     NetworkMarch(const NetworkMarch&) = delete;
     NetworkMarch& operator=(const NetworkMarch&) = delete;
 
-    /// Returns the estimated work of a blow; allocates no memory for waves.
+    /// Plans the computation of a blow for run(), and returns its estimated work; allocates no memory for
+    /// waves.
     const ForeseenWork& plan(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
-    /// Returns the result of the blow that was planned last. The work is limited to `mostCells` (cells ×
-    /// nodes); a blow that needs more is not solved.
+    /// Returns the result of the blow that plan() has prepared. The work is limited to `mostCells`, in cells
+    /// (time steps) times nodes (ends of sections); a blow that needs more is not solved.
     Impact run(long mostCells, const std::stop_token& stop);
     /// Returns the number of cells (time steps) of waves that were stored for all sections at the end of the
     /// blow.
@@ -54,7 +55,7 @@ class NetworkMarch {
     StringCensus m_census;
     FreeFlight m_flight;
     long m_cells = 0;
-    /// Work of free flights, in cells times nodes.
+    /// Work of checks of free flight, in cells (time steps) times nodes (ends of sections).
     double m_flown = 0;
     /// Momentum, energy and state at a time when hammer, string and rock were apart; empty if they have
     /// touched since.

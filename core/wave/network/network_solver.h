@@ -15,14 +15,16 @@ namespace drillwave {
 
 /// Accuracy of the solution of a blow on a drill string.
 enum class NetworkAccuracy {
-    /// One run with cells cut at jumps only. The error is estimated from the energy balance.
+    /// One run in which cells (time steps) are cut at jumps of waves only. The error is estimated from the
+    /// energy balance.
     quick,
-    /// A second run with cells cut at every bend of a wave. The error is estimated from the difference of
-    /// both runs. If the second run is too much work, only the quick run is used.
+    /// A second run in which cells (time steps) are cut at every bend of a wave. The error is estimated from
+    /// the difference between the runs. If the second run takes too much work, only the quick run is used.
     sure,
 };
 
-/// Maximum work of one run, in cells times nodes; it takes some seconds.
+/// Maximum work of one run, in cells (time steps) times nodes (ends of sections); a run of this size takes
+/// some seconds.
 inline constexpr long mostNetworkCells = 200'000'000;
 
 /// Settings for the computation of a blow on a drill string: accuracy, requested results, limits.
@@ -31,12 +33,12 @@ struct NetworkSettings {
     NetworkAccuracy accuracy = NetworkAccuracy::sure;
     /// Requested results besides the integrals over the blow.
     NetworkWants wants;
-    /// Number of times that the default size of the cells is halved.
+    /// Number of times that the default size of the cells (time steps) is halved; ≥ 0.
     int halvings = 0;
-    /// Maximum work of one run, in cells times nodes.
+    /// Maximum work of one run, in cells (time steps) times nodes (ends of sections).
     long mostCells = mostNetworkCells;
-    /// Whether the waves may come from a run with coarser, rounded round trips if otherwise they cannot be
-    /// kept.
+    /// Whether the waves may come from a run with larger cells and rounded round trips, if those of the
+    /// accurate run are too many to be kept.
     bool roundsForWaves = true;
 };
 
@@ -44,12 +46,13 @@ struct NetworkSettings {
 /// that oscillates too fast, or a reference case without waves. Returns an empty text if it can be solved.
 std::string_view networkRefusal(const Problem& problem);
 
-/// Writes the default cell, a common divisor of all round trips, into `grid`. Returns false if there is none
-/// that is large enough.
+/// Writes the default cell (time step), a common divisor of all round trips, into `grid`. Returns false if no
+/// such cell is large enough.
 bool usualGrid(const Problem& problem, CellGrid& grid);
 
-/// Returns the estimated error of efficiency and of other shares of E0, for a single run with cells. It is 20
-/// times the relative error of the energy balance, at least 1e-13 (strings §11).
+/// Returns the estimated error of efficiency and of other shares of the hammer energy E0, for a single run
+/// with cells (time steps). It is 20 times the relative error of the energy balance, at least 1e-13 (strings
+/// §11).
 double balanceError(const Impact& impact);
 
 /// Solver for blows on drill strings, which reuses its memory from blow to blow. If only integrals are
@@ -78,7 +81,7 @@ class NetworkSolver {
     std::unique_ptr<Workspace> m_workspace;
 };
 
-/// Returns the solution of a blow, computed with a new solver.
+/// Returns the solution of a blow, computed with a NetworkSolver made for this call.
 Impact solveNetwork(const Problem& problem, const NetworkSettings& settings,
                     const std::stop_token& stop = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solutions within a cell of y' = rate (q − y), for the force on the rock, the force of the hammer face and
-// lumped masses.
+// Solutions within a cell (time step) of y' = rate (q − y), for the force on the rock, the force of the
+// hammer face and lumped masses.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@ namespace drillwave {
 
 /// Taylor series of the solution of y' = rate (q − y) over a part of a cell (time step).
 struct RelaxationPiece {
-    /// Maximum number of terms of the series.
+    /// Maximum number of terms of the Taylor series.
     static constexpr int capacity = 20;
-    /// Start of the part, as a fraction of the cell.
+    /// Start of the part, as a fraction of the cell (time step), 0 … 1.
     double from = 0;
-    /// Width of the part, as a fraction of the cell: u = from + width v, 0 ≤ v ≤ 1.
+    /// Width of the part, as a fraction of the cell (time step): u = from + width v, 0 ≤ v ≤ 1.
     double width = 1;
     /// Number of terms of the Taylor series, ≤ capacity.
     int count = 0;
@@ -41,7 +41,7 @@ RelaxationPiece relaxationPiece(const WaveCell::Powers& input, double rate, doub
 class Relaxation {
   public:
     Relaxation() = default;
-    /// Creates the map; `rate` > 0 is per width of the cell.
+    /// Creates the map; `rate` > 0 is the rate times the width of the cell.
     explicit Relaxation(double rate);
 
     /// Returns the solution y over the cell for the input q, both as Legendre coefficients. `y` is the value
@@ -62,7 +62,7 @@ class Relaxation {
   private:
     void makeFast(double rate);
 
-    /// response to the input; indices [of q][of y]
+    /// moments of y for each moment of the input q; indices [of q][of y]
     std::array<std::array<double, WaveCell::count>, WaveCell::count> m_ofInput{};
     std::array<double, WaveCell::count> m_ofStart{};
     std::array<double, WaveCell::count> m_endOfInput{};
@@ -85,25 +85,27 @@ struct OscillationRates {
     double fastest() const;
 };
 
-/// Taylor series of velocity and force of a bit with mass over a part of a cell, for 0 ≤ v ≤ 1.
+/// Taylor series of velocity and force of a bit with mass over a part of a cell (time step), for 0 ≤ v ≤ 1.
 struct OscillationPiece {
     /// Number of terms of the Taylor series of velocity and of force.
     static constexpr int capacity = 24;
-    /// Width of the part, in the unit of time of OscillationRates.
+    /// Width of the part of the cell, in the unit of time of OscillationRates.
     double width = 1;
-    /// Coefficients of the velocity, V = Σ c_k v^k.
+    /// Coefficients c_k of the velocity, V = Σ c_k v^k.
     std::array<double, capacity> velocity;
-    /// Coefficients of the force, F = Σ c_k v^k.
+    /// Coefficients c_k of the force on the rock, F = Σ c_k v^k.
     std::array<double, capacity> force;
 
-    /// Returns the velocity of the bit at v, 0 ≤ v ≤ 1.
+    /// Returns the velocity of the bit, positive towards the rock, at the fraction v of the part of the cell,
+    /// 0 ≤ v ≤ 1.
     double velocityAt(double v) const { return polynomialValue(velocity.data(), capacity, v); }
-    /// Returns the force on the rock at v, 0 ≤ v ≤ 1.
+    /// Returns the force on the rock at the fraction v of the part of the cell, 0 ≤ v ≤ 1.
     double forceAt(double v) const { return polynomialValue(force.data(), capacity, v); }
 };
 
-/// Returns the series that starts with `velocity` and `force` and has the given width; width ·
-/// rates.fastest() ≤ 1 is required. `g` holds the powers of the arriving wave over this part only.
+/// Returns the Taylor series that starts with the given `velocity` and `force`, over a part of the given
+/// width; width · rates.fastest() ≤ 1 is required. `g` holds the powers of the arriving wave over this part
+/// only.
 OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell::Powers& g, double width,
                                   double velocity, double force);
 
@@ -111,11 +113,11 @@ OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell:
 class Oscillation {
   public:
     Oscillation() = default;
-    /// Creates the map for a cell of this width, in the unit of time of `rates`.
+    /// Creates the map for a cell (time step) of this width, in the unit of time of `rates`.
     Oscillation(const OscillationRates& rates, double width);
 
-    /// Writes the moments of velocity and force over the cell for the arriving wave `g`. `velocity` and
-    /// `force` are those at the start, and become those at the end.
+    /// Writes velocity and force over the cell for the arriving wave `g`, as Legendre coefficients.
+    /// `velocity` and `force` are the values at the start, and become those at the end.
     void follow(const WaveCell& g, double& velocity, double& force, WaveCell& velocities,
                 WaveCell& forces) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Search for the largest forces in a section while its waves are computed (strings §7).
+// Search for the largest forces in a section of hammer or string while its waves are computed (strings §7).
 #pragma once
 
 #include <algorithm>
@@ -17,23 +17,23 @@ namespace drillwave {
 
 // Largest values of steps in a moving window
 
-/// Upper bounds of a sequence of steps, stored as maxima over blocks of steps and over blocks of blocks.
-/// Steps are consecutive whole numbers; the newest are added and the oldest dropped. A search enters a block
+/// Upper bounds of the wave in consecutive time steps, stored as maxima over blocks of steps and over blocks
+/// of blocks. Steps are whole numbers; the newest are added and the oldest dropped. A search enters a block
 /// only if its maximum is large enough.
 class WindowMaxima {
   public:
-    /// Number of steps in the smallest block, and number of blocks in one of the next size.
+    /// Number of time steps in a smallest block, and number of blocks in a block of the next size.
     static constexpr long smallest = 32, growth = 8;
 
-    /// Returns the first step of the smallest block that contains `step`.
+    /// Returns the number of the first time step of the smallest block that contains `step`.
     static long blockStart(long step) { return smallest * blockOf(step, smallest); }
 
-    /// Clears the sequence, and prepares it for windows of `window` steps.
+    /// Clears all bounds, and prepares for windows of `window` time steps.
     void begin(long window);
-    /// Adds the upper bound `value` for all steps of the smallest block that contains `step`. One call for
-    /// each block is enough.
+    /// Adds the upper bound `value` for all time steps of the smallest block that contains `step`. One call
+    /// for each block is enough.
     void push(long step, double value);
-    /// Removes blocks that end before the step `oldest`.
+    /// Removes the bounds of blocks that end before the time step `oldest`.
     void dropBefore(long oldest);
 
     /// Calls `tell(step)` for the steps first ≤ step < behind that may have the wanted value, the newest
@@ -55,7 +55,7 @@ class WindowMaxima {
         return step >= 0 ? step / size : -((size - 1 - step) / size);
     }
 
-    /// Blocks of one size; block number n begins with the step n · size.
+    /// Maxima over blocks of one size; block number n begins with the time step n · size.
     struct Level {
         long size = smallest;
         long first = 0;  ///< number of the oldest stored block
@@ -89,7 +89,7 @@ struct WatchedSection {
     double transitTime = 0;
     /// Attenuation αL over one transit; ≥ 0.
     double decay = 0;
-    /// Time t/t0 at which the clock of the rear end reads zero.
+    /// Time t/t0 at which the clock of the section's rear end reads zero.
     double startTime = 0;
 };
 
@@ -108,8 +108,8 @@ class SectionWatch {
     /// each of `downs`. Overlaps of waves after `lastTime` [t0] are ignored.
     void add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step, const CellCuts& cuts,
              double lastTime);
-    /// Restarts at the start of a blow, or after cells were cut. `window` holds the waves that entered at the
-    /// front end during the round trip before `step`.
+    /// Restarts the search at the start of a blow, or after cells (time steps) were cut. `window` holds the
+    /// waves that entered at the front end during the round trip before `step`.
     void restart(std::span<const WaveCell> window, long step);
     /// Sets the end of the blow as known so far, and the end of the time for residual waves, in units of t0.
     /// Forces after the blow are recorded separately from those during the blow. If the end of the blow moves

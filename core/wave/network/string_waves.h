@@ -18,13 +18,13 @@ namespace drillwave {
 /// Side of a time at which a wave jumps: the value just before it, or just after it.
 enum class TimeSide { before, after };
 
-/// Wave of a uniform piece as seen at one position in it.
+/// Wave in a uniform piece of hammer or string, as seen at one position of the piece.
 struct WaveAtPlace {
     /// Wave as it enters the piece of the string: one cubic for each time step.
     const std::vector<WaveCell>* cells;
     /// Value of the wave before its first recorded time step arrives, in units of F0.
     double first;
-    /// Time t/t0 at which the clock of the piece's rear end reads zero.
+    /// Time t/t0 at which the clock of the uniform piece's rear end reads zero.
     double rearTime;
     /// Delay from rearTime until the wave that entered at the clock reading zero arrives at this position, in
     /// units of t0: ξτ for the wave f towards the rock, (2 − ξ)τ for the wave b away from it.
@@ -37,21 +37,24 @@ struct WaveAtPlace {
     double zero() const { return rearTime + delay; }
 };
 
-/// Both waves of one uniform piece of hammer or string, as they enter it. The wave f towards the rock enters
-/// at the rear end, the wave b away from it at the front end. At each end a clock starts from zero.
+/// Both waves of one uniform piece of hammer or string, where they enter the piece. The wave f towards the
+/// rock enters at the rear end, the wave b away from it at the front end. Each end has a clock that starts
+/// from zero.
 struct SectionWaves {
-    /// Impedance of the piece, ζ = Z/Zr with the reference impedance Zr.
+    /// Impedance of the uniform piece, ζ = Z/Zr with the reference impedance Zr.
     double impedance = 1;
-    /// One-way transit time τ, in units of t0.
+    /// One-way transit time τ of the uniform piece, in units of t0.
     double transitTime = 1;
-    /// Attenuation αL over one transit; ≥ 0.
+    /// Attenuation αL of a wave over one transit of the uniform piece; ≥ 0.
     double decay = 0;
-    /// Time t/t0 at which the clock of the rear end reads zero; at the front end it is τ later.
+    /// Time t/t0 at which the clock of the rear end reads zero; the clock of the front end reads zero τ
+    /// later.
     double rearTime = 0;
     /// Value of the wave f towards the rock before `rearTime`, in units of F0. The wave b away from the rock
     /// has the value −first then.
     double first = 0;
-    /// Waves f (`down`) and b (`up`) as they enter, one cubic for each step of the clock.
+    /// Waves f towards the rock (`down`) and b away from it (`up`) where they enter the piece, one cubic for
+    /// each time step.
     std::vector<WaveCell> down, up;
 
     /// Returns the wave f towards the rock as seen at the position ξ in the piece, 0 at its rear end … 1.
@@ -87,12 +90,12 @@ class StringWaves {
         m_pieces[piece].down.push_back(down);
         m_pieces[piece].up.push_back(up);
     }
-    /// Adds a step of all clocks that starts at `clock` and has the given width, in units of t0. `bitForce`
-    /// is the impact force. `rearForce` is the force on the rear end of the first section, used if it
-    /// replaces a hammer. Negative clock times are before the blow.
+    /// Adds a time step of all clocks that starts at `clock` and has the given width, in units of t0.
+    /// `bitForce` is the impact force. `rearForce` is the force on the rear end of the first section, used if
+    /// it replaces a hammer. Negative clock times are before the blow.
     void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
-    /// Adds a second force on the rear end of the string over the last added step, that of a damper. It must
-    /// be added for all steps or for none.
+    /// Adds a second force on the rear end of the string, that of a damper, over the time step that addStep()
+    /// added last. It must be added for all steps or for none.
     void addDamper(const WaveCell& force) { m_damperForces.push_back(force); }
     /// Sets the momentum of rod or string at the start of the blow, in units of I0.
     void setMomentum(double momentum) { m_momentum = momentum; }
@@ -105,7 +108,7 @@ class StringWaves {
 
     /// Returns the time t/t0 up to which the waves are known at all positions.
     double end() const { return m_end; }
-    /// Returns both waves of every uniform piece, from the rear end of the hammer to the bit.
+    /// Returns the waves f and b of every uniform piece, from the rear end of the hammer to the bit.
     std::span<const SectionWaves> pieces() const { return m_pieces; }
     /// Returns the number of sections of the scenario, in hammer and string together.
     std::size_t sections() const { return m_firstPieces.size() - 1; }
@@ -158,8 +161,8 @@ class StringWaves {
     /// I0.
     double given(double t) const { return m_momentum + m_faceForce.integral(t) + m_damperForce.integral(t); }
 
-    /// Returns the times from 0 to end() between which both waves at a position are smooth, increasing. Times
-    /// that differ only by rounding are merged.
+    /// Returns increasing times from 0 to end(), in units of t0: both waves at the position are smooth
+    /// between neighbouring times. Times that differ only by rounding are merged.
     std::vector<double> pieceTimes(std::size_t section, double xi) const;
 
     // Curves over the time t/t0 from 0 on; the three curves at the bit have the same pieces
@@ -218,9 +221,10 @@ using SectionEnvelope = std::vector<SectionForces>;
 struct EnvelopeGrid {
     /// Approximate number of positions in hammer and string, distributed in proportion to transit time.
     int places = 400;
-    /// Minimum number of intervals in a short section.
+    /// Minimum number of intervals between positions in each section.
     int leastOfSection = 8;
-    /// Maximum number of cells to examine; if more are needed, the number of positions is reduced.
+    /// Maximum number of cells (time steps of waves) to examine; if more are needed, the number of positions
+    /// is reduced.
     long mostSteps = 20'000'000;
 };
 

@@ -20,9 +20,9 @@ struct WaveCell {
     /// Coefficients c_k of the Legendre polynomials.
     std::array<double, count> c{};
 
-    /// Returns a wave that is constant over the cell.
+    /// Returns a wave of the constant value `value` over the cell (time step).
     static WaveCell constant(double value) { return {{value, 0, 0, 0}}; }
-    /// Returns the wave with f(u) = Σ p_k u^k.
+    /// Returns the wave f(u) = Σ p_k u^k, 0 ≤ u ≤ 1 over the cell (time step).
     static WaveCell fromPowers(const Powers& p) {
         WaveCell f;
         f.c[3] = p[3] / 20;
@@ -31,48 +31,48 @@ struct WaveCell {
         f.c[0] = p[0] + f.c[1] - f.c[2] + f.c[3];
         return f;
     }
-    /// Returns the coefficients p_k of f(u) = Σ p_k u^k.
+    /// Returns the coefficients p_k of the wave as a sum of powers, f(u) = Σ p_k u^k.
     Powers powers() const {
         return {c[0] - c[1] + c[2] - c[3], 2 * c[1] - 6 * c[2] + 12 * c[3], 6 * c[2] - 30 * c[3], 20 * c[3]};
     }
 
-    /// Returns the value at the start of the cell, u = 0.
+    /// Returns the value of the wave at the start of the cell (time step), u = 0.
     double start() const { return c[0] - c[1] + c[2] - c[3]; }
-    /// Returns the value at the end of the cell, u = 1.
+    /// Returns the value of the wave at the end of the cell (time step), u = 1.
     double end() const { return c[0] + c[1] + c[2] + c[3]; }
-    /// Returns the value at u, 0 ≤ u ≤ 1.
+    /// Returns the value of the wave at the fraction u of the cell (time step), 0 ≤ u ≤ 1.
     double value(double u) const {
         const double x = 2 * u - 1;
         return c[0] + c[1] * x + c[2] * (1.5 * x * x - 0.5) + c[3] * (2.5 * x * x - 1.5) * x;
     }
-    /// Returns the mean over the cell, ∫f du.
+    /// Returns the mean of the wave over the cell (time step), ∫f du.
     double mean() const { return c[0]; }
-    /// Returns the mean of the product with another wave, ∫f g du. It is written without divisions, because
-    /// every node computes it in every cell.
+    /// Returns the mean of the product of this wave and the wave g, ∫f g du. It is written without divisions,
+    /// because every node (end of a section) computes it in every cell.
     double meanProduct(const WaveCell& g) const {
         constexpr double third = 1.0 / 3, fifth = 1.0 / 5, seventh = 1.0 / 7;
         return (c[0] * g.c[0] + third * (c[1] * g.c[1])) +
                (fifth * (c[2] * g.c[2]) + seventh * (c[3] * g.c[3]));
     }
-    /// Returns the mean of the square, ∫f² du.
+    /// Returns the mean of the square of the wave, ∫f² du.
     double meanSquare() const { return meanProduct(*this); }
-    /// Returns the first moment, ∫u f du.
+    /// Returns the first moment of the wave, ∫u f du, with the fraction u of the cell.
     double firstMoment() const { return c[0] / 2 + c[1] / 6; }
-    /// Returns an upper bound of |f − mean| over the cell.
+    /// Returns an upper bound of |f − mean of f| over the cell (time step).
     double spread() const { return std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]); }
-    /// Returns an upper bound of |f| over the cell.
+    /// Returns an upper bound of the absolute value of the wave over the cell (time step).
     double largest() const { return std::abs(c[0]) + spread(); }
-    /// Returns a lower bound of f over the cell.
+    /// Returns a lower bound of the wave over the cell (time step).
     double least() const { return c[0] - spread(); }
-    /// Returns an upper bound of f over the cell.
+    /// Returns an upper bound of the wave over the cell (time step).
     double most() const { return c[0] + spread(); }
 
-    /// Maximum of f in the cell: its position u, 0 … 1, and its value.
+    /// Maximum of the wave f in a cell (time step): its position u, 0 … 1, and its value.
     struct Peak {
         double place;
         double value;
     };
-    /// Returns the maximum of f over the cell.
+    /// Returns the maximum of the wave over the cell (time step), and its position.
     Peak peak() const {
         Peak best = start() >= end() ? Peak{0, start()} : Peak{1, end()};
         if (std::abs(c[1]) >= 3 * std::abs(c[2]) + 6 * std::abs(c[3])) return best;  // monotonic
@@ -89,7 +89,7 @@ struct WaveCell {
         return best;
     }
 
-    /// Returns the same function over the part from ≤ u ≤ to of this cell, as a cell of its own.
+    /// Returns the wave over the part from ≤ u ≤ to of this cell (time step), as a cell of its own.
     WaveCell part(double from, double to) const {
         Powers p = powers();
         for (int i = 0; i + 1 < count; ++i)
@@ -117,7 +117,7 @@ struct WaveCell {
     }
 };
 
-/// Projection of a wave that is known in parts to the cubic with the same moments over a cell.
+/// Projection of a wave that is known in parts to the cubic with the same moments over a cell (time step).
 class CellProjection {
   public:
     /// Adds a part of the wave: the function f(u) over from ≤ u ≤ to, which must be smooth there. A
@@ -144,15 +144,16 @@ class CellProjection {
 
 // Events inside a cell: rules for which of them cut the cells, and which are only rounding
 
-/// Safety margin to a possible event, as a multiple of the wave's variation over the cell. If the distance to
-/// the event is larger, the cell is computed as a whole; its projection to a cubic changes the wave by less.
+/// Safety margin to a possible contact event, as a multiple of the wave's variation over the cell (time
+/// step). If the distance to the event is larger, the cell is computed as a whole; its projection to a cubic
+/// changes the wave by less.
 inline constexpr double quietMargin = 1e-3;
 
-/// Product of rate and width of a cell above which a force rises too fast for one cubic.
+/// Product of rate and width of a cell (time step) above which a force rises too fast for one cubic.
 inline constexpr double fastRise = 0.4;
 
-/// Maximum number of events at one time in a cell. A state that is still undecided after so many events is
-/// assumed to stay as it is for the rest of the cell.
+/// Maximum number of contact events at one time in a cell (time step). A state that is still undecided after
+/// so many events is assumed to stay as it is for the rest of the cell.
 inline constexpr int mostStanding = 4;
 
 /// Sets all coefficients with an absolute value of at most `rounding` to zero.
@@ -161,26 +162,26 @@ inline void dropRounding(double* c, int count, double rounding) {
         if (std::abs(c[k]) <= rounding) c[k] = 0;
 }
 
-/// Kind of events inside a cell at which all cells are cut.
+/// Kind of contact events inside a cell (time step) at which all cells are cut.
 enum class CutAt {
-    /// No events: cells are never cut.
+    /// No events: cells (time steps) are never cut.
     nothing,
-    /// Contacts whose force rises too fast for a cell.
+    /// Contacts whose force rises too fast for one cubic over a cell (time step).
     jumps,
-    /// All events that bend a wave, so that waves are smooth in all cells.
+    /// All events that bend a wave, so that waves are smooth in all cells (time steps).
     corners
 };
 
-/// First point in a cell at which all cells are to be cut.
+/// First point in a cell (time step) at which all cells are to be cut.
 struct CellJump {
-    /// Whether there is a point at which cells are to be cut.
+    /// Whether there is a point at which all cells (time steps) are to be cut.
     bool found = false;
-    /// Position of the cut as a fraction of the cell, 0 … 1.
+    /// Position of the cut as a fraction of the cell (time step), 0 … 1.
     double place = 0;
 
-    /// Records an event at the fraction `at` of the cell as the point to cut. It is ignored if `cutAt`
-    /// excludes its kind, if an earlier event is recorded, or at an end of the cell. `isJump` says that the
-    /// force rises too fast for a cell.
+    /// Records an event at the fraction `at` of the cell (time step) as the point to cut. It is ignored if
+    /// `cutAt` excludes its kind, if an earlier event is recorded, or at an end of the cell. `isJump` says
+    /// that the force rises too fast for a cell.
     void offer(CutAt cutAt, bool isJump, double at) {
         constexpr double nearest = 1e-9;  // nearer to its ends a cell is not cut
         if (found || at <= nearest || at >= 1 - nearest) return;

@@ -14,15 +14,15 @@
 
 namespace drillwave {
 
-/// Recorder of the requested results of a blow, block by block. If only integrals over the blow are
-/// requested, it does nothing. One blow after another can be recorded.
+/// Recorder of the requested results of a blow, to which the computed blocks of time steps are added. If only
+/// integrals over the blow are requested, it does nothing. One blow after another can be recorded.
 class WaveRecorder {
   public:
     /// Starts the recording of a blow. `plan` and `lattice` must outlive the blow.
     void begin(const MarchPlan& plan, const CellLattice& lattice);
 
-    /// Records the block that the lattice has computed last. The recording of waves stops when they are too
-    /// many to be kept.
+    /// Records the block of time steps that the lattice has computed last. The recording of waves stops when
+    /// they are too many to be kept.
     void add(const std::stop_token& stop);
     /// Discards the waves of a blow that could not be solved.
     void abandon() { m_waves.reset(); }
@@ -31,7 +31,7 @@ class WaveRecorder {
     void finish(double time, Impact& impact);
 
     /// Returns the additional work for the largest forces, in units of the work of a cell (time step).
-    /// `cells` is the work done so far without it, in cells times nodes.
+    /// `cells` is the work done so far without it, in cells times nodes (ends of sections).
     long workForForces(long cells) const;
     /// Discards the largest forces, because they take too much work.
     void leaveOutForces();
