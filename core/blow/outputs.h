@@ -78,7 +78,7 @@ struct OutputSource {
     const ImpactSummary& summary;
     /// Scenario of the blow.
     const Scenario& scenario;
-    /// Margin of the feed force from a study of all gaps; nothing if there was none.
+    /// Margin of the feed force, from a study of all gaps; nothing if there was no such study.
     std::optional<double> thrustMargin = {};
     /// Statistics of many blows; null if no sequence of blows was computed.
     const DrillNumbers* drill = nullptr;
@@ -117,8 +117,8 @@ struct Output {
     /// Position among the outputs of the same group; final values come before largest values during the blow.
     int order = 0;
 
-    /// Returns the reason why a scenario for which the output is defined has no value, and the remedy; empty
-    /// if it has one.
+    /// Returns the reason why a scenario, for which the output is defined, has no value, and the remedy;
+    /// empty if it has a value.
     Message problem(const Scenario& scenario) const;
     /// Returns the value in units of `measure`; nothing if it needs waves that were not computed, or if
     /// problem() gives a reason.
@@ -156,7 +156,7 @@ std::span<const Output> outputs();
 /// They require a sequence of blows for each case, so they are computed only when requested by name.
 std::span<const Output> drillOutputs();
 
-/// Returns the sequences of blows that an output of drillOutputs() requires.
+/// Returns which sequences of blows must be computed for an output of drillOutputs().
 RequiredMarches drillWishesOf(const Output& output);
 
 /// Returns the reason why a blow solved with `detail` has no valid result: "max_penetration is beyond the

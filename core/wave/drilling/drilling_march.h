@@ -50,7 +50,7 @@ class ReturnedLoss {
         return out;
     }
 
-    /// Returns the mean m of earlier waves, in units of F0.
+    /// Returns the mean m of earlier waves, to which the wave after the loss tends, in units of F0.
     double mean() const { return m_mean; }
     /// Sets the mean m of earlier waves, in units of F0.
     void setMean(double mean) { m_mean = mean; }
@@ -79,8 +79,8 @@ struct RearSample {
     double velocity = 0;
     /// Force of the damper on the rear end, in units of F0; ≥ 0 with a machine mass.
     double damperForce = 0;
-    /// Position x_b of the machine body towards the rock, in units of I0/Zr. Without a machine mass it is the
-    /// position of the rear end.
+    /// Position x_b of the machine body, in units of I0/Zr, positive towards the rock. Without a machine it
+    /// is the position of the rear end.
     double bodyPlace = 0;
 };
 
@@ -110,8 +110,8 @@ struct MarchedWaves {
     std::shared_ptr<StringWaves> waves;
     /// Contact events of bit and rock, in order of time, from the start of the previous blow on.
     std::vector<ImpactEvent> events;
-    /// Position of the bit relative to the bottom of the crater at the blow; positive into the rock, negative
-    /// while apart.
+    /// Position of the bit relative to the bottom of the crater at the start of the blow, in units of I0/Zr;
+    /// positive into the rock, negative while apart.
     double place = 0;
     /// Largest earlier force on the rock that the bit meets in this blow, in units of F0.
     double rememberedForce = 0;
@@ -151,7 +151,8 @@ class DrillingMarch {
     /// Returns the impulse of the hammer after its first separation, in the last blow, as a share of its
     /// momentum m_h v0.
     double lateShare() const { return m_lateShare; }
-    /// Returns the work of all blows so far, in cells times nodes, including the work of contact events.
+    /// Returns the work of all blows so far, in cells (time steps) times nodes (ends of sections), including
+    /// the work of contact events.
     double work() const;
     /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const { return m_failureReason; }
@@ -199,7 +200,8 @@ class DrillingMarch {
     /// Mean interval between blows, in units of t0.
     double m_interval = 1;
     double m_stringMass = 0, m_hammerMomentum = 1, m_hammerMass = 0;
-    /// Prescribed force over each time step (part of a cell), from the start of the blow on.
+    /// Prescribed force over each time step, from the start of the blow on; empty if a hammer strikes the
+    /// string.
     std::vector<WaveCell> m_force;
     std::vector<LossyLine> m_lines;
     /// Joints of neighbouring sections: m_joints[j] is between the sections j and j + 1.
@@ -212,14 +214,14 @@ class DrillingMarch {
     bool m_isWeakened = false;
     /// Waves b that arrive at the rear ends of all sections over one time step.
     std::vector<WaveCell> m_arriving;
-    /// Waves of m_arriving after the losses of m_upLosses.
+    /// Waves that arrive at the rear ends of all sections over one time step, after the losses of m_upLosses.
     std::vector<WaveCell> m_returning;
     std::mt19937 m_random;
 
     long m_count = 0;
-    /// Number of whole cells since the first blow.
+    /// Number of whole cells (time steps) from the first blow to the present interval.
     long m_cells = 0;
-    /// Number of cells in the present interval.
+    /// Number of cells (time steps) in the present interval between two blows.
     long m_nextInterval = 1;
     /// Index of the cell (time step) in the present interval in which the bit's clock reaches the time of the
     /// next blow.
@@ -228,15 +230,15 @@ class DrillingMarch {
     double m_gapShare = 0;      ///< fraction of part m_gapPart at which the next blow begins, 0 … 1
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
-    /// Impulse on the rock that is computed in the present interval and acts before the next blow, in units
-    /// of I0.
+    /// Impulse on the rock that is computed in the present interval between blows and acts before the next
+    /// blow, in units of I0.
     double m_impulseToGap = 0;
     /// Momentum of the string at the last blow, in units of I0, positive towards the rock.
     double m_momentumAtBlow = 0;
-    /// Impulse on the rock that was computed in the previous interval but acted after the last blow, because
-    /// the bit's clock is late; in units of I0.
+    /// Impulse on the rock that was computed in the interval before the last blow but acts after that blow,
+    /// because the bit's clock is late; in units of I0.
     double m_impulseCarriedOver = 0;
-    /// Impulse J that the hammer transferred in the previous interval, in units of I0.
+    /// Impulse J that the hammer transferred in the previous interval between blows, in units of I0.
     double m_lastImpulse = 0;
     double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
     double m_storedBefore = 0;
@@ -244,14 +246,14 @@ class DrillingMarch {
     double m_hammerLost = 0;
     double m_lateShare = 0;
     double m_holeDepth = 0;
-    double m_rearPlace = 0;  ///< position x_r of the rear end at the blow
-    double m_rearMoved = 0;  ///< displacement of the rear end since the blow
+    double m_rearPlace = 0;  ///< position x_r of the rear end at the last blow, in units of I0/Zr
+    double m_rearMoved = 0;  ///< displacement of the rear end since the last blow, in units of I0/Zr
     double m_stringTransit = 0;
     long m_cell = 0;  ///< index of the present cell within the interval
     std::string_view m_failureReason;
     DrillingSamples* m_samples = nullptr;
     MarchedWaves* m_kept = nullptr;
-    /// Number of cells from the first blow until the clock of the recorded waves reads zero.
+    /// Number of cells (time steps) from the first blow until the clock of the recorded waves reads zero.
     long m_keptCell = 0;
     /// Waves that enter each section at its rear end (down) and at its front end (back) over one time step.
     std::vector<WaveCell> m_downs, m_backs;

@@ -26,7 +26,7 @@ struct MachineBody {
 enum class DrillingStart {
     /// Rod or string is at rest.
     rest,
-    /// Rod or string moves towards the rock with v0/2.
+    /// Rod or string moves towards the rock with half the reference velocity v0.
     bouncing,
 };
 
@@ -39,8 +39,8 @@ struct DrillingProblem {
     double interval = 1;
     /// Effective feed force Fe/F0.
     double feedForce = 0;
-    /// Machine body between feed and rod. Without one, a constant force presses on the rod: Fe less the mean
-    /// force of the blows.
+    /// Machine body between feed and rod. Without one, a constant force presses on the rod: the effective
+    /// feed force Fe less the mean force of the blows.
     std::optional<MachineBody> machine;
     /// Wave loss η_j of every section per round trip, in addition to its attenuation; 0 ≤ η_j < 1 (drilling
     /// §3).
@@ -73,24 +73,25 @@ struct DrillingBlow {
     /// Impulse on the rock, in units of I0. This member and all after it are for the interval from this blow
     /// to the next one.
     double rockImpulse = 0;
-    /// Increase of the residual penetration, in units of I0/Zr.
+    /// Increase of the residual penetration from this blow to the next one, in units of I0/Zr.
     double penetration = 0;
-    /// Depth of the hole drilled so far, in units of I0/Zr.
+    /// Depth of the hole that all blows up to this one have drilled, in units of I0/Zr.
     double holeDepth = 0;
-    /// Largest impact force, in units of F0.
+    /// Largest impact force from this blow to the next one, in units of F0.
     double peakForce = 0;
-    /// Number of contacts of bit and rock that began.
+    /// Number of contacts of bit and rock that began from this blow to the next one.
     double contacts = 0;
-    /// Total duration of contact of bit and rock, in units of t0.
+    /// Total duration of contact of bit and rock from this blow to the next one, in units of t0.
     double contactTime = 0;
-    /// Largest damper force D, in units of F0.
+    /// Largest force D of the damper on the rear end from this blow to the next one, in units of F0.
     double damperPeak = 0;
-    /// Impulse J that the hammer transfers, in units of I0; 1 for a prescribed force.
-    double faceImpulse = 0;
-    /// Final velocity of the hammer, in units of F0/Zr, positive away from the rock; NaN for a prescribed
+    /// Impulse J that the hammer transfers to the string in this blow, in units of I0; 1 for a prescribed
     /// force.
+    double faceImpulse = 0;
+    /// Velocity of the hammer after this blow, in units of F0/Zr, positive away from the rock; NaN for a
+    /// prescribed force.
     double hammerRebound = 0;
-    /// Position of the rear end relative to the machine at the blow, x_r − x_b, in units of I0/Zr; NaN
+    /// Position of the rear end relative to the machine at this blow, x_r − x_b, in units of I0/Zr; NaN
     /// without a machine.
     double shankOffset = 0;
     bool operator==(const DrillingBlow&) const = default;
@@ -101,63 +102,67 @@ struct DrillingBlow {
 struct DrillingLedger {
     /// Work ∫Fa v_r dt of the prescribed force, or the energy that all hammers together have transferred.
     double hammer = 0;
-    /// Work ∫S v_b dt of the mean feed force S; for a constant force, ∫S v_r dt.
+    /// Work ∫S v_b dt of the mean feed force S on the machine body; ∫S v_r dt on the rear end if there is no
+    /// machine.
     double feed = 0;
     /// Work on the rock ∫F dU, less the elastic energy lost when compressed rock was replaced by new rock
     /// (`faces`).
     double rock = 0;
-    /// Work done on the damper, ∫D (v_b − v_r) dt, including the energy stored in its spring.
+    /// Work done on the damper between machine and rear end, ∫D (v_b − v_r) dt, including the energy stored
+    /// in its spring.
     double damper = 0;
-    /// Energy lost by waves in sections and joints.
+    /// Energy that waves have lost in sections and joints.
     double waves = 0;
     /// Elastic energy lost because compressed rock was replaced by new rock.
     double faces = 0;
-    /// Increase of the energy in machine, waves and lumped masses.
+    /// Increase of the energy in machine, waves and lumped masses since the first blow.
     double stored = 0;
-    /// Returns the error of the energy balance; 0 if it is exact.
+    /// Returns the error of the energy balance, in units of F0² t0/Zr; 0 if the balance is exact.
     double residual() const { return hammer + feed - rock - damper - waves - faces - stored; }
     bool operator==(const DrillingLedger&) const = default;
 };
 
 // Time steps (cells) for many blows: the start of every blow falls between two cells (drilling §6).
 
-/// Division of time into cells for a sequence of blows.
+/// Division of time into cells (time steps) for a sequence of blows.
 struct DrillingGrid {
     /// Size Δ of a cell (time step), in units of t0.
     double cell = 0;
-    /// Round trip 2T of each section in cells; need not be whole numbers.
+    /// Round trip 2T of each section in cells (time steps); it need not be a whole number.
     std::vector<double> roundTrips;
-    /// Division of cells into parts, if a jump of the prescribed force lies inside a cell.
+    /// Division of cells (time steps) into parts, if a jump of the prescribed force lies inside a cell.
     CellCuts cuts;
-    /// Number of cells in the mean interval between blows.
+    /// Number of cells (time steps) in the mean interval between blows.
     long cellsOfInterval = 1;
     /// Whether hammer and string count as separate as soon as they part; otherwise only after they have been
-    /// apart for a cell. If round trips are not whole cells, the cubic that represents a wave front
-    /// oscillates, and may open a false gap. Then the value is false.
+    /// apart for a cell (time step). It is false if round trips are not whole numbers of cells. The cubic
+    /// that represents a wave front then oscillates, and may open a false gap.
     bool releasesAtOnce = true;
 
     /// Returns the mean interval between blows as computed, in units of t0.
     double interval() const { return static_cast<double>(cellsOfInterval) * cell; }
-    /// Returns the relative change of the blow frequency by rounding the interval to whole cells.
+    /// Returns the relative change of the blow frequency that results if the interval between blows is
+    /// rounded to whole cells (time steps).
     double rounding(const DrillingProblem& problem) const { return problem.interval / interval() - 1; }
-    /// Sets roundTrips for these sections, in cells; the size of the cells does not change.
+    /// Sets roundTrips for these sections, in cells (time steps); the size of the cells does not change.
     void setSections(const std::vector<UniformSection>& sections);
-    /// Returns whether all round trips are whole numbers of cells.
+    /// Returns whether the round trips of all sections are whole numbers of cells (time steps).
     bool hasWholeTrips() const;
-    /// Returns the index of the first section whose round trip is shorter than a cell, which the computation
-    /// refuses; nothing if there is none.
+    /// Returns the index of the first section whose round trip is shorter than a cell (time step), which the
+    /// computation refuses; nothing if there is none.
     std::optional<std::size_t> shortSection() const;
-    /// Returns the estimated work of computing one blow, in cells times nodes (ends of sections).
+    /// Returns the estimated work of computing one blow, in cells (time steps) times nodes (ends of
+    /// sections).
     double work(const DrillingProblem& problem) const {
         return static_cast<double>(cellsOfInterval) * static_cast<double>(cuts.count()) *
                static_cast<double>(problem.blow.sections.size() + 1);
     }
 };
 
-/// Returns a division of time with at least `cellsPerDuration` cells per t0; up to sixteen times as many, so
-/// that every round trip has at least one cell. The interval between blows becomes a whole number of cells.
-/// All round trips also become whole numbers, if a common cell of at least an eighth of the wanted size
-/// divides them.
+/// Returns a division of time into at least `cellsPerDuration` cells (time steps) per t0; up to sixteen times
+/// as many, so that every round trip has at least one cell. The interval between blows becomes a whole number
+/// of cells. All round trips also become whole numbers, if a common cell of at least an eighth of the wanted
+/// size divides them.
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 /// Returns a second division of time, for the estimate of the error that the cells (time steps) cause. Its
 /// cells are twice as large as those of drillingGridOf(), or half as large if the round trips of a string

@@ -49,7 +49,7 @@ class CellShift {
 
     /// Returns whether θ > 0, so that a projection is needed.
     bool isShifted() const { return m_share > 0; }
-    /// Returns the cubic for the wave that begins in the cell `old` and ends in the cell `next`.
+    /// Returns the cubic for the wave that begins in the cell (time step) `old` and ends in the cell `next`.
     WaveCell project(const WaveCell& old, const WaveCell& next) const {
         // the coefficients are in separate arrays, so that the processor computes them in parallel
         Row first{}, second{};
@@ -62,13 +62,15 @@ class CellShift {
         for (int m = 0; m < WaveCell::count; ++m) out.c[m] = first[m] + second[m];
         return out;
     }
-    /// Returns ∫f du over the first fraction θ of a cell, in units of the cell's width.
+    /// Returns the integral ∫f du over the first fraction θ of a cell (time step), in units of F0; u runs
+    /// from 0 to 1 in the cell.
     double headMean(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) sum += m_headMean[k] * f.c[k];
         return sum;
     }
-    /// Returns ∫f² du over the first fraction θ of a cell, in units of the cell's width.
+    /// Returns ∫f² du over the first fraction θ of a cell (time step), in units of F0²; u runs from 0 to 1 in
+    /// the cell.
     double headSquare(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) {
@@ -146,7 +148,8 @@ class LossyLine {
     /// Returns whether the section has a wave loss.
     bool isLossy() const { return m_rate > 0; }
 
-    /// Returns the wave b_out that leaves the section over the next part of a cell, in units of F0.
+    /// Returns the wave b_out that leaves the section over the next time step (part of a cell), in units of
+    /// F0.
     WaveCell arrive() {
         WaveCell out = *m_line.arriving();
         if (m_shift.isShifted()) {
@@ -182,7 +185,8 @@ class LossyLine {
         pass(change, change * (2 * out.mean() + change), part);
     }
 
-    /// Returns the integral B of the wave in the section over time, in units of I0.
+    /// Returns the integral B = ∫b dt of the wave b in the section, over the time that the wave takes to
+    /// pass, in units of I0.
     double held() const { return m_held; }
     /// Returns the integral ∫b² dt of the square of the wave b in the section, over the time that the wave
     /// takes to pass, in units of F0² t0.
@@ -193,10 +197,11 @@ class LossyLine {
 
     // Functions that compare and move states
 
-    /// Returns the stored cells c = b − A, the oldest first.
+    /// Returns the wave in the section less its mean, c = b − A, as stored cells (time steps), the oldest
+    /// first.
     std::span<const WaveCell> stored() const { return m_line.content(); }
     std::span<WaveCell> stored() { return m_line.content(); }
-    /// Returns the mean A of the wave, in units of F0; used only with a loss.
+    /// Returns the mean A to which the wave in the section relaxes, in units of F0; used only with a loss.
     double mean() const { return m_mean; }
     /// Moves the stored cells c, the mean A and the integral B towards those of the section `other`, until
     /// the fraction `share` (0 … 1) of the difference remains. `widths` are the widths of the parts of a
@@ -244,7 +249,7 @@ class LossyLine {
     double m_ofRoundTrip = 1;
     double m_kept = 1;  ///< factor 1 − η by which a deviation from the mean is reduced
     double m_rate = 0;  ///< rate λ at which the wave relaxes to its mean, per t0
-    /// Coefficients of the equations (D3) for one part of a cell.
+    /// Coefficients of the equations (D3) of the wave loss for one time step (part of a cell).
     struct Part {
         double width;  ///< width Δ of the part, in units of t0
         double loss;   ///< product 2λΔ, relative loss of energy of a deviation

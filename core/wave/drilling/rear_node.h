@@ -17,7 +17,8 @@ namespace drillwave {
 struct RearState {
     /// Velocity v_b of the machine body, in units of F0/Zr, positive towards the rock.
     double bodyVelocity = 0;
-    /// Rounding error of v_b, kept so that a heavy body conserves its momentum.
+    /// Rounding error of the velocity v_b, in units of F0/Zr. The next step corrects it, so that a heavy body
+    /// conserves its momentum.
     double velocityRest = 0;
     /// Position of the machine body relative to the rear end, x = x_b − x_r, in units of I0/Zr.
     double stretch = 0;
@@ -25,7 +26,7 @@ struct RearState {
     double faceGap = 0;
     /// Contact force P/F0 of faces with a contact stiffness.
     double faceForce = 0;
-    /// Whether hammer and rear end are in contact.
+    /// Whether the hammer touches the rear end.
     bool touching = false;
     /// Whether the hammer no longer acts on the string until the next blow.
     bool released = true;
@@ -77,22 +78,24 @@ class RearNode {
         HammerFace face;
         /// Machine body with damper; nothing for a constant force.
         std::optional<MachineBody> machine;
-        /// Whether hammer and string count as separate as soon as they part; otherwise after they have been
-        /// apart for a cell.
+        /// Whether hammer and string count as separate as soon as they part; otherwise only after they have
+        /// been apart for a cell (time step).
         bool releasesAtOnce = true;
     };
     RearNode() = default;
-    /// Creates the rear end at rest. `widths` are the widths of the parts of a cell, in units of t0.
+    /// Creates the rear end at rest. `widths` are the widths of the parts of a cell (time step), in units of
+    /// t0.
     RearNode(const Parts& parts, std::span<const double> widths);
 
     /// Starts a blow: a new hammer touches the rear end, or a new prescribed force begins. `meanForce` is the
     /// mean force S of the feed until the next blow, in units of F0.
     void beginBlow(double meanForce);
 
-    /// Forces on the rear end over one part of a cell: P or Fa (`face`) and D (`damper`), in units of F0.
+    /// Forces on the rear end over one time step, in units of F0: that of the hammer or the prescribed force
+    /// (`face`), and that of the damper (`damper`).
     struct Forces {
         WaveCell face, damper;
-        /// Returns the total force on the rear end.
+        /// Returns the total force on the rear end, in units of F0.
         WaveCell sum() const { return face + damper; }
     };
     /// Advances the rear end by one time step, number `part` of a cell, and returns the forces on it. `f1` is
@@ -106,15 +109,16 @@ class RearNode {
     /// `rearMoved` is the displacement of the rear end since the blow, in units of I0/Zr.
     void endCycle(double duration, double rearMoved);
 
-    /// Returns the state after the last step.
+    /// Returns the state of machine, rear end and hammer after the last time step.
     const RearState& state() const { return m_now; }
     /// Restores a state of machine, rear end and hammer.
     void setState(const RearState& state) { m_now = state; }
-    /// Returns the sums since the last blow; complete after endCycle().
+    /// Returns the sums since the last blow; they are complete after endCycle().
     const RearSums& sums() const { return m_sums; }
     /// Returns the mean force S of the feed in the present interval, in units of F0.
     double meanForce() const { return m_meanForce; }
-    /// Returns 1/Z2, the velocity of the rear end per force.
+    /// Returns the velocity of the rear end per unit of force, 1/Z2 with the impedance Z2 of the first
+    /// section, in units of 1/Zr.
     double mobility() const { return m_mobility; }
     /// Returns the elastic energy in the contact stiffness of the faces [I0²/(Zr t0)]. It is lost with a
     /// hammer that still touches at the next blow.
@@ -152,9 +156,10 @@ class RearNode {
         Powers f1, b2, force;
         double width;
     };
-    /// Linear map over a whole cell in which the damper presses and nothing else changes. The inputs are S;
-    /// the coefficients of q = P − 2 b2 from the third down to the first; x, v_b; and the mean of q. Inputs
-    /// that are known late come last, so that most of the products can be computed before.
+    /// Linear map over a whole cell (time step) in which the damper presses and nothing else changes. The
+    /// inputs are the feed force S; the coefficients of q = P − 2 b2 from the third down to the first; x,
+    /// v_b; and the mean of q. Inputs that are known late come last, so that most of the products can be
+    /// computed before.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
         static constexpr int outputs = WaveCell::count + 1;  ///< number of outputs: D, and x at the end
