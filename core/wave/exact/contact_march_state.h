@@ -111,7 +111,8 @@ struct MarchLimits {
     /// null. It is called when they have piecesHandedOver pieces, then whenever they have as many pieces as
     /// it returned before.
     const HandOver* handOver = nullptr;
-    /// Whether the sums of Detail::ledger are computed, if that detail is requested.
+    /// Whether the sums of Detail::ledger (momentum and energy of the waves) are computed, if that detail is
+    /// requested.
     bool ledger = true;
     /// Largest permitted error of the coefficient of restitution; a solution is given up as soon as its error
     /// exceeds this value.
@@ -242,7 +243,7 @@ class ContactMarch {
         return true;
     }
 
-    /// Marks the blow as not solved because the order of two events depends on rounding; returns false.
+    /// Marks the blow as not solved because rounding decides the order of two events; returns false.
     bool undecided() {
         fail(translatable("the order of two events hangs on rounding"));
         return false;
@@ -267,7 +268,7 @@ class ContactMarch {
     MarchLimits m_limits;
     long m_mostPieces = 0;
     std::size_t m_nextHandOver = 0;
-    /// Number of computed pieces at which the work limit and a stop request are checked next.
+    /// Number of pieces after which the work limit and a stop request are checked next.
     long m_nextLook = 0;
     Detail m_detail = Detail::cor;
 
@@ -277,24 +278,24 @@ class ContactMarch {
     /// Time t/t0 since the start of the blow at which the first wave reaches the bit, where s = 0.
     Real m_arrival = 0;
     typename Basis::Sum m_s;  ///< present time s/t0 at the front end
-    /// Time up to which the hammer force has been used, in units of t0.
+    /// Time up to which the hammer force has been added to the waves, in units of t0.
     CompensatedSum<Real> m_hammerTime;
     std::size_t m_hammerPiece = 0;
     bool m_everTouched = false;
-    /// Whether bit and rock touch without a force while m_line is `apart`.
+    /// Whether bit and rock touch although the contact force is zero and m_line is `apart`.
     bool m_touching = false;
     bool m_justUnloaded = false;
-    /// Number of events in a row without progress in time.
+    /// Number of contact events in a row at the same time.
     int m_eventsOnTheSpot = 0;
-    /// Present line of the law; `apart` also for contact without force.
+    /// Line of the bit–rock law on which the contact is now; `apart` also for contact without force.
     ContactLine m_line = ContactLine::apart;
     /// Number of whole round trips of free flight that still pass before m_gap starts to close.
     Real m_periodsAhead = 0;
     /// Gap between bit and rock that is left after m_periodsAhead, in units of I0/Z.
     CompensatedSum<Real> m_gap;
-    /// Effect of the error of m_gap on the coefficient of restitution, counted once the gap closes.
+    /// Error of the coefficient of restitution that the rounding of m_gap causes, added once the gap closes.
     Real m_gapError = 0;
-    /// Time of the next check whether the rod stays away from the rock, in units of t0.
+    /// Time s/t0 at which it is next checked whether the rod certainly stays away from the rock.
     Real m_nextProof = never;
     /// Largest gap since the last separation, in units of I0/Z.
     Real m_opened = 0;

@@ -119,7 +119,8 @@ void ContactMarch<Basis>::rejoin() {
     if (m_detail >= Detail::events) m_impact->events.pop_back();
 }
 
-/// Advances the front end by a stretch of the given length, and records it if histories are requested.
+/// Advances the front end by a stretch of time of the given length [t0], and records it if histories are
+/// requested.
 template <class Basis>
 void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real length) {
     ++m_impact->pieces;
@@ -250,7 +251,8 @@ void ContactMarch<Basis>::countJoining(const Response& response, Real length, En
     }
 }
 
-/// Advances in contact over the arriving piece, up to the first event or its end.
+/// Advances the front end in contact, up to the first contact event or the end of the arriving piece of the
+/// wave.
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
     if (incident().isZero() && m_force <= m_basis.negligibleForce()) {

@@ -32,7 +32,8 @@ template <int lines>
 void combineCurves(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                    ExponentialSum<lines>& out);
 
-/// Computes out = p·g + q·f; `out` must be a different object. It has the length and the rates of g.
+/// Computes the exponential sum out = p·g + q·f; `out` must be a different object. It has the length and the
+/// rates of g.
 template <int lines>
 inline void combine(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                     ExponentialSum<lines>& out) {
@@ -47,7 +48,7 @@ inline void combine(double p, const ExponentialSum<lines>& g, double q, const Ex
     out.rates = g.rates;
 }
 
-/// Computes out = −f; both may be the same object.
+/// Computes the exponential sum out = −f; both may be the same object.
 template <int lines>
 inline void negate(const ExponentialSum<lines>& f, ExponentialSum<lines>& out) {
     const auto turn = [](const Coefficients& terms, Coefficients& turned) {
@@ -88,11 +89,12 @@ inline constexpr double largestDecays[Coefficients::capacity] = {1,
 struct DecaysEnd {
     /// The coefficient c_0, the decay φ_0(λx) = e^(−λx), and the rise 1 − φ_0(λx).
     double first, firstDecay, firstRise;
-    /// Sum of the terms from c_1 on at x; they are zero at x = 0.
+    /// Sum of the terms with the coefficients c_1, c_2, … at x; these terms are zero at x = 0.
     double higher = 0;
-    /// Sum of the absolute sizes of the terms from c_1 on.
+    /// Sum of the absolute values of the terms with the coefficients c_1, c_2, …, each at its largest up to
+    /// x.
     double higherSize = 0;
-    /// Integral of all terms over [0, x], in units of t0.
+    /// Integral of all terms over [0, x], in units of I0.
     double integral = 0;
     /// Magnitude that, times the machine epsilon, estimates the effect of rounded coefficients, integrated
     /// over [0, x].
@@ -103,11 +105,11 @@ struct DecaysEnd {
     /// Computes the sums at x for the coefficients `terms` of the rate λ = `rate`; `decay` is e^(−λx).
     DecaysEnd(const Coefficients& terms, double rate, double x, double decay);
 
-    /// Returns the sum of the terms at x.
+    /// Returns the sum of all terms at x, in units of F0.
     double value() const { return first * firstDecay + higher; }
     /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of value().
     double valueSize() const { return std::abs(first) * firstDecay + higherSize; }
-    /// Returns the change of the sum of the terms from 0 to x.
+    /// Returns the change of the sum of all terms from 0 to x, in units of F0.
     double change() const { return higher - first * firstRise; }
     /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of change().
     double changeSize() const { return std::abs(first) * firstRise + higherSize; }

@@ -30,7 +30,7 @@ class ExponentialBasis {
   public:
     using Real = double;
     using Piece = ExponentialSum<lines>;
-    /// Type of sums; plain, because there are few pieces.
+    /// Type of sums of times and impulses; a plain number, because a blow has few pieces of waves.
     using Sum = double;
     /// Whether neighbouring pieces of waves are joined to save work; not needed, because exponential sums
     /// have few pieces.
@@ -38,7 +38,7 @@ class ExponentialBasis {
     /// Rounding error of each term added to a Sum, relative to the sum.
     static constexpr double roundingOfSums = std::numeric_limits<double>::epsilon() / 2;
 
-    /// Solution of one stretch of contact, with the waves at its start.
+    /// Solution for one stretch of contact: the force as an exponential sum, and the arriving wave.
     struct Response {
         double length = 0;
         double rate = 0;
@@ -59,21 +59,23 @@ class ExponentialBasis {
         bool hasDrive = false;
     };
 
-    /// Starts a blow with the given law of the rock.
+    /// Prepares the representation for a blow with the given bit–rock law.
     void begin(const Problem& problem, const ContactLaw<double>& law);
-    /// Returns whether the representation has failed for this blow.
+    /// Returns whether this representation of waves has failed for the blow, so that power series must be
+    /// used.
     bool failed() const { return m_failed; }
     /// Returns the number of searches for events, and of points evaluated, since begin().
     SearchCount searchCount() const { return m_count; }
     /// Makes this representation fail, because events repeat without progress in time.
     void stall() { m_failed = true; }
-    /// Switches to the loading line of slope `rate`; sets m_failed if the basis has no such line.
+    /// Continues the contact on the loading line of slope `rate`; the representation fails if it has no such
+    /// line.
     void turnTo(double rate) { m_failed |= lineOf(rate) == lines; }
-    /// Returns the force that is small enough to be ignored, in units of F0.
+    /// Returns the contact force that is small enough to be ignored, in units of F0.
     double negligibleForce() const { return m_negligible; }
-    /// Returns the rounding error of a momentum, in units of I0.
+    /// Returns the rounding error of the momentum of the rod, in units of I0.
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
-    /// Returns a wave with a constant value (in F0) over a length (in t0).
+    /// Returns a piece of a wave with the constant value `value` [F0] over `length` [t0].
     Piece constant(double length, double value) const;
     /// Returns the length of the hammer force that one piece can represent, in units of t0: always `left`,
     /// the rest of the segment.
@@ -85,14 +87,16 @@ class ExponentialBasis {
     /// `into` within its segment.
     double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
-    /// Returns the solution of F' = a(2g − F), F(0) = force, over the piece g with a = `rate` [paper (5)]
-    /// [paper (8)].
+    /// Returns the contact force F with F' = a(2g − F), F(0) = force, over the piece g of the arriving wave,
+    /// with a = `rate` [paper (5)] [paper (8)].
     Response& respond(Piece& g, double rate, double force);
-    /// Returns the arriving wave of a response.
+    /// Returns the arriving wave g of a response.
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// Writes the reflected wave g − F, which the caller cuts at the end of the stretch.
+    /// Writes the reflected wave g − F of the response to `reflected`. The caller cuts it at the end of the
+    /// stretch of contact.
     void reflect(const Response& r, Piece& reflected) const;
-    /// Returns the drive 2g − F = U' = F'/a of a response; valid until the next response.
+    /// Returns the drive 2g − F of a response, which is the velocity U' of the bit and F'/a; valid until the
+    /// next response.
     const Piece& drive(Response& r);
     /// Ends the stretch at `length`, and returns force, impulse and error there. The decays computed for it
     /// are used for all functions of the stretch.
@@ -108,14 +112,15 @@ class ExponentialBasis {
     /// Returns the time at which the incident wave g closes the gap (∫2g equals the gap), if it does so
     /// within the piece.
     Zero<double> gapClosure(const Piece& g, double gap);
-    /// Returns the time at which the force of a response falls to zero.
+    /// Returns the time within a stretch of contact at which the force F falls to zero.
     Zero<double> forceVanishes(Response& r);
-    /// Returns the time at which the drive 2g − F of a response changes from positive to negative.
+    /// Returns the time within a stretch of contact at which the drive 2g − F changes from positive to
+    /// negative.
     Zero<double> driveVanishes(Response& r);
     /// Returns the time at which the force of a response reaches `peak`. `tangential` is set at the start of
     /// unloading, where F = peak and F' = 0 exactly.
     Zero<double> forceReaches(Response& r, double peak, bool tangential);
-    /// Returns the largest ∫g over [0, x] for any x within the piece, at least 0.
+    /// Returns the largest impulse ∫g over [0, x] for any x within the piece g, in units of I0; at least 0.
     double largestIntegral(const Piece& g);
     /// Returns an upper bound of largestIntegral(), given `whole`, the integral over the whole piece. A bound
     /// that does not exceed `enough` is not made narrower.
@@ -123,11 +128,11 @@ class ExponentialBasis {
         const double most = g.mostIntegral();
         return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g, whole));
     }
-    /// Returns the integral ∫g of the wave over the piece, in units of I0.
+    /// Returns the impulse ∫g of a wave over the whole piece g, in units of I0.
     static double impulse(const Piece& g) { return g.impulse(); }
     /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of impulse().
     static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
-    /// Drops terms that are small enough to be ignored.
+    /// Drops terms of the piece that are small enough to be ignored.
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;
         piece.trim(m_negligible);
@@ -136,9 +141,10 @@ class ExponentialBasis {
     /// Returns the larger of `before` and the largest force F of the response over [0, length]. The forces at
     /// both ends must be included in `before`.
     double largest(Response& r, double length, double before);
-    /// Returns the integral of the product f·g over [0, length].
+    /// Returns the integral ∫f g ds over [0, length] of the product of two waves.
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
-    /// Appends a stretch of the waves to the histories of an impact; `force` is null without contact.
+    /// Appends a stretch of time with incident wave and force to the histories of an impact; `force` is null
+    /// without contact.
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
   private:

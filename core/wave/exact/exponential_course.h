@@ -20,13 +20,13 @@ struct ExponentialCourse {
     template <int lines>
     explicit ExponentialCourse(const ExponentialSum<lines>& f);
 
-    /// Returns whether the sum certainly does not increase anywhere.
+    /// Returns whether the exponential sum certainly increases nowhere over its length.
     bool falls() const { return mostSlope <= 0; }
-    /// Returns whether the sum certainly does not decrease anywhere.
+    /// Returns whether the exponential sum certainly decreases nowhere over its length.
     bool rises() const { return leastSlope >= 0; }
-    /// Returns whether the sum is certainly convex.
+    /// Returns whether the exponential sum is certainly convex over its length.
     bool isConvex() const { return leastCurvature >= 0; }
-    /// Returns whether the sum is certainly concave.
+    /// Returns whether the exponential sum is certainly concave over its length.
     bool isConcave() const { return mostCurvature <= 0; }
 
   private:

@@ -18,7 +18,7 @@ namespace drillwave {
 template <int lines, std::size_t count>
 class ExponentialStretches {
   public:
-    /// Creates the division of [0, length] for the given functions; terms below `negligible` are dropped.
+    /// Divides [0, length] into stretches for the given functions; terms below `negligible` are dropped.
     ExponentialStretches(const std::array<const ExponentialSum<lines>*, count>& functions, double length,
                          double negligible)
         : m_length(length), m_negligible(negligible) {
@@ -145,7 +145,8 @@ class ExponentialStretches {
         return series;
     }
 
-    /// Rate for a sine; it makes a stretch at most half of a half sine, as in SeriesBasis.
+    /// Rate that stands for a sine in the division; it makes a stretch at most half of a half sine, as in
+    /// SeriesBasis.
     static constexpr double rateOfSine = 4;
 
     double m_length, m_negligible;

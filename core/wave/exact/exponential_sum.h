@@ -12,7 +12,7 @@ namespace drillwave {
 
 // Terms of an exponential sum: decays and rises of one rate, and the terms of a curved hammer force
 
-/// Distance from 1 to the next larger double.
+/// Machine epsilon: distance from 1 to the next larger double.
 inline constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate λ. The terms are the decays φ_m(y) = e^(−y)
@@ -120,23 +120,24 @@ inline const Coefficients noTerms;
 struct HammerTerms {
     /// Coefficients of sin πx, cos πx and e^(−x), in units of F0.
     double sine = 0, cosine = 0, decay = 0;
-    /// Whether there are such terms; linear hammer forces leave none, and skip the work for them.
+    /// Whether any of these coefficients may be nonzero. Linear hammer forces leave no such terms, and skip
+    /// the work for them.
     bool present = false;
 
     /// Returns the value of the terms at x = 0, in units of F0.
     double startValue() const { return cosine + decay; }
     /// Returns an upper bound of the amplitude of the sine, |s| + |k|.
     double amplitude() const { return std::abs(sine) + std::abs(cosine); }
-    /// Returns an upper bound of the absolute value.
+    /// Returns an upper bound of the absolute value of the terms, in units of F0.
     double magnitude() const { return amplitude() + std::abs(decay); }
-    /// Returns whether the value is certainly ≥ 0 for 0 ≤ x ≤ length.
+    /// Returns whether the sum of the terms is certainly ≥ 0 for 0 ≤ x ≤ length.
     bool allAtLeastZero(double length) const {
         // the interval is at most a half sine: if the sum were negative inside, an end or the middle would be
         // too
         return !present ||
                (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 && wave(length) >= 0);
     }
-    /// Returns whether the value is certainly ≤ 0 for 0 ≤ x ≤ length.
+    /// Returns whether the sum of the terms is certainly ≤ 0 for 0 ≤ x ≤ length.
     bool allAtMostZero(double length) const { return negated().allAtLeastZero(length); }
     HammerTerms negated() const { return {-sine, -cosine, -decay, present}; }
 
@@ -151,7 +152,7 @@ struct HammerTerms {
         }
         return sum;
     }
-    /// Moves the origin to x: value(y) becomes what value(x + y) was before.
+    /// Moves the origin of the terms to x: value(y) becomes what value(x + y) was before.
     void dropFront(double x) {
         if (hasSine()) {
             const double s = std::sin(pi * x), c = std::cos(pi * x), before = sine;
@@ -167,7 +168,7 @@ struct HammerTerms {
     }
 
     static constexpr double pi = 3.14159265358979323846;
-    /// Returns whether there is a sine or cosine term.
+    /// Returns whether the terms include a sine or cosine.
     bool hasSine() const { return sine != 0 || cosine != 0; }
 
   private:
@@ -184,7 +185,7 @@ template <int lines, class Of>
     for (int i = 0; i < lines; ++i) of(i);
 }
 
-/// Coefficients of one kind of term for each rate of a sum.
+/// Coefficients of one kind of term, decays or rises, for each of the `lines` rates of a sum.
 template <int lines>
 using TermsOfLines = std::array<Coefficients, lines>;
 
@@ -199,7 +200,7 @@ struct CurvedTerms {
 
     /// Slope c1 of the linear term, in units of F0/t0.
     double c1 = 0;
-    /// Coefficients q_m of the rises for each rate.
+    /// Coefficients q_m of the rises ω_m for each rate.
     TermsOfLines<lines> rises;
     /// Terms s sin πx + k cos πx + d e^(−x) of a curved hammer force.
     HammerTerms hammer;
@@ -227,13 +228,13 @@ template <int lines>
 struct ExponentialSum {
     using Curve = CurvedTerms<lines>;
 
-    /// Length of the interval, in units of t0.
+    /// Length of the interval on which the wave is given, in units of t0.
     double length = 0;
     /// Constant term c0 of the wave, in units of F0.
     double c0 = 0;
     /// Rates of the decays and rises; must outlive the sum.
     const LineRates<lines>* rates = nullptr;
-    /// Values e^(−rate·length); negative until they are computed.
+    /// Values e^(−rate·length) of each rate over the whole length; negative until they are computed.
     mutable std::array<double, lines> wholeDecays = notComputed();
     /// Whether the sum has curved terms: a linear term, rises, or terms of a curved hammer force.
     bool isCurved = false;
@@ -261,7 +262,8 @@ struct ExponentialSum {
         f.length = length;
         return f;
     }
-    /// Returns the curved terms for writing; they are zero if there were none before.
+    /// Makes the sum curved, and returns its curved terms for writing; they are zero if there were none
+    /// before.
     Curve& makeCurved() {
         if (!isCurved) curve = {};
         isCurved = true;
@@ -276,14 +278,14 @@ struct ExponentialSum {
     }
     bool isConstant() const { return !isCurved && !hasDecays(); }
     bool isZero() const { return c0 == 0 && isConstant(); }
-    /// Returns whether the sum has decays or rises of rate number i.
+    /// Returns whether the sum has decays or rises of the rate with index i.
     bool hasLine(int i) const { return decays[i].count || (isCurved && curve.rises[i].count); }
-    /// Returns the rises of rate number i; empty if the sum is not curved.
+    /// Returns the rises of the rate with index i; empty if the sum is not curved.
     const Coefficients& risesOf(int i) const { return isCurved ? curve.rises[i] : noTerms; }
     bool hasHammer() const { return isCurved && curve.hammer.present; }
     bool hasSine() const { return hasHammer() && curve.hammer.hasSine(); }
 
-    /// Returns the value at x = 0, in units of F0.
+    /// Returns the value of the wave at x = 0, in units of F0.
     double startValue() const {
         double steps = c0;
         eachLine<lines>([&](int i) { steps += decays[i][0]; });
@@ -332,13 +334,13 @@ struct ExponentialSum {
         return isCurved ? sum + curveMagnitude() * length : sum;
     }
 
-    /// Returns e^(−λx) for rate number i.
+    /// Returns the decay e^(−λx) of the rate λ with index i.
     double decayOver(int i, double x) const {
         if (x != length) return std::exp(-(*rates)[i] * x);
         if (wholeDecays[i] < 0) wholeDecays[i] = std::exp(-(*rates)[i] * x);
         return wholeDecays[i];
     }
-    /// Returns the value at x, in units of F0.
+    /// Returns the value of the wave at x, in units of F0.
     double value(double x) const {
         if (isCurved) [[unlikely]]
             return valueOfCurved(x);
@@ -348,7 +350,7 @@ struct ExponentialSum {
         });
         return f;
     }
-    /// Returns the integral from 0 to x, in units of I0.
+    /// Returns the integral of the wave from 0 to x, in units of I0.
     double integral(double x) const {
         if (isCurved) [[unlikely]]
             return integralOfCurved(x);
@@ -365,8 +367,8 @@ struct ExponentialSum {
             return impulseOfCurved();
         return integral(length);
     }
-    /// Removes the interval [0, x] and moves the origin to x. `decaysTo` holds e^(−λx) for the rates of which
-    /// there are terms.
+    /// Removes the interval [0, x] from the wave and moves the origin to x. `decaysTo` holds e^(−λx) for each
+    /// rate λ that has terms.
     void dropFront(double x, const std::array<double, lines>& decaysTo) {
         if (isCurved) [[unlikely]]
             dropFrontOfCurve(x, decaysTo);
@@ -389,7 +391,7 @@ struct ExponentialSum {
         if (isCurved) [[unlikely]]
             curve.impulse = Curve::unknown;
     }
-    /// Drops terms that are at most `negligible`, in units of F0.
+    /// Drops terms of the wave that are at most `negligible`, in units of F0.
     void trim(double negligible) {
         eachLine<lines>([&](int i) { decays[i].trim(negligible); });
         if (isCurved) [[unlikely]]

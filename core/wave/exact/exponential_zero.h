@@ -13,11 +13,12 @@ struct Search {
     double start = 0;
     /// Whether the function is exactly zero at the start, whatever rounding shows.
     bool startsAtZero = false;
-    /// Absolute value below which a function is treated as having no zero, in units of the function.
+    /// Magnitude up to which values of the function count as rounding: a function that small has no zero. It
+    /// is in the unit of the function.
     double negligible = 0;
 };
 
-/// Returns whether a formula gives the first zero of f: it has at most three decays, all of one rate.
+/// Returns whether a formula gives the first zero of f, because f has at most three decays, all of one rate.
 template <int lines>
 bool hasZeroByFormula(const ExponentialSum<lines>& f);
 

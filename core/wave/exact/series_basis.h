@@ -25,14 +25,16 @@ class SeriesBasis {
     using Real = RealType;
     using Piece = WavePiece<Real>;
     using Sum = CompensatedSum<Real>;
-    /// Rounding error of each term added to a Sum, relative to the sum; 0, because sums are compensated.
+    /// Rounding error of each term added to a Sum, relative to the sum; it is 0, because sums are
+    /// compensated.
     static constexpr Real roundingOfSums = 0;
-    /// Whether neighbouring pieces are joined to save work.
+    /// Whether neighbouring pieces of waves are joined to save work.
     static constexpr bool joinsPieces = true;
 
-    /// Solution of a stretch of contact: g and F on the same scale.
+    /// Solution for one stretch of contact: the arriving wave g and the force F as power series on the same
+    /// scale.
     struct Response {
-        /// Length of this time interval, in units of t0.
+        /// Length of the stretch of contact, in units of t0.
         Real length = 0;
         /// Arriving wave g, which must outlive the response; it may point to `cut`.
         const Piece* incident = nullptr;
@@ -51,7 +53,7 @@ class SeriesBasis {
         Real size = 0;
     };
 
-    /// Starts a blow with the given law of the rock.
+    /// Prepares the representation for a blow with the given bit–rock law.
     void begin(const Problem& problem, const ContactLaw<Real>& law) {
         m_undecided = false;
         m_count = {};
@@ -63,23 +65,22 @@ class SeriesBasis {
         m_joiningError.begin(budget, law.slopes().elastic);
         m_negligible = std::ldexp(m_scale, negligibleExponent);
     }
-    /// Number of pieces in a round trip from which on joining them saves work.
+    /// Number of pieces of the wave in a round trip from which on joining pieces saves work.
     static constexpr std::size_t manyPieces = 32;
 
-    /// Returns whether a search for an event has failed.
+    /// Returns whether a search for a contact event has failed, so that the blow cannot be solved.
     bool failed() const { return m_undecided; }
     /// Returns the number of searches for events, and of points evaluated, since begin().
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
     /// Does nothing: a power series can follow a line of the law with any slope.
     void turnTo(Real) const {}
-    /// Returns the force that is small enough to be ignored, in units of F0.
+    /// Returns the contact force that is small enough to be ignored, in units of F0.
     Real negligibleForce() const { return m_negligible; }
-    /// Returns the rounding error of a sum of impulses of order one, plus the error of joined pieces, in
-    /// units of I0.
+    /// Returns the error of the momentum of the rod by rounding and by joined pieces, in units of I0.
     Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }
 
-    /// Returns a wave with a constant value (in F0) over a length (in t0).
+    /// Returns a piece of a wave with the constant value `value` [F0] over `length` [t0].
     Piece constant(Real length, Real value) const {
         Piece f = Piece::zero(length);
         f.count = 1;
@@ -100,7 +101,8 @@ class SeriesBasis {
         return left;
     }
 
-    /// Returns the hammer force over `length` as a series; it starts at the time `into` within the segment.
+    /// Returns the hammer force over `length` as a power series. The force starts at the time `into` within
+    /// its segment, in units of t0.
     const Piece& hammerPiece(const PulseSegment& segment, Real into, Real length) {
         m_hammer = Piece::zero(length);
         auto& c = m_hammer.c;
@@ -136,8 +138,8 @@ class SeriesBasis {
         return m_hammer;
     }
 
-    /// Adds the hammer force over `length` to g, on the scale of `length`; it starts at the time `into`
-    /// within the segment.
+    /// Adds the hammer force over `length` to the wave g, on the scale of `length`. The force starts at the
+    /// time `into` within its segment, in units of t0.
     void addHammer(const PulseSegment& segment, Real into, Real length, Piece& g) {
         const Piece& hammer = hammerPiece(segment, into, length);
         if (g.scale != length) g.rescale(length);
@@ -177,7 +179,8 @@ class SeriesBasis {
     }
 
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// Writes the reflected wave g − F, which the caller cuts at the end of the stretch.
+    /// Writes the reflected wave g − F of the response to `reflected`. The caller cuts it at the end of the
+    /// stretch of contact.
     void reflect(const Response& r, Piece& reflected) const {
         const Piece &g = *r.incident, &force = r.force;
         reflected.length = force.length;
@@ -189,7 +192,8 @@ class SeriesBasis {
         reflected.displaceLike(g);
         reflected.forgetWay();
     }
-    /// Returns the drive 2g − F = U' = F'/a of a response; valid until the next response.
+    /// Returns the drive 2g − F of a response, which is the velocity U' of the bit and F'/a; valid until the
+    /// next response.
     const Piece& drive(const Response& r) {
         const Piece &g = *r.incident, &force = r.force;
         Piece& d = m_drive;
@@ -206,14 +210,14 @@ class SeriesBasis {
         for (int k = common; k < force.count; ++k) d.c[k] = -force.c[k];
         return d;
     }
-    /// Ends the stretch at `length`, and returns force, impulse and error there.
+    /// Ends the stretch of contact at `length` [t0], and returns force, impulse and error there.
     StretchEnd<Real> endAt(Response& r, Real length) const {
         r.length = length;
         const Real size = r.size + r.incident->magnitude();
         return {r.force.value(length), r.force.integral(length),
                 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length};
     }
-    /// Removes the part of g that has passed in the stretch of the response.
+    /// Removes from the wave g the part that has arrived during the stretch of the response.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
     /// Returns the time at which the incident wave g closes the gap (∫2g ds equals `gap`), if it does so
@@ -234,7 +238,8 @@ class SeriesBasis {
         if (start + start >= r.incident->magnitude()) return {};
         return zeroOf(r.force, r);
     }
-    /// Returns the time at which the drive 2g − F of a response changes from positive to negative.
+    /// Returns the time within a stretch of contact at which the drive 2g − F changes from positive to
+    /// negative.
     Zero<Real> driveVanishes(const Response& r) { return zeroOf(drive(r), r); }
     /// Returns the time at which F reaches `peak`. `tangential` is set at the start of unloading, where F =
     /// peak and F' = 0 exactly.
@@ -264,21 +269,21 @@ class SeriesBasis {
             !forEachMaximum(drive(r), length, [&](Real x) { most = std::max(most, r.force.value(x)); });
         return most;
     }
-    /// Returns the largest ∫g over [0, x] for any x within the piece, at least 0.
+    /// Returns the largest impulse ∫g over [0, x] for any x within the piece g, in units of I0; at least 0.
     Real largestIntegral(const Piece& g) {
         Real most = std::max(Real(0), g.integral(g.length));
         m_undecided |= !forEachMaximum(g, g.length, [&](Real x) { most = std::max(most, g.integral(x)); });
         return most;
     }
 
-    /// Returns an upper bound of largestIntegral(g).
+    /// Returns an upper bound of largestIntegral(g), in units of I0.
     Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
-    /// Returns the integral ∫g of the wave over the piece, in units of I0.
+    /// Returns the impulse ∫g of a wave over the whole piece g, in units of I0.
     static Real impulse(const Piece& g) { return g.way().whole; }
     /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of impulse().
     static Real impulseSize(const Piece& g) { return g.way().size; }
 
-    /// Drops terms that are small enough to be ignored.
+    /// Drops terms of the piece that are small enough to be ignored.
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
     /// Joins the piece `next` to the piece `last` if that is accurate enough, and adds the effect on the
@@ -293,12 +298,13 @@ class SeriesBasis {
                             arriving);
     }
 
-    /// Returns the integral of the product f·g over [0, length].
+    /// Returns the integral ∫f g ds over [0, length] of the product of two waves.
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
         return Piece::productIntegral(f, g, length);
     }
 
-    /// Appends a stretch of the waves to the histories of an impact; `force` is null without contact.
+    /// Appends a stretch of time with incident wave and force to the histories of an impact; `force` is null
+    /// without contact.
     void record(const Piece& incident, const Piece* force, Real length, Impact& impact) const {
         double c[Piece::capacity];
         const auto copy = [&](const Piece& f) {
@@ -317,14 +323,14 @@ class SeriesBasis {
     /// Ratio of the largest acceptable last coefficient to m_negligible, the magnitude of dropped terms. It
     /// makes that coefficient as large as a rounding error.
     static constexpr Real seenByRounding = 1024;
-    /// Largest sum of absolute coefficients relative to the wave force; larger ones would cancel and lose as
-    /// many digits.
+    /// Largest sum of the absolute coefficients of a piece, relative to the wave force. With larger
+    /// coefficients, the digits that they cancel would be lost.
     static constexpr Real mostCancellation = 256;
 
     // Limits of the length of a piece; longer pieces would need more coefficients than there are, or cancel.
     /// Longest piece of a half sine, in units of t0.
     static constexpr Real longestSine = 0.5;
-    /// Longest piece of an exponential, in units of t0.
+    /// Longest piece of an exponential hammer force, in units of t0.
     static constexpr Real longestDecay = 2;
     /// Largest product aℓ of rate and length for one piece of contact in general.
     static constexpr Real layer = 2;
@@ -346,7 +352,8 @@ class SeriesBasis {
         return scaled(firstZero(f.c.data(), f.count, r.length / f.scale, m_count), f.scale, r.length);
     }
 
-    /// Sets the incident wave of the response to its first `length`, on a scale of that length.
+    /// Sets the incident wave of the response to the first `length` [t0] of the arriving wave, on a scale of
+    /// that length.
     void takeFront(Response& r, Real length) const {
         if (r.incident->scale == length) return;
         if (r.incident != &r.cut) r.cut = *r.incident;
@@ -356,7 +363,8 @@ class SeriesBasis {
         r.cut.length = length;
     }
 
-    /// Computes F = 2g − F'/a as the exact polynomial. Returns false while the initial layer still matters.
+    /// Computes the slow solution F = 2g − F'/a as an exact polynomial. Returns false if the force is not yet
+    /// near enough to it.
     bool slowSolution(Response& r, Real alpha, Real force) {
         takeFront(r, r.incident->length);
         const Piece& g = *r.incident;
@@ -414,7 +422,7 @@ class SeriesBasis {
         return (converged && size <= mostCancellation * m_scale) || g.length * m_scale < m_negligible;
     }
 
-    /// Whether a search for an event ended without a result.
+    /// Whether a search for a contact event ended without a result.
     bool m_undecided = false;
     SearchCount m_count;
     /// Largest wave force of this blow, in units of F0; the scale for negligible terms.

@@ -81,7 +81,7 @@ struct JoiningBudget {
 template <class Real>
 class JoiningError {
   public:
-    /// Starts a blow; `fastest` is the larger rate of the contact, β/γ.
+    /// Starts the sum for a blow; `fastest` is the larger rate of the contact, β/γ, per t0.
     void begin(const JoiningBudget& budget, Real fastest) {
         m_fastest = fastest;
         m_loadingWeight = Real(budget.loadingWeight);
@@ -140,14 +140,16 @@ struct WavePiece : PowerSeries<Real> {
 
     /// Integrals of a piece that free flight needs in every round trip; computed only once.
     struct Way {
-        /// Integral over the whole length, in units of I0.
+        /// Integral of the wave over the whole length of the piece, in units of I0.
         Real whole;
-        /// Upper bound, at least 0, of the integral over [0, x] for every x up to the length, in units of I0.
+        /// Upper bound, at least 0, of the integral of the wave over [0, x] for every x up to the length, in
+        /// units of I0.
         Real most;
-        /// Upper bound of the integral of |f|, to which the rounding of `whole` is relative, in units of I0.
+        /// Upper bound of the integral of |f|, in units of I0; times the machine epsilon, it estimates the
+        /// rounding error of `whole`.
         Real size;
     };
-    /// Returns the integrals of the piece, and stores them.
+    /// Returns the integrals of the piece, which are computed at the first call only.
     const Way& way() const {
         if (m_hasWay) return m_way;
         m_way = {this->integral(this->length), this->mostIntegral(), this->integralOfSizes()};
@@ -164,7 +166,7 @@ struct WavePiece : PowerSeries<Real> {
         displacedAtStart = displaced;
         forgetWay();
     }
-    /// Ends the interval of the wave at x, in units of t0 from its start.
+    /// Shortens the piece of the wave to [0, x], in units of t0 from its start.
     void shorten(Real x) {
         if (x == this->length) return;
         this->length = x;
@@ -199,7 +201,7 @@ class SeriesJoiner {
   public:
     using Piece = WavePiece<Real>;
 
-    /// Starts a blow; `fastest` is the larger rate of the contact, β/γ.
+    /// Starts the joining for a blow; `fastest` is the larger rate of the contact, β/γ, per t0.
     void begin(const JoiningBudget& budget, Real fastest) {
         const Real precision =
             std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon());
