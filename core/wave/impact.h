@@ -20,16 +20,16 @@ namespace drillwave {
 enum class Detail {
     /// Coefficient of restitution e and its error only; no history is kept.
     cor,
-    /// Also the peak force, times, and work of the hammer and on the rock. The computing time is hardly
-    /// longer.
+    /// Results of `cor`, and the peak force, times, and work of the hammer and on the rock. The computing
+    /// time is hardly longer than for `cor`.
     summary,
-    /// Also the contact events and their times.
+    /// Results of `summary`, and the contact events with their times.
     events,
-    /// Also the sums over the waves (finalMomentum, finalEnergy) that check the balances of momentum and
-    /// energy independently of the impact force.
+    /// Results of `events`, and the sums over the waves (finalMomentum, finalEnergy) that check the balances
+    /// of momentum and energy independently of the impact force.
     ledger,
-    /// Also the incident wave g(s) and the impact force F(s), from which every wave in the rod follows by
-    /// delays.
+    /// Results of `ledger`, and the incident wave g(s) and impact force F(s) at the bit, from which every
+    /// wave in the rod follows by delays.
     histories,
 };
 
@@ -49,9 +49,9 @@ enum class Outcome {
 /// Reason why a blow is not solved, for decisions by the program. `Impact::reason` holds the text for the
 /// user.
 enum class Hindrance {
-    /// Any other reason: in the blow, the method or the numbers.
+    /// Any other reason why the blow is not solved, in the blow, the method or the numbers.
     other,
-    /// The blow needs more pieces of waves than the work limit permits.
+    /// The blow needs more work than the work limit permits.
     workLimit,
     /// The histories are too long to be kept. The blow may be solvable with less detail.
     histories,
@@ -120,11 +120,11 @@ struct Impact {
     // The members from here to rockWork require Detail::summary or more.
     /// Largest impact force between bit and rock, F/F0.
     double peakForce = 0;
-    /// Time t/t0 of the first contact since the start of the blow.
+    /// Time t/t0 of the first contact of bit and rock since the start of the blow.
     double firstContactTime = 0;
-    /// Time t/t0 of the last separation since the start of the blow.
+    /// Time t/t0 of the last separation of bit and rock since the start of the blow.
     double separationTime = 0;
-    /// Sum of the durations of all contacts, in units of t0.
+    /// Sum of the durations of all contacts of bit and rock, in units of t0.
     double contactDuration = 0;
     /// Work of the hammer, W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19). For a hammer of sections, its
     /// initial kinetic energy E0.
@@ -140,7 +140,8 @@ struct Impact {
     /// integral ∫g over the last period, independent of `impulse`. For a uniform rod it equals −e, with the
     /// coefficient of restitution e.
     double finalMomentum = 0;
-    /// Energy of rod or string after the blow [I0²/(Z t0)], the integral ∫g² over the last period.
+    /// Energy of rod or string after the blow [I0²/(Z t0)]: the integral ∫g² of the incident wave over the
+    /// last period.
     double finalEnergy = 0;
 
     // The members from here to efficiencyError keep their default values for a prescribed force on a uniform
@@ -157,7 +158,7 @@ struct Impact {
     double jointLoss = 0, rodLoss = 0;
     /// Momentum transferred to the surroundings by losses in joints and sections, in units of I0.
     double externalMomentum = 0;
-    /// Stated error of efficiency() and of other energies as shares of E0.
+    /// Stated error of efficiency() and of other energies, as a share of the hammer energy E0.
     double efficiencyError = 0;
 
     // The members from here to wavesDifference are used for drill strings only.
@@ -169,7 +170,7 @@ struct Impact {
     /// Largest forces of every section of hammer and string; empty unless requested and within the work
     /// limit.
     std::vector<SectionForces> sections;
-    /// Stated error of the four largest forces of each section, as a share of each.
+    /// Stated error of the four largest forces of each section, relative to each force.
     double forcesError = 0;
     /// Whether the largest forces were requested but left out because they need too much work.
     bool leftOutForces = false;
@@ -195,7 +196,7 @@ struct Impact {
             std::max(std::abs(coarser.cor - cor), std::abs(coarser.efficiency() - efficiency()));
     }
 
-    /// Events in order of time; require Detail::events or more.
+    /// Contact events of bit and rock in order of time; require Detail::events or more.
     std::vector<ImpactEvent> events;
 
     // The members from here to skips require Detail::histories; frontArrival and roundTrip only
@@ -219,22 +220,23 @@ struct Impact {
     long pieces = 0;
     /// Number of separate contacts of bit and rock.
     int contacts = 0;
-    /// Number of searches for events that bounds could not exclude; 0 for the lattice method.
+    /// Number of searches for contact events that bounds could not exclude; 0 for the lattice method.
     long searches = 0;
-    /// Number of points evaluated in these searches for events.
+    /// Number of points evaluated in all searches for contact events.
     long samples = 0;
     /// Number of pieces that had to be solved again in another representation, because the first one did not
     /// reach their end. They are not included in `pieces`.
     long abandoned = 0;
-    /// Number of cells that had to be evaluated for the largest forces, because bounds could not exclude
-    /// them.
+    /// Number of cells (time steps of waves) that had to be evaluated for the largest forces, because bounds
+    /// could not exclude them.
     long cellsLookedInto = 0;
-    /// Time step Δ of a method that divides time into cells, in units of t0; 0 if the method has no cells.
+    /// Time step Δ (cell) of a method that divides time into equal steps, in units of t0; 0 for other
+    /// methods.
     double cell = 0;
-    /// Largest change of a section's round-trip time by rounding to whole cells, in units of t0.
+    /// Largest change of a section's round-trip time by rounding to whole cells (time steps), in units of t0.
     double rounding = 0;
-    /// Cell that all round trips share exactly, in units of t0, if it was not used because it takes too much
-    /// work; otherwise 0.
+    /// Time step (cell) that divides all round trips exactly, in units of t0, if it was not used because it
+    /// takes too much work; otherwise 0.
     double sharedCell = 0;
 
     /// Returns whether the lengths of sections were rounded by more than the precision with which they are

@@ -45,7 +45,7 @@ struct HammerFace {
 struct ElasticHammer {
     /// Number of leading entries of Problem::sections that belong to the hammer; > 0.
     std::size_t sections = 1;
-    /// Impact velocity v0 Zr/F0. It is 2, because F0 is defined as Zr v0/2.
+    /// Impact velocity of the hammer, v0 Zr/F0. It is 2, because F0 is defined as Zr v0/2.
     double velocity = 2;
     /// Contact of the hammer with the string.
     HammerFace face;
@@ -101,7 +101,8 @@ struct Problem {
     /// Returns the reference velocity v0 Zr/F0: that of the hammer, or I0/M for a force on a string of mass
     /// M.
     double velocity() const { return isForced() ? 1 / mass() : hammer().velocity; }
-    /// Returns the gap in units of I0/Zr; `gap` is in units of d0, which is twice that.
+    /// Returns the gap between bit and rock in units of I0/Zr; the member `gap` is in units of d0, which is
+    /// twice that.
     double distance() const { return 2 * gap; }
     /// Returns the gap δ = d/d0 that closes before the first contact; 0 in the reference case (a rod that
     /// arrives as a rigid body), which starts in contact.

@@ -38,7 +38,7 @@ struct OfLoads {
                                               &OfLoads::compressionAfter, &OfLoads::tensionAfter};
 };
 
-/// Returns the four values map(x), where x is the value of `from` for the same load.
+/// Returns four values, one for each load: map(x), where x is the value of `from` for the same load.
 template <class T>
 auto eachOf(const OfLoads<T>& from, const auto& map) -> OfLoads<decltype(map(from.compression))> {
     return {map(from.compression), map(from.tension), map(from.compressionAfter), map(from.tensionAfter)};

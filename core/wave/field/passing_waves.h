@@ -55,9 +55,9 @@ class PassingWaves {
     /// Processes the last part of the histories, which take() has not seen, after the blow has ended.
     void takeLast(Impact& recording);
 
-    /// Returns the number of peaks of the impact force.
+    /// Returns the number of peaks of the impact force; call it once, after takeLast().
     int peaks() { return m_peaks.count(); }
-    /// Returns the largest forces in the rod found so far.
+    /// Returns the largest forces in the rod that have been found so far, in units of F0.
     const RodForces& forces() const { return m_forces; }
 
   private:

@@ -20,7 +20,8 @@ using EnvelopeLine = std::vector<RodForce>;
 struct RodEnvelope : OfLoads<EnvelopeLine> {
     /// Largest force of each line over the whole rod.
     RodForces largest;
-    /// Amount by which a line may be too low because the work limit was reached, in units of F0; otherwise 0.
+    /// Amount by which a line of largest forces may be too low because the work limit was reached, in units
+    /// of F0; otherwise 0.
     double missed = 0;
     /// Number of pairs of wave stretches examined, a measure of the work.
     long steps = 0;

@@ -22,7 +22,7 @@ enum class Side { start, inside, end };
 struct Instant {
     /// Recorded time at the front end, in units of t0.
     double time;
-    /// Side from which the values are taken, if the time is a breakpoint.
+    /// Side of the time from which the values are taken, if a piece of the wave ends there.
     Side side;
     /// Incident wave g, in units of F0, compression positive.
     double incident;
@@ -39,7 +39,7 @@ struct WaveBends {
 /// Deviations of both waves from their chords in one piece of the histories, and the number of chords that
 /// the piece needs.
 struct PieceBends {
-    /// Bounds of the deviation of the incident and reflected wave from their chords.
+    /// Bounds of the deviation of the incident and of the reflected wave from their chords, in units of F0.
     WaveBends incident, reflected;
     /// Rounding error of the values and deviations of both waves, in units of F0; 0 if both are constant.
     double rounding = 0;
@@ -131,9 +131,9 @@ double roundingOfTrip(double time, double roundTrip);
 /// Position at which a WaveSpan (several parts of a piece of the waves) is split in two.
 enum class Cut {
     middle,
-    /// Cut after the first part of the span.
+    /// Split after the first part of the span.
     front,
-    /// Cut before the last part of the span.
+    /// Split before the last part of the span.
     back,
 };
 
@@ -147,7 +147,7 @@ struct WaveSpan {
     /// Deviation of the waves from their chords in the whole piece of the histories, and number of parts of
     /// the piece.
     PieceBends bends;
-    /// Values of both waves at the two ends of the span.
+    /// Values of both waves at the start and the end of the span.
     Instant begin, end;
     /// Position at which the span is to be split in two.
     Cut cut = Cut::middle;

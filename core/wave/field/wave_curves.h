@@ -16,7 +16,7 @@ namespace drillwave {
 /// Curve as points to be joined by straight lines. A time occurs twice where the curve jumps.
 struct SampledCurve {
     std::vector<double> time;  ///< Times of the points in units of t0, not decreasing.
-    /// Values of the curve at these times.
+    /// Values of the curve at the times of `time`, one for each.
     std::vector<double> value;
 };
 
@@ -50,11 +50,11 @@ double sectionWaveImpulse(const Impact& impact, double xi, int number, double t)
 struct SampledHistory {
     /// Times in units of t0, not decreasing, from the first arrival at the bit to the end of the recording.
     std::vector<double> time;
-    /// Impact force F at these times, in units of F0.
+    /// Impact force F of bit and rock at the times of `time`, in units of F0; ≥ 0.
     std::vector<double> force;
-    /// Impulse of the impact force so far, ∫F, in units of I0.
+    /// Impulse of the impact force, ∫F, from the first arrival to each time of `time`, in units of I0.
     std::vector<double> impulse;
-    /// Incident wave g at the bit, in units of F0, compression positive.
+    /// Incident wave g at the bit at the times of `time`, in units of F0, compression positive.
     std::vector<double> incident;
 };
 

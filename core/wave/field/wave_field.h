@@ -93,8 +93,8 @@ enum class WaveQuantity {
     velocity,
 };
 
-/// Grid of cells of equal size over a rectangle in the plane of position ξ = x/L and time t/t0 since the
-/// start of the blow.
+/// Grid of rectangles (cells) of equal size over a part of the plane of position ξ = x/L and time t/t0 since
+/// the start of the blow.
 struct RasterGrid {
     /// Range of sections ξ that the columns cover.
     double xiBegin = 0, xiEnd = 1;
@@ -110,7 +110,7 @@ struct RasterGrid {
     double xi(int column) const { return xiBegin + (xiEnd - xiBegin) * (column + 0.5) / columns; }
     /// Returns the time t/t0 at the centre of a row.
     double time(int row) const { return timeBegin + (timeEnd - timeBegin) * (row + 0.5) / rows; }
-    /// Returns the index of a cell in WaveRaster::values.
+    /// Returns the index of a cell of the grid in WaveRaster::values, which go row by row.
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(column);
@@ -124,7 +124,7 @@ struct WaveRaster {
     /// Values row by row from timeBegin, in the unit of the quantity; NaN outside the rod.
     std::vector<float> values;
     /// Number of pieces of the histories that were examined, a measure of the work: at most a few for each
-    /// cell.
+    /// cell of the grid.
     long steps = 0;
 };
 

@@ -23,11 +23,11 @@ struct FrontRun {
     /// Number of the wave that begins with this front, from 0: even numbers run towards the bit, odd ones
     /// away from it.
     long number = 0;
-    /// Direction in which the front runs.
+    /// Direction in which the wave front runs, towards the bit or away from it.
     Heading heading = Heading::toBit;
-    /// Time t/t0 at which the front is at the end `front`, on the side of the bit.
+    /// Time t/t0 at which the wave front is at the end `front` of the path, on the side of the bit.
     double timeAtFront = 0;
-    /// Time that the front needs from one end to the other, in units of t0; > 0.
+    /// Time that the wave front needs from one end of the path to the other, in units of t0; > 0.
     double transitTime = 0;
     /// Both ends of the path, x/L: `rear` towards the hammer, `front` towards the bit.
     double rear = 0, front = 1;

@@ -12,12 +12,13 @@ namespace drillwave {
 /// is the impulse of the pulse, for any pulse and step.
 class HammerCells {
   public:
-    /// Creates a sequence without a force.
+    /// Creates the sequence of means for a blow without a hammer force.
     HammerCells() = default;
     /// Creates the sequence for a pulse, which must outlive it; `step` is Δ in units of t0, > 0.
     HammerCells(const PulseForce& pulse, double step);
 
-    /// Returns the mean over the next step, in units of F0; 0 from the end of the pulse on.
+    /// Returns the mean of the hammer force over the next time step, in units of F0; 0 from the end of the
+    /// pulse on.
     double next() { return m_ended ? 0.0 : nextMean(); }
     /// Returns whether the pulse is over, so that all later means are 0.
     bool ended() const { return m_ended; }
@@ -28,7 +29,7 @@ class HammerCells {
 
     const PulseForce* m_pulse = nullptr;
     double m_step = 1;
-    /// Number of steps taken; a whole number, but beyond the range of int for long pulses.
+    /// Number of time steps taken so far; a whole number, but possibly beyond the range of int.
     double m_count = 0;
     /// Index of the segment of the pulse in which the next step begins.
     std::size_t m_segment = 0;

@@ -27,21 +27,21 @@ namespace drillwave {
 /// equal values become one piece.
 class StepHistory {
   public:
-    /// Starts a recording with the time step `step`, in units of t0.
+    /// Starts a recording of the histories with the time step `step`, in units of t0.
     void begin(double step) {
         m_step = step;
         m_count = 0;
         m_pieces = 0;
     }
 
-    /// Adds a step with the incident wave g and the impact force F, both in units of F0.
+    /// Adds a time step with the incident wave g and the impact force F, both in units of F0.
     void add(double g, double force, Impact& impact) {
         if (m_count > 0 && (g != m_incident || force != m_force)) flush(impact);
         m_incident = g;
         m_force = force;
         ++m_count;
     }
-    /// Appends the steps that are not yet in the histories.
+    /// Appends the time steps that are not yet in the histories to those of the impact.
     void flush(Impact& impact) {
         if (m_count == 0) return;
         const double length = double(m_count) * m_step;
@@ -50,7 +50,7 @@ class StepHistory {
         ++m_pieces;
         m_count = 0;
     }
-    /// Returns the number of pieces appended so far.
+    /// Returns the number of pieces of constant values that were appended so far.
     std::size_t pieces() const { return m_pieces; }
 
   private:
@@ -83,7 +83,7 @@ class LatticeMarch {
     static constexpr double mostSteps = 1e8;
     static constexpr double mostMoves = 1e11;
     static constexpr std::size_t mostRecorded = 2'000'000;
-    /// Number of moves of a wave to the next segment between two checks for a stop request.
+    /// Number of moves of a wave from one segment to the next between two checks for a stop request.
     static constexpr long movesPerCheck = 1L << 20;
     /// Largest impulse [I0] of a contact shorter than a step that is ignored; it can be due to rounding.
     static constexpr double negligibleImpulse = 1e-12;
@@ -132,9 +132,10 @@ class LatticeMarch {
     long m_movesPerStep = 1, m_untilCheck = 0;
     double m_moves = 0;
 
-    /// Sum ΣF over the steps; times Δ it is the impulse.
+    /// Sum ΣF of the impact force over the time steps; times Δ it is the impulse on the rock.
     CompensatedSum<double> m_forces;
-    /// Sums ΣFa (2g − Fa) and ΣF (2g − F); times Δ they are works.
+    /// Sums ΣFa (2g − Fa) and ΣF (2g − F) over the time steps; times Δ they are the works of the hammer and
+    /// on the rock.
     CompensatedSum<double> m_hammerPowers, m_rockPowers;
     double m_contactStart = 0, m_impulseAtContact = 0;
     /// Number of whole round trips of free flight that still pass before the bit can reach the rock.
