@@ -21,7 +21,8 @@
 
 namespace drillwave {
 
-/// Start of one blow of a sequence under a feed, with the waves and motions that earlier blows have left.
+/// Number of one blow in a sequence under a feed, and the largest force that its rock has felt in earlier
+/// blows.
 struct MarchedStart {
     long number = 1;  ///< Number of the blow in the sequence, from 1.
     /// Largest force that the rock under the bit has felt before this blow, in units of F0.
@@ -40,7 +41,7 @@ struct Blow {
     Scales scales;
     /// Scenario in dimensionless form, as it was solved.
     Problem problem;
-    /// Result of the solver; its `reason` says why there is none.
+    /// Result of the solver; if the blow is not solved, impact.reason says why.
     Impact impact;
     /// Numbers of the result, dimensionless. They and `feed` are invalid if the blow is not solved.
     ImpactSummary summary;
@@ -71,7 +72,7 @@ struct Blow {
 enum class Stresses {
     /// Largest forces only if alerts need them, because the rod has a strength.
     asNeeded,
-    /// Largest forces whenever they can be computed.
+    /// Largest forces and stresses whenever they can be computed.
     wanted,
 };
 

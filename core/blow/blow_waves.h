@@ -54,7 +54,7 @@ StringPlace middleOfLongest(const DrillString& drillString);
 /// Reader of the state at one position of a blow whose waves were recorded. The blow must outlive it.
 class StringHistory {
   public:
-    /// Creates a reader for one position. Requires impact.waves.
+    /// Creates a reader of the state at one position over time. Requires recorded waves (impact.waves).
     StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place);
 
     /// Returns the state at a time t/t0, limited to 0 … end(). At a jump, `side` selects the value before or
@@ -89,11 +89,11 @@ class BlowWaves {
 
     /// Returns the position x/L at which the picture begins: 0, or the rear end of the hammer (negative).
     double rear() const { return m_string ? m_string->rear() : 0; }
-    /// Returns the time t/t0 up to which everything is known; infinite for a uniform rod.
+    /// Returns the time t/t0 up to which waves and motions are known; infinite for a uniform rod.
     double end() const;
-    /// Returns force or velocity at the centre of every cell of the grid.
+    /// Returns force or velocity at the centre of every cell of the grid, in units of F0 or F0/Z.
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
-    /// Returns force or velocity at the position x/L and the time t/t0.
+    /// Returns force or velocity at the position x/L and the time t/t0, in units of F0 or F0/Z.
     double value(WaveQuantity quantity, double x, double t) const;
     /// Returns the state at the position x/L and the time t/t0; for a string, t is limited to end(). Impulse
     /// and momentum have the units of the results: I0, or the hammer's momentum p0.
@@ -110,7 +110,7 @@ class BlowWaves {
     double arrival() const;
     /// Returns the time that a wave needs from the bit to the struck end and back, in units of t0.
     double roundTrip() const;
-    /// Returns the times t/t0 at which wave fronts start at the struck end.
+    /// Returns the times t/t0 at which wave fronts start at the struck end, in increasing order.
     std::vector<double> fronts() const;
     /// Returns the paths, between the times `begin` and `end`, of the wave front that starts at the struck
     /// end at the time `start`. Times are in t0.

@@ -18,8 +18,8 @@ namespace drillwave {
 /// number is empty if it was not requested, or if the machine is pushed back, which has no statistics.
 struct DrillNumbers {
     using Number = std::optional<double>;
-    /// Mean, standard deviation and 5, 50 and 95 % quantiles of the gap between bit and crater at the blow; ≥
-    /// 0.
+    /// Mean, standard deviation and 5, 50 and 95 % quantiles of the gap between bit and rock at the blow, in
+    /// units of d0; ≥ 0.
     Number gapMean, gapDeviation, gap05, gap50, gap95;
     /// Mean penetration of the bit per blow, in units of d0.
     Number penetration;

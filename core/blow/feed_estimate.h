@@ -19,14 +19,15 @@ namespace drillwave {
 
 /// Cases for which the required feed force is estimated, from the given blow to the worst one.
 enum class ThrustCase {
-    /// The blow of the scenario, with its own gap.
+    /// The blow of the scenario, with the gap of the scenario.
     scenario,
     /// Gaps within a period, in the rock of the scenario: the required feed force is sufficient for 95 % of
     /// them.
     gapQuantile,
-    /// Rigid rock, with the coefficient of restitution e = 1; the usual estimate.
+    /// Rigid rock, with the coefficient of restitution e = 1; this case is the usual estimate of the required
+    /// feed force.
     rigidRock,
-    /// Elastic rock (γ = 1) of the same stiffness, with the worst of all gaps.
+    /// Elastic rock (γ = 1) of the same stiffness, with the gap that requires the largest feed force.
     elasticWorst,
 };
 inline constexpr auto thrustCases = allValues<ThrustCase>;
@@ -92,17 +93,20 @@ Message frequencyProblem(const Scenario& scenario, const char* what);
 struct UndampedMotion {
     /// Kind of steady motion, by the force ratio φ = Fe/(f I0) and the coefficient of restitution e.
     enum class Kind {
-        /// φ ≤ 1: the blows push the machine back, and there is no steady motion.
+        /// Feed force ratio φ = Fe/(f I0) ≤ 1: the blows push the machine back, and there is no steady
+        /// motion.
         pushedBack,
-        /// 1 < φ < (1+e)/(1−e): one impact per blow, and the bit is off the rock when the hammer strikes.
+        /// Feed force ratio 1 < φ < (1+e)/(1−e), φ = Fe/(f I0): one impact on the rock per blow, and the bit
+        /// is off the rock when the hammer strikes.
         bouncing,
-        /// φ ≥ (1+e)/(1−e): the rod is at rest on the rock before every blow.
+        /// Feed force ratio φ = Fe/(f I0) ≥ (1+e)/(1−e): the rod is at rest on the rock before every blow.
         resting,
     };
     Kind kind = Kind::pushedBack;
     /// Impact velocity V on the rock, in units of v0 (T36); only for Kind::bouncing.
     double impactVelocity = 0;
-    /// Time a from a blow to the impact on the rock, in units of 1/f (T36); only for Kind::bouncing.
+    /// Time a from a blow to the impact of the bit on the rock, in units of 1/f (T36); only for
+    /// Kind::bouncing.
     double delay = 0;
     /// Gap y between bit and rock when the hammer strikes, in units of v0/f (T36); ≥ 0.
     double gap = 0;
@@ -121,15 +125,17 @@ double restingFeed(double cor);
 
 /// Gap between bit and rock when the hammer strikes, if nothing damps the rebound.
 struct GapAtBlow {
-    /// Steady motion at the effective feed force.
+    /// Steady motion of the undamped rod at the effective feed force.
     UndampedMotion motion;
     /// Ratio φ = Fe/(f I0) of the effective feed force to the mean force of the blows.
     double feed = 0;
     /// Number of round trips of a wave between two blows, n_b = 1/(2 T f).
     double roundTrips = 0;
-    /// Gap y v0/f, in m (T37); 0 unless the rod bounces.
+    /// Gap y v0/f between bit and rock at the blow, in m, with the dimensionless gap y (T37); 0 unless the
+    /// rod bounces.
     double gap = 0;
-    /// Gap in units of d0; y n_b for a uniform rod.
+    /// Gap between bit and rock at the blow, in units of d0. For a uniform rod it is y n_b, with the gap y in
+    /// v0/f and n_b round trips between blows.
     double inD0 = 0;
     bool operator==(const GapAtBlow&) const = default;
 };
@@ -153,7 +159,8 @@ struct ThrustNeed {
     /// Feed force f I0 (1+2e), in N, with which an undamped rigid rod returns to the rock before the next
     /// blow.
     double thrustUndamped = 0;
-    /// Effective feed force over `thrust`, less 1; nothing without an installed feed force.
+    /// Margin of the feed force: effective feed force over `thrust`, less 1; nothing without an installed
+    /// feed force.
     std::optional<double> margin;
     /// Blow frequency, in Hz, up to which the effective feed force is at least `thrust`; nothing without an
     /// installed feed force.
@@ -167,20 +174,23 @@ struct ThrustNeed {
 /// Required feed forces of all cases, in the order of ThrustCase.
 using ThrustNeeds = std::array<ThrustNeed, thrustCaseCount>;
 
-/// Returns the computed case with the largest `thrust`.
+/// Returns the computed case with the largest required feed force `thrust`.
 const ThrustNeed& largestOf(const ThrustNeeds& needs);
 
 /// Rating of the effective feed force by the estimates from a single blow.
 enum class FeedState {
-    /// Below f I0, the mean force of the blows.
+    /// Effective feed force below f I0, the mean force of the blows: the machine is pushed back.
     pushedBack,
-    /// Below the required feed force of this blow.
+    /// Effective feed force above the mean force of the blows, but below the required feed force of this
+    /// blow.
     belowRequired,
-    /// Enough for this blow, but not for the largest examined case.
+    /// Effective feed force sufficient for this blow, but not for the examined case with the largest required
+    /// feed force.
     requiredAtThisGap,
-    /// Enough for the largest examined case.
+    /// Effective feed force sufficient for the examined case with the largest required feed force.
     requiredMet,
-    /// Enough for the largest examined case, with return of the rod to the rock before the next blow.
+    /// Effective feed force sufficient for all examined cases, and for the return of the rod to the rock
+    /// before the next blow.
     returnMet,
     /// No rating, because waves of a blow are still present at the next one (n_b < 1).
     notApplicable,
@@ -210,11 +220,11 @@ struct FeedEstimate {
 
     /// Returns the required feed force of one case.
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
-    /// Returns the computed case with the largest `thrust`.
+    /// Returns the computed case with the largest required feed force `thrust`.
     const ThrustNeed& largest() const { return largestOf(needs); }
-    /// Returns which computed case has the largest `thrust`.
+    /// Returns which computed case has the largest required feed force `thrust`.
     ThrustCase largestCase() const;
-    /// Returns whether all four cases are computed.
+    /// Returns whether all four cases are computed, including the two over all gaps between bit and rock.
     bool isOfAllGaps() const;
     /// Returns the effective feed force Fe, in N; nothing if no installed feed force is given.
     std::optional<double> effective() const;
@@ -239,9 +249,9 @@ struct FeedEstimate {
 
 /// Coefficients of restitution e over all gaps of a period.
 struct ReboundsOverGaps {
-    /// Coefficient of restitution that is not exceeded at 95 % of all gaps.
+    /// Coefficient of restitution that is not exceeded for 95 % of all gaps between bit and rock.
     Estimate quantile;
-    /// Largest coefficient of restitution of all gaps on elastic rock (γ = 1).
+    /// Largest coefficient of restitution for any gap between bit and rock, on elastic rock (γ = 1).
     Estimate worst;
 };
 

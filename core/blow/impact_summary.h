@@ -16,15 +16,16 @@ namespace drillwave {
 // Balance of the hammer work
 
 /// Energies after a blow as shares of the hammer work W, or of the hammer energy E0 of a drill string. For a
-/// uniform rod, the first three add up to 1 + residual.
+/// uniform rod, the shares in rock, rebound and waves add up to 1 + residual.
 struct EnergyLedger {
-    /// Share of W or E0 that stays in the rock.
+    /// Share of the hammer work W (drill string: hammer energy E0) that stays in the rock.
     double rockWork = 0;
-    /// Share of W or E0 in the motion of the rod or string as a whole, p²/(2m).
+    /// Share of the hammer work W (drill string: hammer energy E0) in the motion of rod or string as a whole,
+    /// p²/(2m) with momentum p and mass m.
     double reboundEnergy = 0;
-    /// Share of W or E0 in the waves that remain in rod or string.
+    /// Share of the hammer work W (drill string: hammer energy E0) in the waves that remain in rod or string.
     double residualWaveEnergy = 0;
-    /// Error of the energy balance, as a share of W or E0.
+    /// Error of the energy balance, as a share of the hammer work W (drill string: hammer energy E0).
     double residual = 0;
     bool operator==(const EnergyLedger&) const = default;
 };
@@ -46,19 +47,21 @@ struct ImpactSummary {
     double maxPenetration = 0;
     /// Residual penetration after the blow, in units of d0.
     double residualPenetration = 0;
-    /// Time of the first contact since the start of the blow, in units of t0.
+    /// Time of the first contact of bit and rock since the start of the blow, in units of t0.
     double firstContactTime = 0;
-    /// Time of the last separation since the start of the blow, in units of t0.
+    /// Time of the last separation of bit and rock since the start of the blow, in units of t0.
     double separationTime = 0;
-    /// Sum of the durations of all contacts, in units of t0.
+    /// Sum of the durations of all contacts of bit and rock, in units of t0.
     double contactDuration = 0;
-    /// Work ratio W/W0 [paper (2)]; for a hammer, the share of its energy that it transfers.
+    /// Work ratio W/W0: hammer work over m v0²/2 [paper (2)]. For a hammer, the share of its energy that it
+    /// transfers.
     double workRatio = 0;
     /// Shares of the hammer work in rock, rebound and waves.
     EnergyLedger energy;
-    /// Error of the momentum balance, as a share of I0 or p0.
+    /// Error of the momentum balance, as a share of the impulse I0 of the hammer force, or of the momentum p0
+    /// of a hammer.
     double momentumResidual = 0;
-    /// Upper bound of the error of `cor`.
+    /// Upper bound of the absolute error of the coefficient of restitution `cor`.
     double corError = 0;
     /// Factor by which later contacts may amplify rounding errors of earlier ones (Impact::growth).
     double growth = 1;
@@ -73,27 +76,32 @@ struct ImpactSummary {
     double transferred = 1;
     /// Work A(Fm) on the rock up to the largest force, as a share of the hammer work.
     double loadingWork = 0;
-    /// Stated error of energy.rockWork and other energy shares; 0 unless the method uses cells.
+    /// Stated error of the energy shares, such as energy.rockWork; 0 unless the method divides time into
+    /// cells.
     double efficiencyError = 0;
-    /// Stated error of the largest stresses of a string, as a share of them.
+    /// Stated error of the largest stresses of a string, as a share of each stress.
     double stressError = 0;
 
     // Energies are in units of W, or of E0 for a hammer; momenta in units of I0, or of p0 for a hammer
     /// Momentum of the string after the blow, in units of I0 or p0, positive towards the rock.
     double stringMomentum = 0;
-    /// Energy of string or rod after the blow, as a share of W or E0.
+    /// Energy of string or rod after the blow, as a share of the hammer work W (drill string: hammer energy
+    /// E0).
     double stringEnergy = 0;
-    /// Energy lost in joints, as a share of W or E0.
+    /// Energy lost in joints, as a share of the hammer work W (drill string: hammer energy E0).
     double jointLoss = 0;
-    /// Energy lost by attenuation in sections, as a share of W or E0.
+    /// Energy lost by attenuation in sections, as a share of the hammer work W (drill string: hammer energy
+    /// E0).
     double rodLoss = 0;
-    /// Velocity of the hammer after the blow, in units of v0, positive away from the rock; 0 for a force.
+    /// Velocity of the hammer after the blow, in units of its impact velocity v0, positive away from the
+    /// rock; 0 for a prescribed force.
     double hammerReboundVelocity = 0;
-    /// Energy of the hammer's rebound motion, as a share of E0.
+    /// Energy of the hammer's rebound motion as a rigid body, as a share of the hammer energy E0.
     double hammerReboundEnergy = 0;
-    /// Energy of the waves that remain in the hammer, as a share of E0.
+    /// Energy of the waves that remain in the hammer, as a share of the hammer energy E0.
     double hammerWaveEnergy = 0;
-    /// Elastic energy that remains in the contact stiffness of the hammer face, as a share of E0.
+    /// Elastic energy that remains in the contact stiffness of the hammer face, as a share of the hammer
+    /// energy E0.
     double faceEnergy = 0;
     /// Time at which hammer and string first separate, in units of t0; NaN if they do not.
     double faceSeparationTime = Impact::never;
@@ -105,7 +113,8 @@ struct ImpactSummary {
     /// computation ended too early.
     OfLoads<std::optional<double>> largest = {};
 
-    /// Returns the energy in the rock plus that of the hammer's rebound, as a share of W or E0.
+    /// Returns the energy in the rock plus that of the hammer's rebound, as a share of the hammer work W
+    /// (drill string: hammer energy E0).
     double efficiencyRecovered() const { return energy.rockWork + hammerReboundEnergy; }
     /// Sets the largest forces of a uniform rod, and from them the largest stresses.
     void setForces(const RodForces& forces);
@@ -116,13 +125,13 @@ struct ImpactSummary {
 /// `corError`.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
-/// Returns the reference of energy shares, in units of W0: the energy of the hammer, or the work of the
-/// prescribed force.
+/// Returns the energy to which energy shares refer, in units of W0 = m v0²/2: the hammer energy, or the work
+/// of the prescribed force.
 double drivenEnergy(const ImpactSummary& summary, const Scenario& scenario);
 
 /// Choice of the numbers that are computed from the waves; each takes additional time.
 struct WaveNumbers {
-    /// Whether the peaks of the impact force are counted.
+    /// Whether the peaks of the impact force are counted, which needs the histories of the waves.
     bool forcePeaks = true;
     /// Largest forces in the rod to compute.
     RodForceChoice forces = {};

@@ -60,7 +60,8 @@ Message methodMessage(const MethodChoice& choice);
 /// Returns method and settings in English words, as written in files.
 std::string describe(const MethodChoice& choice);
 
-/// Returns the reason why a method cannot solve a blow that other methods can; empty if it can solve it.
+/// Returns the reason why a method cannot solve a blow that other methods can solve; empty if the method can
+/// solve it.
 Message methodRefusal(Method method, const Problem& problem);
 
 /// Work to compute a wave piece with the exact solver, in units of the work to compute a cell (time step) of
@@ -89,10 +90,11 @@ class MethodSolver {
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
-    /// Calls ExactSolver::leaveOutLedger() for the exact solver, with effect on all following blows.
+    /// Omits the sums of Detail::ledger in all later blows that the exact solver computes with
+    /// Detail::histories (ExactSolver::leaveOutLedger()).
     void leaveOutLedger() { m_exact.leaveOutLedger(); }
 
-    /// Returns the solution of a blow on a drill string. The limit of cells in `settings` is replaced by that
+    /// Returns the solution of a blow on a drill string. The maximum work in `settings` is replaced by that
     /// of this solver.
     ChainSolution solveString(const Scenario& scenario, NetworkSettings settings,
                               const std::stop_token& stop = {});

@@ -23,9 +23,9 @@ enum class Measure {
     number,
     /// Error; a number of which only the order of magnitude matters.
     error,
-    /// Share of W0 = m v0²/2; also a plain number in SI.
+    /// Share of the energy W0 = m v0²/2; the same plain number in SI.
     work,
-    /// Share of the hammer work W; also a plain number in SI.
+    /// Share of the hammer work W; the same plain number in SI.
     share,
     /// Share of the hammer work W; in SI an energy in J.
     energy,
@@ -41,7 +41,7 @@ enum class Measure {
     stress,
     /// Velocity, in units of v0: velocity of the hammer, or I0 over the mass of the rod.
     velocity,
-    /// Force in N. This unit, power and velocity in m/s have no dimensionless number.
+    /// Force in N; there is no dimensionless number.
     newton,
     /// Power in W; there is no dimensionless number.
     watt,
@@ -60,11 +60,11 @@ bool concerns(OutputOf which, const Scenario& scenario);
 /// Parts of the hammer work after a blow, or of the hammer energy of a drill string, in the order of a bar
 /// chart.
 enum class EnergyPart {
-    /// Work that stays in the rock.
+    /// Work that stays in the rock, as a part of the hammer work.
     rock,
-    /// Energy of the rebound of rod or string as a whole.
+    /// Energy of the rebound of rod or string as a whole, as a part of the hammer work.
     rebound,
-    /// Energy of the waves that remain in rod or string.
+    /// Energy of the waves that remain in rod or string, as a part of the hammer work.
     waves,
     /// Energy that remains in the hammer of a drill string, as motion and as waves.
     hammer,
@@ -99,7 +99,7 @@ struct Output {
     std::optional<double> (*number)(const OutputSource&);
     /// Title in reports, such as "peak force".
     std::string_view title;
-    /// Kind of blow for which the output is defined.
+    /// Kind of blow for which the output is defined, such as drill strings only.
     OutputOf of = OutputOf::anyBlow;
     /// Heading under which the window lists the output.
     OutputGroup group = OutputGroup::none;
@@ -172,7 +172,7 @@ Message overflowProblem(const Output& output, double value);
 struct MainOutput {
     const Output *value, *error;
 };
-/// Returns the main output of a blow of this scenario, and its error.
+/// Returns the main output of a blow of this scenario, and the output that is its error.
 MainOutput mainOutput(const Scenario& scenario);
 
 /// Returns the output with the given name, of one blow or of many; nullptr if there is none.

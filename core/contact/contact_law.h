@@ -185,7 +185,7 @@ class ContactLaw {
     Real worked(Real force) const { return kept() + givenBack(force); }
 
   private:
-    /// Line of the loading curve: force, penetration and work at its start, and its slope.
+    /// Line of the loading curve: force, penetration and work of loading at its start, and its slope.
     struct Line {
         Real force = 0, penetration = 0, work = 0;
         Real slope = 0;
@@ -244,7 +244,8 @@ class ContactLaw {
     std::size_t m_line = 0;    ///< index of the loading line on which the largest force so far is
     Line m_from;               ///< start of that loading line
     bool m_isBilinear = true;  ///< whether every loading line that the force has reached has the slope β
-    /// Whether every loading line that the force has reached has the slope β/γ of the elastic line.
+    /// Whether every loading line that the force has reached has the slope β/γ of the elastic line, so that
+    /// no energy is absorbed.
     bool m_isElastic;
     std::shared_ptr<const std::vector<Line>> m_lines;  ///< loading lines; nullptr for a law without corners
 };

@@ -25,7 +25,7 @@ namespace drillwave {
 /// of the law grows with the increment while 2g − dU/Δ falls.
 class StepLaw {
   public:
-    /// Events within a step, as bits that can be combined.
+    /// Contact events within a time step, as bits that can be combined.
     enum Change : unsigned {
         none = 0,
         contact = 1,         ///< the gap closed, contact began

@@ -22,7 +22,7 @@ struct Zero {
     static Zero at(Real u) { return {.found = true, .undecided = false, .u = u}; }
 };
 
-/// Number and effort of the searches for a zero that simple bounds could not decide.
+/// Number of searches for a zero that simple bounds could not decide, and effort of these searches.
 struct SearchCount {
     long searches = 0;
     long samples = 0;  ///< evaluated points or checked intervals, in all searches together

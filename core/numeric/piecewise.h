@@ -37,9 +37,10 @@ class PiecewisePolynomial {
     std::span<const double> coefficients(const Piece& piece) const;
 
     double operator()(double s) const;
-    /// Returns the value of one piece at the distance x from its start, 0 ≤ x ≤ length.
+    /// Returns the value of one piece of the function at the distance x from the start of the piece, 0 ≤ x ≤
+    /// length.
     double value(const Piece& piece, double x) const;
-    /// Returns the integral of one piece from its start to the distance x, 0 ≤ x ≤ length.
+    /// Returns the integral of one piece of the function from its start to the distance x, 0 ≤ x ≤ length.
     double integral(const Piece& piece, double x) const;
     /// Returns the integral of the function from start() to s.
     double integral(double s) const;
@@ -51,7 +52,7 @@ class PiecewisePolynomial {
     std::vector<double> m_coefficients;
     std::vector<double> m_integrals;  // integral up to the start of each piece
     double m_origin = 0;
-    /// Sum of all lengths, exact to the last digit so that look-ups by time are exact as well.
+    /// Sum of the lengths of all pieces, exact to the last digit so that look-ups by time are exact as well.
     CompensatedSum<double> m_end;
 };
 

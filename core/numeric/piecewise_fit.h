@@ -80,7 +80,7 @@ struct FitPiece {
 /// Accuracy of a piecewise fit, number of functions, and limits on the work.
 struct FitSettings {
     std::size_t count = 1;  ///< number of functions, 1 … mostFitFunctions
-    /// Size of the values of each function; the tolerance is relative to it.
+    /// Size of the values of each function; the tolerance is a multiple of it.
     std::array<double, mostFitFunctions> scale{1, 1, 1};
     /// Whether `scale` of each function is raised to the largest |value| found so far.
     std::array<bool, mostFitFunctions> scaleGrows{};
@@ -94,9 +94,10 @@ struct FitSettings {
     /// Maximum number of samples without values in an interval between two cuts. Numbers that were not used
     /// are not carried over to later intervals.
     std::uint64_t failuresOfCell = 20;
-    /// Maximum total effort of all evaluations. Beyond it pieces are not refined, and count as not resolved.
+    /// Maximum total effort of all evaluations. When it is reached, pieces are not refined any more, and
+    /// count as not resolved.
     long mostEffort = std::numeric_limits<long>::max();
-    /// Maximum total effort of evaluations that gave no values.
+    /// Maximum total effort of all evaluations at which the functions had no values.
     long mostFailedEffort = std::numeric_limits<long>::max();
     /// Treatment of a point where values end: the pieces next to it are halved, or it is bracketed like a
     /// kink.

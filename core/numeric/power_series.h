@@ -133,13 +133,14 @@ struct PowerSeries {
                length;
     }
 
-    /// Returns Σ|c_k|, which is at least max|f|. Rounding errors of f are relative to it.
+    /// Returns Σ|c_k|, which is at least max|f|; times the machine epsilon, it estimates the rounding error
+    /// of f.
     Real magnitude() const {
         return sumOf<Real>(0, count, [this](int k) { return std::abs(c[k]); });
     }
 
-    /// Returns an upper bound of ∫|f| over [0, length]. Rounding errors of the integral of f are relative to
-    /// it.
+    /// Returns an upper bound of ∫|f| over [0, length]; times the machine epsilon, it estimates the rounding
+    /// error of the integral of f.
     Real integralOfSizes() const { return magnitude() * length; }
 
     /// Returns an upper bound of f over 0 ≤ x ≤ length.
