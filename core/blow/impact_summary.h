@@ -83,7 +83,8 @@ struct ImpactSummary {
     double stressError = 0;
 
     // Energies are in units of W, or of E0 for a hammer; momenta in units of I0, or of p0 for a hammer
-    /// Momentum of the string after the blow, in units of I0 or p0, positive towards the rock.
+    /// Momentum of the string after the blow, positive towards the rock, in units of I0, or of the hammer's
+    /// momentum p0.
     double stringMomentum = 0;
     /// Energy of string or rod after the blow, as a share of the hammer work W (drill string: hammer energy
     /// E0).

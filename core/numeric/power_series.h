@@ -153,7 +153,8 @@ struct PowerSeries {
         while (count > 0 && std::abs(c[count - 1]) <= negligible) --count;
     }
 
-    /// Changes the scale to `newScale` without changing the function: u = x/newScale.
+    /// Changes the scale to `newScale`, and the coefficients so that the function stays the same; then u =
+    /// x/newScale.
     void rescale(Real newScale) {
         const Real ratio = newScale / scale;
         Real power = 1;

@@ -49,9 +49,11 @@ class ExponentialBasis {
         Piece force;
         /// Force at the start of the stretch, in units of F0.
         double start = 0;
-        /// Impulse ∫g up to the end of the stretch, set by endAt() for curved forces.
+        /// Impulse ∫g of the arriving wave over the stretch, in units of I0; set by endAt() if the wave has
+        /// terms of ramps or curved hammer forces.
         double arrived = 0;
-        /// Impulse ∫(g − F) up to the end of the stretch, set by endAt() for curved forces.
+        /// Impulse ∫(g − F) of the reflected wave over the stretch, in units of I0; set by endAt() if the
+        /// wave has terms of ramps or curved hammer forces.
         double left = 0;
         /// Magnitude of the terms that were dropped because they are below rounding, in units of F0.
         double dropped = 0;

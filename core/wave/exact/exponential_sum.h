@@ -77,14 +77,15 @@ struct Coefficients {
             while (count > 0 && c[count - 1] == 0) --count;
     }
 
-    /// Returns Σ c_m φ_m(y); `decay` is e^(−y).
+    /// Returns the sum of the decays Σ c_m φ_m(y), φ_m(y) = e^(−y) y^m/m!; `decay` is e^(−y).
     double decays(double y, double decay) const {
         if (count == 0) return 0;
         double sum = c[count - 1];
         for (int m = count - 1; m > 0; --m) sum = sum * (y / m) + c[m - 1];
         return sum * decay;
     }
-    /// Returns Σ c_m ω_m(y), with a rounding error relative to Σ|c_m| min(1, y); `decay` is e^(−y).
+    /// Returns the sum of the rises Σ c_m ω_m(y), ω_m(y) = ∫0..y φ_m, with a rounding error relative to
+    /// Σ|c_m| min(1, y); `decay` is e^(−y).
     double rises(double y, double decay) const {
         if (count == 0) return 0;
         double omega = y < 0.5 ? -std::expm1(-y) : 1 - decay;

@@ -114,9 +114,9 @@ class JoiningError {
 
     Real m_fastest = 0;        ///< larger rate β/γ of the contact, per t0
     Real m_loadingWeight = 1;  ///< weight √γ of impulse errors before the last force peak
-    /// Error of the impulse up to the last return to the primary line, in units of I0.
+    /// Error of the impulse on the rock up to the last return to the primary line of the law, in units of I0.
     Real m_loading = 0;
-    /// Error of the impulse since the last return to the primary line, in units of I0.
+    /// Error of the impulse on the rock since the last return to the primary line of the law, in units of I0.
     Real m_rebound = 0;
     /// Error of the bit's path at its largest penetration, in units of I0/Z.
     Real m_peak = 0;

@@ -62,7 +62,8 @@ class Relaxation {
   private:
     void makeFast(double rate);
 
-    /// moments of y for each moment of the input q; indices [of q][of y]
+    /// Legendre coefficients of the solution y for each Legendre coefficient of the input q; indices [of
+    /// q][of y]
     std::array<std::array<double, WaveCell::count>, WaveCell::count> m_ofInput{};
     std::array<double, WaveCell::count> m_ofStart{};
     std::array<double, WaveCell::count> m_endOfInput{};
