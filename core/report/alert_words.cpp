@@ -262,14 +262,14 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                              "model of the string, whose COR and efficiency differ by at most %1."),
                 {bound(alert, "difference", style)}};
         case AlertCode::blowNotOver:
-            return {alert.has("forced")
-                        ? translatable(
-                              "This blow is not over after %1, when the next blow starts: the bit may hit "
-                              "the rock again. The values are those at that time, not the final ones.")
-                        : translatable("This blow is not over after %1, when the next blow starts: bit and "
-                                       "rock, or hammer and string, may meet again. The values are those at "
-                                       "that time, not the final ones."),
-                    {inUnit(alert, "time", style)}};
+            return {
+                alert.has("forced")
+                    ? translatable("This blow is not over after %1, when the next blow starts: the bit may "
+                                   "hit the rock again. The values are for that moment and not final.")
+                    : translatable(
+                          "This blow is not over after %1, when the next blow starts: bit and rock, or "
+                          "hammer and string, may meet again. The values are for that moment and not final."),
+                {inUnit(alert, "time", style)}};
         case AlertCode::stressesLeftOut:
             return translatable(
                 "The largest stresses of the sections would take more work than is permitted, so they were "
@@ -289,11 +289,11 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 "Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round "
                 "trip is usual.");
         case AlertCode::restrikeInTheWay:
-            return {
-                translatable("After the piston has separated from the string, the string rebounds against it "
-                             "and takes over up to %1 % of its momentum. If the machine has drawn the piston "
-                             "back by then, switch off “may strike again” (restrike: false in the file)."),
-                {style.number(100 * alert.argument("share").value, 3)}};
+            return {translatable(
+                        "After the piston has separated, the rebounding string hits it again, and the piston "
+                        "passes up to %1 % of its momentum to the string. If the machine has drawn the "
+                        "piston back by then, switch off “may strike again” (restrike: false in the file)."),
+                    {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
             return {translatable("At impact, the shank is up to %1 from its mean position in the machine, so "
                                  "stroke and blow energy of a real machine would differ. A dashpot alone "

@@ -217,14 +217,15 @@ Message extremesMessage(const CurveQuestion& question, const CurveOutput& output
                            {goalValue(question, feature.value.value, style),
                             valueText(question.along, feature.x.value, goalDigits(style), style)}};
         return feature.shape == CurveFeature::Shape::end
-                   ? Message(translatable("%1 (end of the range)"), {text})
+                   ? Message(translatable("%1, the end of the range"), {text})
                    : text;
     };
     const Message name = outputMessage(*question.columns.front().output);
     const CurveFeature* least = extreme(CurveFeature::Kind::minimum);
     const CurveFeature* most = extreme(CurveFeature::Kind::maximum);
     if (least && most)
-        return {translatable("%1 is between %2 and %3"), {name, placed(*least), placed(*most)}};
+        return {translatable("The values of %1 are between %2 and %3"),
+                {name, placed(*least), placed(*most)}};
     if (most) return {translatable("the largest %1 is %2"), {name, placed(*most)}};
     if (least) return {translatable("the smallest %1 is %2"), {name, placed(*least)}};
     return {};

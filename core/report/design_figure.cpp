@@ -134,7 +134,7 @@ class ObjectivePanel {
             if (m_marks == DesignMarks::all) addMark(present, *design, nominal(*design));
         }
         const char* robustName = best.ties.empty() ? translatable("best for uncertain rock")
-                                                   : translatable("best by less than the error");
+                                                   : translatable("best, but within the error");
         FigureSeries robust{.legend = named(robustName, *best.robust), .points = SeriesPoints::diamonds};
         addMark(robust, *best.robust, objective(*best.robust));
         FigureSeries ties{.points = SeriesPoints::circles};
@@ -252,7 +252,7 @@ void addBar(FigureSeries& bars, double place, double length) {
 StudyPanel causesPanel(const DesignReport& report) {
     const DesignStudy& study = report.study;
     const std::vector<OutputSensitivity>& outputs = report.findings.sensitivity.outputs;
-    StudyPanel panel{.x = {.title = translatable("share of the scatter\n(filled: by itself)"),
+    StudyPanel panel{.x = {.title = translatable("share of the scatter\n(filled: without interactions)"),
                            .range = std::pair(0.0, 1.02)},
                      .series = {{.stroke = SeriesStroke::none}}};
     std::vector<FigureText>& names = panel.y.names;  // from the lowest to the top

@@ -75,7 +75,7 @@ void addTies(const DesignReport& report, const DesignNames& names, std::vector<D
         remarks.push_back(
             {false,
              "flat_optimum",
-             {translatable("The samples cannot distinguish the best designs: take any of these: %1."),
+             {translatable("These designs are equally good within the error: %1. Use any of them."),
               {list}}});
         return;
     }
@@ -84,9 +84,9 @@ void addTies(const DesignReport& report, const DesignNames& names, std::vector<D
         {false,
          "flat_optimum",
          {next.sense == Sense::largest
-              ? translatable("The samples cannot distinguish the best designs: take any of these: %1. Among "
+              ? translatable("These designs are equally good within the error: %1. Use any of them. Among "
                              "them, the design %2 has the largest value of %3, %4.")
-              : translatable("The samples cannot distinguish the best designs: take any of these: %1. Among "
+              : translatable("These designs are equally good within the error: %1. Use any of them. Among "
                              "them, the design %2 has the smallest value of %3, %4."),
           {list, names.design(*best.nextBest), names.aim(next),
            names.value(*next.output, aimedValue(report, next, *best.nextBest).value, 5)}}});

@@ -114,8 +114,8 @@ std::string designName(const DesignStudy& study, std::uint64_t design,
 std::string outputText(const DesignStudy& study, const Output& output, double value,
                        const ReadingStyle& style = plainStyle(), int digits = 5);
 
-/// Returns one line per limit with the value closest to the limit among all designs. Empty unless no design
-/// satisfies all limits.
+/// Returns one line per limit with the value closest to the limit among all designs. Returns no lines if any
+/// design satisfies all limits.
 std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
                                      const ReadingStyle& style = plainStyle());
 

@@ -195,8 +195,8 @@ std::string_view feedWord(FeedState state) {
     static constexpr EnumNames<FeedState> words{{{FeedState::pushedBack, "machine pushed back"},
                                                  {FeedState::belowRequired, "below required"},
                                                  {FeedState::requiredAtThisGap, "enough for this gap"},
-                                                 {FeedState::requiredMet, "required met"},
-                                                 {FeedState::returnMet, "return in time met"},
+                                                 {FeedState::requiredMet, "above the required feed"},
+                                                 {FeedState::returnMet, "enough to return in time"},
                                                  {FeedState::notApplicable, "no estimate"}}};
     return words[state];
 }

@@ -37,8 +37,8 @@ Message rejectionReason(const RecordAnswer& answer) {
             "gauges on opposite sides of the rod), the blow before, or couplings.");
     if (answer.has("zero_line"))
         return translatable(
-            "The zero line of the record moves by more than the tolerance of the amplifier: check its zero, "
-            "drift and coupling.");
+            "The zero line of the record drifts by more than the tolerance of the amplifier: check its zero, "
+            "its drift and whether it is AC or DC coupled.");
     if (answer.has("not_quiet_before"))
         return translatable(
             "The rod still rings from an earlier blow when this blow starts: measure a single blow.");

@@ -104,7 +104,7 @@ std::vector<FigureText> summaryOf(const MapReport& report, const MapOutput& outp
     if (!grid.extent())
         return {{grid.failed() > 0 ? translatable("No point could be solved.")
                                    : translatable("The map follows.")}};
-    std::vector<FigureText> parts{{translatable("%1 is between %2 and %3"),
+    std::vector<FigureText> parts{{translatable("The values of %1 are between %2 and %3"),
                                    {{.words = output.axis.title},
                                     number(grid.extent()->least, shownDigits),
                                     number(grid.extent()->largest, shownDigits)}}};
@@ -252,10 +252,9 @@ std::optional<FigureText> mapAnswer(const MapReport& report) {
                 level, {extent->highest});
     }
     const auto [least, largest] = extremesOf(report.grid);
-    FigureText answer =
-        text(translatable("%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = "
-                          "%7 and %4 = %8, with %9."),
-             number(report.grid.extent()->largest, levelDigits), {largest, least});
+    FigureText answer = text(translatable("The largest value of %1 is %2, at %3 = %5 and %4 = %6. The "
+                                          "smallest is %9, at %3 = %7 and %4 = %8."),
+                             number(report.grid.extent()->largest, levelDigits), {largest, least});
     answer.numbers.push_back(number(report.grid.extent()->least, levelDigits));
     return answer;
 }

@@ -2658,12 +2658,12 @@ Trotzdem löschen?</translation>
         <translation>keine Schätzung</translation>
     </message>
     <message>
-        <source>required met</source>
-        <translation>Erforderliches erreicht</translation>
+        <source>above the required feed</source>
+        <translation>über dem erforderlichen Andruck</translation>
     </message>
     <message>
-        <source>return in time met</source>
-        <translation>rechtzeitige Rückkehr erreicht</translation>
+        <source>enough to return in time</source>
+        <translation>genug für rechtzeitige Rückkehr</translation>
     </message>
     <message>
         <source>rigid rock</source>
@@ -3384,7 +3384,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     </message>
     <message>
         <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
-        <translation>Identifizieren liest Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
+        <translation>Die Seite Identifizieren bestimmt Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
     </message>
     <message>
         <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
@@ -3434,8 +3434,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Einige tausend steife und extreme Fälle lösen und prüfen</translation>
     </message>
     <message>
-        <source>Press the button above to compare all methods on this scenario: error against time.</source>
-        <translation>Mit der Schaltfläche darüber alle Verfahren an diesem Szenario vergleichen: Fehler gegen Zeit.</translation>
+        <source>Press “Run” under “Settings” to compare the errors and run times of all methods for this scenario.</source>
+        <translation>Unter „Einstellungen“ auf „Rechnen“ drücken, um Fehler und Rechenzeiten aller Verfahren an diesem Szenario zu vergleichen.</translation>
     </message>
     <message>
         <source>Run solves and checks some thousand stiff and extreme cases.</source>
@@ -3446,16 +3446,16 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Fälle, an denen Verfahren scheitern, jeder mit allen Prüfungen, die schlechtesten zuerst. Ein Klick lädt einen Fall.</translation>
     </message>
     <message>
-        <source>The efficiency of %1 is right to within %2, the error bound of the method.</source>
-        <translation>Der Wirkungsgrad von %1 stimmt auf %2, den Fehler, den das Verfahren angibt.</translation>
+        <source>The efficiency of %1 is accurate to %2, the error bound of the method.</source>
+        <translation>Der Wirkungsgrad von %1 ist auf %2 genau (Fehlerschranke des Verfahrens).</translation>
     </message>
     <message>
         <source>Accuracy of the results, and the results of other methods.</source>
         <translation>Wie richtig die Zahlen sind, und was andere Verfahren ergeben.</translation>
     </message>
     <message>
-        <source>e = %1 is right to within %2, the error bound of the exact solver.</source>
-        <translation>e = %1 stimmt auf %2, die Schranke, die das exakte Verfahren angibt.</translation>
+        <source>e = %1 is accurate to %2, the error bound of the exact solver.</source>
+        <translation>e = %1 ist auf %2 genau (Fehlerschranke des exakten Verfahrens).</translation>
     </message>
     <message>
         <source>load the case %1</source>
@@ -3671,8 +3671,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
     </message>
     <message>
-        <source>To mark a time here, click an event under Result or press T over the plots.</source>
-        <translation>Um hier eine Zeit zu markieren, unter Ergebnis auf ein Ereignis klicken oder T über den Diagrammen drücken.</translation>
+        <source>To mark a time, click an event or press T over the plots.</source>
+        <translation>Eine Zeit markieren: auf ein Ereignis klicken oder T über den Diagrammen drücken.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -3958,8 +3958,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Die Stange, die ohne Wellen ankommt, gepunktet, über ihrer Steifigkeit in einer von zwei Einheiten</translation>
     </message>
     <message>
-        <source>rod without waves: none</source>
-        <translation>Stange ohne Wellen: keine</translation>
+        <source>no line for a rod without waves</source>
+        <translation>keine Linie für Stange ohne Wellen</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -6192,7 +6192,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Der numerische Fehler der Stoßzahl e kann bis zu %1 betragen.</translation>
     </message>
     <message>
-        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are those at that time, not the final ones.</source>
+        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are for that moment and not final.</source>
         <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: Bohrkrone und Gestein oder Hammer und Strang können sich noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
     </message>
     <message>
@@ -6212,8 +6212,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nichts dämpft die Wellen, daher klingen ihre Fronten nie ab. Einen Wellenverlust angeben; 1 bis 30&#xa0;% je Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
-        <source>After the piston has separated from the string, the string rebounds against it and takes over up to %1 % of its momentum. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Nachdem sich der Kolben vom Strang getrennt hat, prallt der Strang gegen ihn zurück und übernimmt bis zu %1&#xa0;% seines Impulses. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
+        <source>After the piston has separated, the rebounding string hits it again, and the piston passes up to %1 % of its momentum to the string. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Nachdem sich der Kolben getrennt hat, trifft ihn der zurückprallende Strang noch einmal, und der Kolben gibt bis zu %1&#xa0;% seines Impulses an den Strang ab. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
         <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper.</source>
@@ -8388,16 +8388,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 oder %2 weitere</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of these: %1.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1.</translation>
+        <source>These designs are equally good within the error: %1. Use any of them.</source>
+        <translation>Diese Auslegungen sind innerhalb des Fehlers gleich gut: %1. Jede davon ist recht.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the largest value of %3, %4.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den größten Wert von %3, %4.</translation>
+        <source>These designs are equally good within the error: %1. Use any of them. Among them, the design %2 has the largest value of %3, %4.</source>
+        <translation>Diese Auslegungen sind innerhalb des Fehlers gleich gut: %1. Jede davon ist recht. Unter ihnen hat die Auslegung %2 den größten Wert von %3, %4.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the smallest value of %3, %4.</source>
-        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede von diesen ist recht: %1. Unter ihnen hat die Auslegung %2 den kleinsten Wert von %3, %4.</translation>
+        <source>These designs are equally good within the error: %1. Use any of them. Among them, the design %2 has the smallest value of %3, %4.</source>
+        <translation>Diese Auslegungen sind innerhalb des Fehlers gleich gut: %1. Jede davon ist recht. Unter ihnen hat die Auslegung %2 den kleinsten Wert von %3, %4.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
@@ -10469,7 +10469,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Dies ist eine Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+        <translation>Diese Schätzung gilt für einzelne Schläge; %1 simuliert aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -11332,7 +11332,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
     </message>
     <message>
-        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are those at that time, not the final ones.</source>
+        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are for that moment and not final.</source>
         <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: die Bohrkrone kann das Gestein noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
     </message>
     <message>
@@ -11732,7 +11732,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung zeigt Wellen zu Zeiten, in denen die Stange in Ruhe sein sollte. Mögliche Ursachen: Biegung (Messstreifen auf gegenüberliegenden Seiten der Stange verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
     </message>
     <message>
-        <source>The zero line of the record moves by more than the tolerance of the amplifier: check its zero, drift and coupling.</source>
+        <source>The zero line of the record drifts by more than the tolerance of the amplifier: check its zero, its drift and whether it is AC or DC coupled.</source>
         <translation>Die Nulllinie der Aufzeichnung bewegt sich um mehr als die Toleranz des Verstärkers: seinen Nullpunkt, seine Drift und seine Kopplung prüfen.</translation>
     </message>
     <message>
@@ -12476,12 +12476,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>%1 (end of the range)</source>
-        <translation>%1 (Ende des Bereichs)</translation>
+        <source>%1, the end of the range</source>
+        <translation>%1, am Ende des Bereichs</translation>
     </message>
     <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 liegt zwischen %2 und %3</translation>
+        <source>The values of %1 are between %2 and %3</source>
+        <translation>Die Werte von %1 liegen zwischen %2 und %3</translation>
     </message>
     <message>
         <source>the largest %1 is %2</source>
@@ -12665,9 +12665,9 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>share of the scatter
-(filled: by itself)</source>
+(filled: without interactions)</source>
         <translation>Anteil an der Streuung
-(gefüllt: allein)</translation>
+(gefüllt: ohne Wechselwirkung)</translation>
     </message>
     <message>
         <source>%1: no scatter</source>
@@ -12874,8 +12874,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Ziel eingeben, um zu finden, wo %1 es erreicht.</translation>
     </message>
     <message>
-        <source>%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = %7 and %4 = %8, with %9.</source>
-        <translation>Am größten ist %1 bei %3 = %5 und %4 = %6, mit %2. Am kleinsten ist %1 bei %3 = %7 und %4 = %8, mit %9.</translation>
+        <source>The largest value of %1 is %2, at %3 = %5 and %4 = %6. The smallest is %9, at %3 = %7 and %4 = %8.</source>
+        <translation>Der größte Wert von %1 ist %2, bei %3 = %5 und %4 = %6. Der kleinste ist %9, bei %3 = %7 und %4 = %8.</translation>
     </message>
     <message>
         <source>%1
@@ -12908,8 +12908,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 (%2).</translation>
     </message>
     <message>
-        <source>best by less than the error</source>
-        <translation>besser um weniger als der Fehler</translation>
+        <source>best, but within the error</source>
+        <translation>beste, aber innerhalb des Fehlers</translation>
     </message>
 </context>
 <context>
@@ -13925,7 +13925,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
     <message>
         <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Dies ist eine Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+        <translation>Diese Schätzung gilt für einzelne Schläge; %1 simuliert aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
@@ -13994,8 +13994,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>To mark a time here, click an event under Result or place the time cursor on the page Blow.</source>
-        <translation>Um hier eine Zeit zu markieren, unter Ergebnis auf ein Ereignis klicken oder auf der Seite Schlag den Zeitcursor setzen.</translation>
+        <source>To mark a time, click an event or place the time cursor in Blow.</source>
+        <translation>Eine Zeit markieren: auf ein Ereignis klicken oder in Schlag den Zeitcursor setzen.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -14114,8 +14114,8 @@ in %4</source>
 in %4</translation>
     </message>
     <message>
-        <source>, which uses %1 % of its strength</source>
-        <translation>, das %1 % der Festigkeit nutzt</translation>
+        <source>; the largest stress of this section uses %1 % of its strength</source>
+        <translation>; die größte Spannung dieses Abschnitts nutzt %1 % der Festigkeit</translation>
     </message>
 </context>
 <context>

@@ -2658,12 +2658,12 @@ Ta bort ändå?</translation>
         <translation>ingen uppskattning</translation>
     </message>
     <message>
-        <source>required met</source>
-        <translation>kravet uppfyllt</translation>
+        <source>above the required feed</source>
+        <translation>över matningskraften som krävs</translation>
     </message>
     <message>
-        <source>return in time met</source>
-        <translation>återkomst i tid uppfylld</translation>
+        <source>enough to return in time</source>
+        <translation>nog för återkomst i tid</translation>
     </message>
     <message>
         <source>rigid rock</source>
@@ -3384,7 +3384,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     </message>
     <message>
         <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
-        <translation>Identifiera läser bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
+        <translation>Sidan Identifiera bestämmer bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
     <message>
         <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
@@ -3434,8 +3434,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Lös och kontrollera några tusen styva och extrema fall</translation>
     </message>
     <message>
-        <source>Press the button above to compare all methods on this scenario: error against time.</source>
-        <translation>Tryck på knappen ovanför för att jämföra alla metoder på detta scenario: fel mot tid.</translation>
+        <source>Press “Run” under “Settings” to compare the errors and run times of all methods for this scenario.</source>
+        <translation>Tryck på ”Beräkna” under ”Inställningar” för att jämföra alla metoders fel och tider för detta scenario.</translation>
     </message>
     <message>
         <source>Run solves and checks some thousand stiff and extreme cases.</source>
@@ -3446,16 +3446,16 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Fall som knäcker lösare, vart och ett med alla kontroller, de sämsta först. Ett klick laddar ett fall.</translation>
     </message>
     <message>
-        <source>The efficiency of %1 is right to within %2, the error bound of the method.</source>
-        <translation>Verkningsgraden %1 är rätt på %2 när, det fel som metoden anger.</translation>
+        <source>The efficiency of %1 is accurate to %2, the error bound of the method.</source>
+        <translation>Verkningsgraden %1 är noggrann på %2 när (metodens felgräns).</translation>
     </message>
     <message>
         <source>Accuracy of the results, and the results of other methods.</source>
         <translation>Hur riktiga talen är, och vad andra metoder ger.</translation>
     </message>
     <message>
-        <source>e = %1 is right to within %2, the error bound of the exact solver.</source>
-        <translation>e = %1 är rätt på %2 när, den gräns som den exakta lösaren anger.</translation>
+        <source>e = %1 is accurate to %2, the error bound of the exact solver.</source>
+        <translation>e = %1 är noggrant på %2 när (den exakta metodens felgräns).</translation>
     </message>
     <message>
         <source>load the case %1</source>
@@ -3671,8 +3671,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
     </message>
     <message>
-        <source>To mark a time here, click an event under Result or press T over the plots.</source>
-        <translation>För att markera en tid här: klicka på en händelse under Resultat eller tryck T över diagrammen.</translation>
+        <source>To mark a time, click an event or press T over the plots.</source>
+        <translation>Markera en tid: klicka på en händelse eller tryck T över diagrammen.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -3958,8 +3958,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Stången som kommer fram utan vågor, prickad, över sin styvhet i en av två enheter</translation>
     </message>
     <message>
-        <source>rod without waves: none</source>
-        <translation>stång utan vågor: ingen</translation>
+        <source>no line for a rod without waves</source>
+        <translation>ingen linje för stång utan vågor</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -6192,7 +6192,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Det numeriska felet i studstalet e kan vara så stort som %1.</translation>
     </message>
     <message>
-        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are those at that time, not the final ones.</source>
+        <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are for that moment and not final.</source>
         <translation>Detta slag är inte över efter %1, när nästa börjar: borrkrona och berg, eller hammare och sträng, kan träffas igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
     </message>
     <message>
@@ -6212,8 +6212,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Inget dämpar vågorna, så deras fronter klingar aldrig av. Ange en vågförlust; 1 till 30&#xa0;% per varv fram och åter är vanlig.</translation>
     </message>
     <message>
-        <source>After the piston has separated from the string, the string rebounds against it and takes over up to %1 % of its momentum. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
-        <translation>Efter att kolven har skilts från strängen studsar strängen mot den och tar över upp till %1&#xa0;% av dess rörelsemängd. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
+        <source>After the piston has separated, the rebounding string hits it again, and the piston passes up to %1 % of its momentum to the string. If the machine has drawn the piston back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Efter att kolven har skilts träffar den studsande strängen den igen, och kolven ger upp till %1&#xa0;% av sin rörelsemängd till strängen. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
         <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper.</source>
@@ -8388,16 +8388,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 eller %2 andra</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of these: %1.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1.</translation>
+        <source>These designs are equally good within the error: %1. Use any of them.</source>
+        <translation>Dessa konstruktioner är lika bra inom felet: %1. Använd vilken som helst av dem.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the largest value of %3, %4.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det största värdet på %3, %4.</translation>
+        <source>These designs are equally good within the error: %1. Use any of them. Among them, the design %2 has the largest value of %3, %4.</source>
+        <translation>Dessa konstruktioner är lika bra inom felet: %1. Använd vilken som helst av dem. Bland dem har konstruktionen %2 det största värdet på %3, %4.</translation>
     </message>
     <message>
-        <source>The samples cannot distinguish the best designs: take any of these: %1. Among them, the design %2 has the smallest value of %3, %4.</source>
-        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst av dessa duger: %1. Av dem har konstruktionen %2 det minsta värdet på %3, %4.</translation>
+        <source>These designs are equally good within the error: %1. Use any of them. Among them, the design %2 has the smallest value of %3, %4.</source>
+        <translation>Dessa konstruktioner är lika bra inom felet: %1. Använd vilken som helst av dem. Bland dem har konstruktionen %2 det minsta värdet på %3, %4.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
@@ -10469,7 +10469,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Detta är en uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+        <translation>Detta är en uppskattning från enstaka slag; %1 simulerar slag efter slag.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -11332,7 +11332,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
     </message>
     <message>
-        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are those at that time, not the final ones.</source>
+        <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are for that moment and not final.</source>
         <translation>Detta slag är inte över efter %1, när nästa börjar: borrkronan kan träffa berget igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
     </message>
     <message>
@@ -11732,7 +11732,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen visar vågor vid tider då stången borde vara i vila. Möjliga orsaker: böjning (använd givare på motsatta sidor av stången), slaget innan, eller skarvhylsor.</translation>
     </message>
     <message>
-        <source>The zero line of the record moves by more than the tolerance of the amplifier: check its zero, drift and coupling.</source>
+        <source>The zero line of the record drifts by more than the tolerance of the amplifier: check its zero, its drift and whether it is AC or DC coupled.</source>
         <translation>Mätningens nollinje rör sig mer än förstärkarens tolerans: kontrollera dess nollpunkt, drift och koppling.</translation>
     </message>
     <message>
@@ -12476,12 +12476,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 vid %2</translation>
     </message>
     <message>
-        <source>%1 (end of the range)</source>
-        <translation>%1 (områdets slut)</translation>
+        <source>%1, the end of the range</source>
+        <translation>%1, i slutet av området</translation>
     </message>
     <message>
-        <source>%1 is between %2 and %3</source>
-        <translation>%1 ligger mellan %2 och %3</translation>
+        <source>The values of %1 are between %2 and %3</source>
+        <translation>Värdena på %1 ligger mellan %2 och %3</translation>
     </message>
     <message>
         <source>the largest %1 is %2</source>
@@ -12665,9 +12665,9 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>share of the scatter
-(filled: by itself)</source>
+(filled: without interactions)</source>
         <translation>andel av spridningen
-(fylld: ensam)</translation>
+(fylld: utan samverkan)</translation>
     </message>
     <message>
         <source>%1: no scatter</source>
@@ -12874,8 +12874,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ange ett mål för att hitta var %1 når det.</translation>
     </message>
     <message>
-        <source>%1 is largest at %3 = %5 and %4 = %6, with %2. It is smallest at %3 = %7 and %4 = %8, with %9.</source>
-        <translation>%1 är störst vid %3 = %5 och %4 = %6, med %2, och minst vid %3 = %7 och %4 = %8, med %9.</translation>
+        <source>The largest value of %1 is %2, at %3 = %5 and %4 = %6. The smallest is %9, at %3 = %7 and %4 = %8.</source>
+        <translation>Det största värdet på %1 är %2, vid %3 = %5 och %4 = %6. Det minsta är %9, vid %3 = %7 och %4 = %8.</translation>
     </message>
     <message>
         <source>%1
@@ -12908,8 +12908,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 (%2).</translation>
     </message>
     <message>
-        <source>best by less than the error</source>
-        <translation>bättre med mindre än felet</translation>
+        <source>best, but within the error</source>
+        <translation>bäst, men inom felet</translation>
     </message>
 </context>
 <context>
@@ -13925,7 +13925,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
     <message>
         <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Detta är en uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+        <translation>Detta är en uppskattning från enstaka slag; %1 simulerar slag efter slag.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
@@ -13994,8 +13994,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>To mark a time here, click an event under Result or place the time cursor on the page Blow.</source>
-        <translation>För att markera en tid här: klicka på en händelse under Resultat eller sätt tidsmarkören på sidan Slag.</translation>
+        <source>To mark a time, click an event or place the time cursor in Blow.</source>
+        <translation>Markera en tid: klicka på en händelse eller sätt tidsmarkören i Slag.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -14114,8 +14114,8 @@ in %4</source>
 i %4</translation>
     </message>
     <message>
-        <source>, which uses %1 % of its strength</source>
-        <translation>, som utnyttjar %1 % av sin hållfasthet</translation>
+        <source>; the largest stress of this section uses %1 % of its strength</source>
+        <translation>; den största spänningen i denna sektion utnyttjar %1 % av hållfastheten</translation>
     </message>
 </context>
 <context>

@@ -332,7 +332,8 @@ class SeriesBasis {
     static constexpr Real longestSine = 0.5;
     /// Longest piece of an exponential hammer force, in units of t0.
     static constexpr Real longestDecay = 2;
-    /// Largest product aℓ of rate and length for one piece of contact in general.
+    /// Largest product aℓ of decay rate a and length ℓ for a piece of contact in which F still changes
+    /// quickly; longer contact is split into several pieces.
     static constexpr Real layer = 2;
     /// Largest product aℓ of rate and length for a piece in which F is already near the slow solution; e^6
     /// cancels three digits of the small difference.

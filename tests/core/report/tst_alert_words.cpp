@@ -179,10 +179,10 @@ const std::vector<Example>& examples() {
          "exact."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
          "This blow is not over after 16.7 ms, when the next blow starts: the bit may hit the rock again. "
-         "The values are those at that time, not the final ones."},
+         "The values are for that moment and not final."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
          "This blow is not over after 16.7 ms, when the next blow starts: bit and rock, or hammer and "
-         "string, may meet again. The values are those at that time, not the final ones."},
+         "string, may meet again. The values are for that moment and not final."},
         {{warning,
           AlertCode::pushedBack,
           "",
@@ -193,9 +193,9 @@ const std::vector<Example>& examples() {
          "Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip "
          "is usual."},
         {{warning, AlertCode::restrikeInTheWay, "", {{"share", 0.1234}}},
-         "After the piston has separated from the string, the string rebounds against it and takes over up "
-         "to 12.3 % of its momentum. If the machine has drawn the piston back by then, switch off “may "
-         "strike again” (restrike: false in the file)."},
+         "After the piston has separated, the rebounding string hits it again, and the piston passes up to "
+         "12.3 % of its momentum to the string. If the machine has drawn the piston back by then, switch off "
+         "“may strike again” (restrike: false in the file)."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
          "At impact, the shank is up to 6 mm from its mean position in the machine, so stroke and blow "
          "energy "

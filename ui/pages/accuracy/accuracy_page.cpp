@@ -172,11 +172,11 @@ void AccuracyPage::present() {
 }
 
 void AccuracyPage::showNothing() {
-    m_frame->showNothing(
-        proof() == Proof::stability ? tr("Run solves and checks some thousand stiff and extreme cases.")
-        : isRunning()
-            ? tr("Solving with the most exact method …")
-            : tr("Press the button above to compare all methods on this scenario: error against time."));
+    m_frame->showNothing(proof() == Proof::stability
+                             ? tr("Run solves and checks some thousand stiff and extreme cases.")
+                         : isRunning() ? tr("Solving with the most exact method …")
+                                       : tr("Press “Run” under “Settings” to compare the errors and run "
+                                            "times of all methods for this scenario."));
     static_cast<ProofTable*>(table().model())->clear();
     redraw();
 }
@@ -186,13 +186,13 @@ QString AccuracyPage::sentence() const {
         return tr(
             "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
     if (blow() && blow()->isSolved() && methodKey(blow()->scenario, Method::exact) != name(Method::exact))
-        return tr("The efficiency of %1 is right to within %2, the error bound of the method.")
+        return tr("The efficiency of %1 is accurate to %2, the error bound of the method.")
             .arg(numberText(blow()->summary.energy.rockWork, 6, QLocale()),
                  magnitudeText(blow()->summary.efficiencyError, QLocale()));
     if (!blow() || !blow()->isSolved())
         return tr("Accuracy of the results, and the results of other methods.");
     const QLocale locale;
-    return tr("e = %1 is right to within %2, the error bound of the exact solver.")
+    return tr("e = %1 is accurate to %2, the error bound of the exact solver.")
         .arg(numberText(blow()->impact.cor, 6, locale), magnitudeText(blow()->impact.corError, locale));
 }
 

@@ -172,9 +172,7 @@ void BlowPage::showInstant() {
     const bool isKnown = time && m_blow && m_blow->fault.isEmpty();
     m_plot->reader().place(PlotCursor::time,
                            isKnown ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
-    if (!isKnown)
-        return m_instant->setText(
-            tr("To mark a time here, click an event under Result or press T over the plots."));
+    if (!isKnown) return m_instant->setText(tr("To mark a time, click an event or press T over the plots."));
     if (!m_blow->impact.hasHistories()) return m_instant->setText(QString());
     const RodState instant = BlowWaves(*m_blow).state(m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;

@@ -172,7 +172,7 @@ std::vector<SectionStress> RodPage::stresses() const {
 QString RodPage::strengthText(std::size_t section) const {
     const std::vector<std::optional<StrengthUse>> uses = strengthUses(m_blow->scenario, stresses());
     if (section >= uses.size() || !uses[section]) return {};
-    return tr(", which uses %1 % of its strength")
+    return tr("; the largest stress of this section uses %1 % of its strength")
         .arg(numberText(100 * uses[section]->share(), 3, QLocale()));
 }
 

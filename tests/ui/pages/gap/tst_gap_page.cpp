@@ -69,7 +69,7 @@ void TestGapPage::start(const char* name) {
     m_document = std::make_unique<Document>();
     m_document->startFrom(findExample(name)->text, QString::fromLatin1(name));
     m_page = std::make_unique<FigurePage>(gapStudy(), *m_document);
-    m_page->resize(900, 600);
+    m_page->resize(900, 700);
 }
 
 void TestGapPage::click(QPointF at) {

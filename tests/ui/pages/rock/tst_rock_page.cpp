@@ -106,7 +106,7 @@ void TestRockPage::theTimeCursorMovesThePointAlongThePath() {
 void TestRockPage::withoutATimeThereIsNoPoint() {
     m_page->setResult(solved());
     QVERIFY(!point()->visible());
-    QVERIFY(instant().contains(QStringLiteral("To mark a time here")));
+    QVERIFY(instant().contains(QStringLiteral("To mark a time")));
     m_observation->setTime(8.0);
     QVERIFY(point()->visible());
     m_observation->setTime({});
