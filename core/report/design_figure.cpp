@@ -234,7 +234,7 @@ StudyPanel tradeOffPanel(const DesignReport& report, const DesignNames& names) {
     }
     StudyPanel panel{
         .x = axisOf(report, aims[0],
-                    {translatable("%1\n(filled: no other design is better in both)"), {names.aim(aims[0])}}),
+                    {translatable("%1\n(filled: none is better in both)"), {names.aim(aims[0])}}),
         .y = axisOf(report, aims[1], outputMessage(*aims[1].output)),
         .series = {std::move(all), std::move(pareto), std::move(best)}};
     panel.x.range = rangeAround(xs);

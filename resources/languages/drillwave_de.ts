@@ -12879,9 +12879,9 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1
-(filled: no other design is better in both)</source>
+(filled: none is better in both)</source>
         <translation>%1
-(gefüllt: keine andere Auslegung ist in beidem besser)</translation>
+(gefüllt: keine ist in beidem besser)</translation>
     </message>
     <message>
         <source> (%1 compared with the present value)</source>

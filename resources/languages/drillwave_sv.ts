@@ -12879,9 +12879,9 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1
-(filled: no other design is better in both)</source>
+(filled: none is better in both)</source>
         <translation>%1
-(fylld: ingen annan konstruktion är bättre i båda)</translation>
+(fylld: ingen är bättre i båda)</translation>
     </message>
     <message>
         <source> (%1 compared with the present value)</source>

@@ -146,20 +146,24 @@ bool setTickCount(QCPAxis& axis) {
 
 QString labelThatFits(const QCPAxis& axis) {
     constexpr double beyond = 10;  // both ends of a vertical axis [px]
-    const QString label = axis.label();
     const QFontMetricsF metrics(axis.labelFont());
     const QRect rect = axis.axisRect()->rect();
     const int middle = rect.center().x();
     const double length = axis.orientation() == Qt::Horizontal
                               ? 2 * std::min(middle, axis.parentPlot()->viewport().right() - middle)
                               : rect.height() + beyond;
-    if (metrics.horizontalAdvance(label) <= length) return label;
-    const qsizetype tailAt =
-        std::max(label.lastIndexOf(QLatin1String(" [")), label.lastIndexOf(QLatin1String(" = ")));
-    const QString tail = tailAt < 0 ? QString() : label.mid(tailAt);
-    const QString words =
-        metrics.elidedText(label.left(tailAt), Qt::ElideRight, length - metrics.horizontalAdvance(tail));
-    return words.size() > 2 ? words + tail : tail.trimmed();
+    const auto fitted = [&](const QString& line) {
+        if (metrics.horizontalAdvance(line) <= length) return line;
+        const qsizetype tailAt =
+            std::max(line.lastIndexOf(QLatin1String(" [")), line.lastIndexOf(QLatin1String(" = ")));
+        const QString tail = tailAt < 0 ? QString() : line.mid(tailAt);
+        const QString words =
+            metrics.elidedText(line.left(tailAt), Qt::ElideRight, length - metrics.horizontalAdvance(tail));
+        return words.size() > 2 ? words + tail : tail.trimmed();
+    };
+    QStringList lines = axis.label().split(QLatin1Char('\n'));
+    std::ranges::transform(lines, lines.begin(), fitted);
+    return lines.join(QLatin1Char('\n'));
 }
 
 void setTickDigits(QCPAxis& axis) {

@@ -270,6 +270,11 @@ void TestPlotWidget::labelIsElidedBeforeItsUnitWhenTheAxisIsShort() {
     m->plot.resize(640, 150);
     m->plot.replot();
     QCOMPARE(labelThatFits(axis), QStringLiteral("[MPa]"));
+    QCPAxis& across = *m->x(m->lower);
+    m->plot.resize(300, 300);
+    m->plot.replot();
+    across.setLabel(QStringLiteral("share of the scatter\n(filled: without interactions)"));
+    QCOMPARE(labelThatFits(across), across.label());
 }
 
 void TestPlotWidget::labelIsElidedOnlyWhileItIsDrawn() {
