@@ -36,13 +36,32 @@ std::string valueText(double value, Quantity quantity, int digits, const Reading
                                         : style.quantity(value, quantity, digits);
 }
 
+std::string percentOf(double share, const ReadingStyle& style) {
+    return style.number(100 * share, 2) + " %";
+}
+
+/// Returns half of the 95 % interval: of the logarithm of the value, or for the gap in m. Empty without an
+/// interval that has two ends.
+std::optional<double> halfWidthOf(const IdentifiedParameter& parameter) {
+    if (!parameter.low || !parameter.high) return std::nullopt;
+    if (parameter.isGap()) return (*parameter.high - *parameter.low) / 2;
+    return *parameter.low > 0 ? std::optional(std::log(*parameter.high / *parameter.low) / 2) : std::nullopt;
+}
+
 Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, const ReadingStyle& style) {
     const auto shown = [&](double value) { return valueText(value, quantity, 3, style); };
+    const std::optional<double> halfWidth = halfWidthOf(parameter);
+    const auto withWidth = [&](const char* words, const char* alone) -> Message {
+        if (!halfWidth || (!parameter.isGap() && *halfWidth > 1)) return alone;
+        return {
+            words,
+            {parameter.isGap() ? valueText(*halfWidth, quantity, 2, style) : percentOf(*halfWidth, style)}};
+    };
     switch (parameter.verdict) {
         case ParameterVerdict::identified:
-            return translatable("known");
+            return withWidth(translatable("known to within %1"), translatable("known"));
         case ParameterVerdict::uncertain:
-            return translatable("uncertain");
+            return withWidth(translatable("uncertain by %1"), translatable("uncertain"));
         case ParameterVerdict::bounded:
             if (parameter.high) return {translatable("less than %1"), {shown(*parameter.high)}};
             if (parameter.low) return {translatable("more than %1"), {shown(*parameter.low)}};
@@ -84,10 +103,6 @@ Message causeWords(const std::string& source, const std::string& key, const Scen
     if (source == "step") return translatable("step of the recorder");
     if (source == "unexplained_wave") return translatable("unexplained waves");
     return source;
-}
-
-std::string percentOf(double share, const ReadingStyle& style) {
-    return style.number(100 * share, 2) + " %";
 }
 
 Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {

@@ -86,6 +86,8 @@ Message identifySentence(const RecordAnswer& answer) {
         : hasStiffness ? translatable("The stiffness of the rock is known, but its elasticity is not.")
         : hasGamma     ? translatable("The elasticity of the rock is known, but its stiffness is not.")
                    : translatable("Neither stiffness nor elasticity of the rock is known to within 20 %.");
+    // The first sentence is the one that is remembered.
+    if (!hasStiffness && !hasGamma) return {translatable("%1 %2"), {Message(known), agrees}};
     return {translatable("%1 %2"), {agrees, Message(known)}};
 }
 

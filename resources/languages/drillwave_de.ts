@@ -12911,6 +12911,14 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>best, but within the error</source>
         <translation>beste, aber innerhalb des Fehlers</translation>
     </message>
+    <message>
+        <source>known to within %1</source>
+        <translation>bekannt auf %1</translation>
+    </message>
+    <message>
+        <source>uncertain by %1</source>
+        <translation>unsicher um %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

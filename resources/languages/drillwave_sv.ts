@@ -12911,6 +12911,14 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>best, but within the error</source>
         <translation>bäst, men inom felet</translation>
     </message>
+    <message>
+        <source>known to within %1</source>
+        <translation>känt inom %1</translation>
+    </message>
+    <message>
+        <source>uncertain by %1</source>
+        <translation>osäkert med %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
