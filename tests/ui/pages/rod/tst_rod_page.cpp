@@ -329,7 +329,7 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
     QCOMPARE(range.upper, blow->units.length.factor);
     QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("shank")));
     QVERIFY2(readout().endsWith(QStringLiteral("in 2nd rod")), qPrintable(readout()));
-    QVERIFY2(answer().startsWith(QStringLiteral("Largest compression ")), qPrintable(answer()));
+    QVERIFY2(answer().startsWith(QStringLiteral("The largest compression is ")), qPrintable(answer()));
     QVERIFY2(answer().contains(QStringLiteral(". No section has a strength")), qPrintable(answer()));
 }
 
