@@ -70,7 +70,7 @@ QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point) {
 
 void wrapLegend(QCPLegend& legend, double width, int mostColumns) {
     const QFontMetricsF metrics(legend.font());
-    constexpr double edges = 8;
+    constexpr double edges = 6;
     const double besideName =
         legend.iconSize().width() + legend.iconTextPadding() + legend.columnSpacing() + edges;
     std::vector<double> widths;

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int patienceMilliseconds = 150;      // as with a blow that is not solved yet
 constexpr double mostOfWindowForWords = 0.15;  // of its height
-constexpr int plotLines = 21;                  // with legend, axes and table
+constexpr int plotLines = 22;                  // with legend, caption and axes
 
 }  // namespace
 
