@@ -19,9 +19,6 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments, const Scenario& base) 
     std::vector<SweepAxis> axes;
     for (const std::string& word : arguments.values("vary"))
         axes.push_back(axisOrPresetsArgument("vary", word, base, presets));
-    if (axes.empty())
-        throw CommandError(ExitCode::usage,
-                           translatable("needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C"));
     return axes;
 }
 
@@ -45,6 +42,9 @@ std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const
 }
 
 ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
+    if (arguments.values("vary").empty())
+        throw CommandError(ExitCode::usage,
+                           translatable("needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C"));
     const std::string& path = arguments.operands().front();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);

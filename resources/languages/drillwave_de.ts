@@ -15077,9 +15077,9 @@ flexion</translation>
         <translation>Voreinstellung</translation>
     </message>
     <message>
-        <source>strength
-used</source>
-        <translation>genutzte
+        <source>of
+strength</source>
+        <translation>von der
 Festigkeit</translation>
     </message>
 </context>

@@ -15077,10 +15077,10 @@ i skarv</translation>
         <translation>förval</translation>
     </message>
     <message>
-        <source>strength
-used</source>
-        <translation>utnyttjad
-hållfasthet</translation>
+        <source>of
+strength</source>
+        <translation>av håll-
+fastheten</translation>
     </message>
 </context>
 <context>

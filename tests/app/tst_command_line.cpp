@@ -266,6 +266,8 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << QStringList{"run", paper, "-o", "/dev/null/x"} << 4 << "cannot be made";
     QTest::newRow("case beyond the limit of work")
         << QStringList{"run", paper, "--set", "beta=1e-300"} << 6 << "could not be solved";
+    QTest::newRow("sweep of nothing from no file")
+        << QStringList{"sweep", "nowhere.yaml"} << 2 << "needs --vary";
     QTest::newRow("sweep of nothing") << QStringList{"sweep", paper} << 2 << "needs --vary";
     QTest::newRow("axis of nothing") << QStringList{"sweep", paper, "--vary", "bta=1,2"} << 2
                                      << "did you mean `beta`?";

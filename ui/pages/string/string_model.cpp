@@ -310,7 +310,7 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         case reflected:
             return withUnit(tr("joint\nreflects"), QStringLiteral("%"));
         case strengthShare:
-            return withUnit(tr("strength\nused"), QStringLiteral("%"));
+            return withUnit(tr("of\nstrength"), QStringLiteral("%"));
         case presetName:
             return tr("preset");
         default:
