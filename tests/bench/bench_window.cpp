@@ -248,6 +248,7 @@ void measureRecord(MainWindow& window) {
     file.close();
     auto* page = window.findChild<IdentifyPage*>();
     window.findChild<PageTabs*>()->setCurrentWidget(page);
+    QTest::qWait(200);  // until the page is shown, without a record
     GapWatch gaps;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, page, [&gaps] { gaps.turn(); });
