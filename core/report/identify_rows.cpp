@@ -40,22 +40,13 @@ std::string percentOf(double share, const ReadingStyle& style) {
     return style.number(100 * share, 2) + " %";
 }
 
-/// Returns half of the 95 % interval: of the logarithm of the value, or for the gap in m. Empty without an
-/// interval that has two ends.
-std::optional<double> halfWidthOf(const IdentifiedParameter& parameter) {
-    if (!parameter.low || !parameter.high) return std::nullopt;
-    if (parameter.isGap()) return (*parameter.high - *parameter.low) / 2;
-    return *parameter.low > 0 ? std::optional(std::log(*parameter.high / *parameter.low) / 2) : std::nullopt;
-}
-
 Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, const ReadingStyle& style) {
     const auto shown = [&](double value) { return valueText(value, quantity, 3, style); };
-    const std::optional<double> halfWidth = halfWidthOf(parameter);
+    const double width = parameter.halfWidth;
+    const bool isShown = parameter.low && parameter.high && (parameter.isGap() || width <= 1);
     const auto withWidth = [&](const char* words, const char* alone) -> Message {
-        if (!halfWidth || (!parameter.isGap() && *halfWidth > 1)) return alone;
-        return {
-            words,
-            {parameter.isGap() ? valueText(*halfWidth, quantity, 2, style) : percentOf(*halfWidth, style)}};
+        if (!isShown) return alone;
+        return {words, {parameter.isGap() ? valueText(width, quantity, 2, style) : percentOf(width, style)}};
     };
     switch (parameter.verdict) {
         case ParameterVerdict::identified:

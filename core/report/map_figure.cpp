@@ -38,6 +38,11 @@ FigureNumber valueOf(const SweepAxis& axis, double value, int digits = shownDigi
     return {value, axis.parameter, digits};
 }
 
+/// A value of the output in SI, shown in the unit of the map.
+FigureNumber valueOf(const MapOutput& output, double value, int digits) {
+    return {value * output.perValue, output.axis.quantity, digits};
+}
+
 /// Points of the map rarely are where the scenario is: their values must not be taken for those of it.
 FigureText titleOf(const SweepAxis& axis, double value, bool isHere) {
     return {isHere ? "%1 = %2" : translatable("at %1 = %2"), {named(*axis.parameter), valueOf(axis, value)}};
@@ -97,20 +102,18 @@ std::pair<ContourPoint, ContourPoint> extremesOf(const MapGrid& grid) {
 
 std::vector<FigureText> summaryOf(const MapReport& report, const MapOutput& output) {
     const MapGrid& grid = report.grid;
-    const auto number = [&](double value, int digits) {
-        return FigureNumber{value * output.perValue, output.axis.quantity, digits};
-    };
     const auto count = [](std::uint64_t value) { return FigureNumber{.words = std::to_string(value)}; };
     if (!grid.extent())
         return {{grid.failed() > 0 ? translatable("No point could be solved.")
                                    : translatable("The map follows.")}};
     std::vector<FigureText> parts{{translatable("The values of %1 are between %2 and %3"),
                                    {{.words = output.axis.title},
-                                    number(grid.extent()->least, shownDigits),
-                                    number(grid.extent()->largest, shownDigits)}}};
+                                    valueOf(output, grid.extent()->least, shownDigits),
+                                    valueOf(output, grid.extent()->largest, shownDigits)}}};
     for (const Contour& contour : report.contours)
         if (contour.lines.empty())
-            parts.push_back({translatable("no contour at %1"), {number(contour.level, levelDigits)}});
+            parts.push_back(
+                {translatable("no contour at %1"), {valueOf(output, contour.level, levelDigits)}});
     if (grid.failed() > 0)
         parts.push_back({translatable("%1 of %2 points not solved (hatched)"),
                          {count(grid.failed()), count(grid.size())}});
@@ -217,9 +220,6 @@ std::optional<FigureText> mapAnswer(const MapReport& report) {
     if (!report.grid.isComplete() || !report.grid.extent()) return std::nullopt;
     const MapStudy& study = report.study;
     const MapOutput output = mapOutput(study);
-    const auto number = [&](double value, int digits) {
-        return FigureNumber{value * output.perValue, output.axis.quantity, digits};
-    };
     const auto text = [&](const char* pattern, FigureNumber value,
                           std::initializer_list<ContourPoint> points) {
         FigureText answer{pattern,
@@ -240,7 +240,7 @@ std::optional<FigureText> mapAnswer(const MapReport& report) {
     for (const Contour& contour : report.contours)
         if (!contour.lines.empty() && (!deciding || rank(contour) > rank(*deciding))) deciding = &contour;
     if (const auto extent = deciding ? extentOf(*deciding) : std::nullopt) {
-        const FigureNumber level = number(deciding->level, levelDigits);
+        const FigureNumber level = valueOf(output, deciding->level, levelDigits);
         const LevelSide side = sideOf(report.grid, deciding->level);
         if (side == LevelSide::above)
             return text(
@@ -254,8 +254,8 @@ std::optional<FigureText> mapAnswer(const MapReport& report) {
     const auto [least, largest] = extremesOf(report.grid);
     FigureText answer = text(translatable("The largest value of %1 is %2, at %3 = %5 and %4 = %6. The "
                                           "smallest is %9, at %3 = %7 and %4 = %8."),
-                             number(report.grid.extent()->largest, levelDigits), {largest, least});
-    answer.numbers.push_back(number(report.grid.extent()->least, levelDigits));
+                             valueOf(output, report.grid.extent()->largest, levelDigits), {largest, least});
+    answer.numbers.push_back(valueOf(output, report.grid.extent()->least, levelDigits));
     return answer;
 }
 
