@@ -260,10 +260,12 @@ void TestImportOfCurve::aGaugeLiesOverADrillString() {
     QVERIFY(misfit.text() != apart);
     type(*page, "measuredShift", QStringLiteral("-130 us"));
     // The largest force in size is a tenth less; samples pass an exact peak by a little.
-    const QRegularExpression percent(QStringLiteral("\\(([-\u2212]?[0-9.]+) %\\)"));
+    const QRegularExpression percent(QStringLiteral("\\(([-\u2212]?[0-9.,]+) %\\)"));
     const QRegularExpressionMatch match = percent.match(misfit.text());
     QVERIFY2(match.hasMatch(), qPrintable(misfit.text()));
-    const double peaks = match.captured(1).replace(QChar(0x2212), QLatin1Char('-')).toDouble();
+    QString shown = match.captured(1);
+    const double peaks =
+        shown.replace(QChar(0x2212), QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
     QVERIFY2(std::abs(peaks + 10) < 0.5, qPrintable(misfit.text()));
 }
 

@@ -344,7 +344,7 @@ void TestDrillingPage::axesOfTheSamePlotHaveRoomForTheirNumbers() {
             names = rect->axis(QCPAxis::atLeft)->tickVectorLabels();
     QCOMPARE(names.size(), 5);
     for (const QString& name : names)
-        QVERIFY2(name.contains(QRegularExpression(" [0-9.]{1,4}\u00a0%$")), qPrintable(name));
+        QVERIFY2(name.contains(QRegularExpression(" [0-9.,]{1,4}\u00a0%$")), qPrintable(name));
 }
 
 void TestDrillingPage::whatLacksIsSaidAndCanBeEntered() {

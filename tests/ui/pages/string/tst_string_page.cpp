@@ -728,7 +728,7 @@ void TestStringPage::theResultPanelShowsWhatAStringHas() {
     QVERIFY(isRowThere(QStringLiteral("margin, this blow")));
     // A velocity has a unit.
     QVERIFY(part<ResultPanel>(window()).text().contains(
-        QRegularExpression(QStringLiteral("hammer rebound\t[0-9.]+.m/s"))));
+        QRegularExpression(QStringLiteral("hammer rebound\t[0-9.,]+.m/s"))));
     // All of the energy is in the bar.
     double sum = 0;
     for (const EnergyPart part : energyParts) sum += energyShare(window().shown()->summary, part);
