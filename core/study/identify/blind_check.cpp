@@ -82,7 +82,8 @@ std::optional<BlindCheck> blindCheck(const GaugeRecord& given, double distance, 
         peak = std::max(peak, std::abs(measured.back()));
     }
     if (!(peak > 0)) return std::nullopt;
-    const std::vector<double>& predicted = model.solved(fit.values).rockForce();
+    const std::vector<double> predicted =
+        model.dispersed(model.solved(fit.values).rockForce(), distance, fit.values);
     const double firstTime = even.start + static_cast<double>(first) * even.step - record.startTime - delay;
     const ShiftedComparison comparison(measured, predicted,
                                        (firstTime - model.gridStart()) / model.gridStep(),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/study/identify/gauge_pair.h"
+#include "core/study/identify/law_search.h"
 
 namespace drillwave {
 
@@ -175,7 +176,7 @@ void addEffect(BudgetEffect& row, const RecordModel& model, UnknownKind kind, do
 /// Adds to the budget the effect of a law that was not tried, if the answer leaves more than noise. The full
 /// effect counts from a misfit of 0.1 % of the peak and 1.25 times the noise, none below 0.05 % or 1.1 times.
 void addUntriedLaws(LawCandidate& answer) {
-    constexpr double onStiffness = 0.05, onGamma = 0.04;  // half-widths of logarithms
+    constexpr double onStiffness = 0.055, onGamma = 0.04;  // half-widths of logarithms
     const MisfitFound& found = answer.errors.misfit;
     const double share = std::clamp(found.misfit / (checkedMisfit / 2) - 1, 0.0, 1.0) *
                          std::clamp((found.ratio - 1.1) / (checkedRatio - 1.1), 0.0, 1.0);
@@ -219,6 +220,23 @@ void addNearbyGains(LawCandidate& bilinear, const std::stop_token& stop) {
     bilinear.errors.budget.push_back(std::move(row));
 }
 
+/// Returns the fit of the bilinear law from the solution with a corner, if that has hardly a corner and the
+/// fit leaves clearly less than the one found before. A search for the corner begins with other shares of
+/// dispersion and without zero lines, and can find a minimum that the search for the bilinear law has missed.
+ModelFit bilinearNear(const LawCandidate& corner, const LawCandidate& bilinear,
+                      std::shared_ptr<RecordModel> model, const std::stop_token& stop) {
+    constexpr double noCorner = 0.1;  // of the logarithm of the slope
+    const double slope = corner.fit.values[static_cast<Index>(corner.model->find(UnknownKind::cornerSlope))];
+    if (std::abs(slope) > noCorner || corner.misfit() > cornerShare * bilinear.misfit()) return {};
+    LawFit fit = fitNearby(*model, *corner.model, corner.fit, stop);
+    refit(*model, fit, stop);
+    const MisfitFound& found = bilinear.errors.misfit;
+    if (stop.stop_requested() ||
+        misfitOf(*model, fit, found.noise, found.scatter).misfit > clearly * found.misfit)
+        return {};
+    return {std::move(model), std::move(fit)};
+}
+
 /// Whether a law counts beside the answer.
 bool counts(const LawTrials& trials, std::size_t i) {
     const LawCandidate& candidate = trials.candidates[i];
@@ -232,15 +250,10 @@ bool counts(const LawTrials& trials, std::size_t i) {
     return i == 0 || candidate.misfit() <= countsBelow * bilinear;
 }
 
-}  // namespace
-
-bool isAccepted(const MisfitFound& misfit) {
-    return misfit.ratio <= 1.3 || misfit.misfit <= 0.01;
-}
-
-LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
-                  const std::vector<KnownSize>& sizes, ModelFit known, const std::stop_token& stop,
-                  const std::function<void(const LawTrials&)>& showFirst) {
+/// `mayRestart` allows a second beginning, from another solution of the bilinear law.
+LawTrials lawsFrom(ModelFit known, bool mayRestart, const PreparedRecord& record,
+                   const IdentifyQuestion& question, const std::vector<KnownSize>& sizes,
+                   const std::stop_token& stop, const std::function<void(const LawTrials&)>& showFirst) {
     LawTrials trials;
     const SizeTolerances tolerances = sizeTolerances(sizes, record.places.front());
     const auto modelOf = [&](TrialLaw law) {
@@ -281,6 +294,10 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         return trials;
     }
     tryLaw("corner", TrialLaw::corner);
+    ModelFit near;
+    if (mayRestart)
+        near = bilinearNear(trials.candidates[1], trials.candidates[0], modelOf(TrialLaw::bilinear), stop);
+    if (near.model) return lawsFrom(std::move(near), false, record, question, sizes, stop, showFirst);
     if (isOpen) {
         tryLaw("crater", TrialLaw::crater);
         tryLaw("power", TrialLaw::power);
@@ -339,6 +356,18 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         if (counts(trials, i)) trials.isLawOpen = true;
     }
     return trials;
+}
+
+}  // namespace
+
+bool isAccepted(const MisfitFound& misfit) {
+    return misfit.ratio <= 1.3 || misfit.misfit <= 0.01;
+}
+
+LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
+                  const std::vector<KnownSize>& sizes, ModelFit known, const std::stop_token& stop,
+                  const std::function<void(const LawTrials&)>& showFirst) {
+    return lawsFrom(std::move(known), true, record, question, sizes, stop, showFirst);
 }
 
 double widthWithLaws(const LawTrials& trials, Unknown::Kind kind, double own) {

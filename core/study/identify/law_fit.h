@@ -71,40 +71,12 @@ struct ModelFit {
 /// Returns the start values of the unknowns for a search.
 Eigen::VectorXd startValues(const RecordModel& model);
 
+/// Moves the values of unknowns that are outside their bounds onto the bounds.
+void clampToBounds(const RecordModel& model, Eigen::VectorXd& values);
+
 /// Minimises the sum of squared residuals Σr² by the Levenberg–Marquardt method within the bounds, starting
 /// from `values`. Updates `values` and returns Σr². Takes at most `mostRounds` iterations.
 double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, const std::stop_token& stop);
-
-/// Returns the largest force on the rock in the solution of a fit [N].
-double largestForce(RecordModel& model, const LawFit& fit);
-
-/// Returns the best fit from many start values. Fits the bilinear law, or only the timing of the scenario's
-/// law. Section sizes and dispersion are fitted only after the best start is known. The weights of the
-/// samples between blow and reflection are adapted to the waves found there.
-LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
-
-/// Fits the bilinear law to a record, starting from `values`. These are the unknowns of the model `from`,
-/// which has the same record but another transit time. Updates `values` and returns Σr².
-double fitAgain(RecordModel& model, const RecordModel& from, Eigen::VectorXd& values,
-                const std::stop_token& stop);
-
-/// Replaces the solution by the lowest minimum of Σr² near it. Stores other minima and the best solutions for
-/// other gaps in LawFit::nearby. These are needed because gap, zero lines and stiffness together can explain
-/// a record in two ways. Towards another gap, Σr² rises less than its curvature at the minimum suggests.
-void searchMinima(RecordModel& model, LawFit& fit, const std::stop_token& stop);
-
-/// Returns the fit of another law, started from the solution of the bilinear one. `isFarOff` means that the
-/// bilinear law does not fit the record. Its dispersion and its waves between blow and reflection are then
-/// not reliable and are fitted again.
-LawFit fitFrom(RecordModel& model, RecordModel& bilinear, const LawFit& from, bool isFarOff,
-               const std::stop_token& stop);
-
-/// Returns the fit of a law that includes the bilinear one, started at and near the bilinear solution. Both
-/// models must have the same record.
-LawFit fitNearby(RecordModel& model, RecordModel& bilinear, const LawFit& from, const std::stop_token& stop);
-
-/// Repeats the fit of a model, starting from an existing solution, and stores the new solution in `fit`.
-void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop);
 
 /// RMS [N] of waves between blow and reflection: below 6.6 kHz, beyond noise, without the zero line.
 struct QuietErrors {

@@ -22,6 +22,7 @@ constexpr double zeroTolerance = 0.02;     ///< of the peak, and in a millisecon
 constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant
 constexpr double bendingTolerance = 0.08;  ///< of half the difference of a pair stays in the mean
 constexpr double curveTolerance = 0.04;    ///< of the peak: gain at the peak less than at small values
+constexpr double risingTolerance = 0.01;   ///< of the peak: more than at small values, of a bar
 constexpr double returnTolerance = 0.02;   ///< gain of the returning wave against that of the incident one
 constexpr double leastBending = 0.005;     ///< of the peak
 constexpr std::size_t frontReach = 4;      ///< samples over which the smoothing spreads a front
@@ -30,6 +31,10 @@ double knownOr(const IdentifyQuestion& question, const char* key, double otherwi
     for (const KnownTolerance& known : question.known)
         if (known.key == key) return known.tolerance;
     return otherwise;
+}
+
+BarDispersion barOf(const GaugePlace& place) {
+    return {place.section.diameter / 2, place.section.bore / 2, place.waveSpeed};
 }
 
 }  // namespace
@@ -213,7 +218,8 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     for (const std::vector<double>& curve : curves) all.push_back(&curve);
     LinearShape curvature = shapeOf("curvature", curveTolerance);
     // A larger one makes other forces of a rock that no law fits.
-    curvature.low = -curveTolerance;
+    // A gain that rises and a specimen that yields look alike.
+    curvature.low = question.barBehind ? -risingTolerance : -curveTolerance;
     curvature.high = curveTolerance;
     addShape(std::move(curvature), all);
     // A gain that changes between the incident and the returning wave.
@@ -237,6 +243,15 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     }
 }
 
+double RecordModel::dispersionShare(const Eigen::VectorXd& values) const {
+    return m_hasDispersion ? values[static_cast<Eigen::Index>(shapeUnknown("dispersion"))] : heldShare();
+}
+
+std::vector<double> RecordModel::dispersed(const std::vector<double>& wave, double way,
+                                           const Eigen::VectorXd& values) const {
+    return barOf(m_record->places.front()).delayed(wave, m_gridStep, dispersionShare(values) * way);
+}
+
 void RecordModel::setDispersion(double share, bool isFree) {
     m_hasDispersion = false;
     const GaugePlace& place = m_record->places.front();
@@ -249,7 +264,7 @@ void RecordModel::setDispersion(double share, bool isFree) {
             if (unknown.kind == Unknown::Kind::shape && unknown.index > there) --unknown.index;
         m_shapes.erase(m_shapes.begin() + static_cast<std::ptrdiff_t>(there));
     }
-    const BarDispersion bar(place.section.diameter / 2, place.section.bore / 2, place.waveSpeed);
+    const BarDispersion bar = barOf(place);
     const auto wavesAt = [&](double kappa) {
         SeparatedWaves waves = m_waves;
         if (kappa == 0) return waves;

@@ -91,6 +91,14 @@ class RecordModel {
     void setDispersion(double share, bool isFree);
     bool hasDispersion() const { return m_hasDispersion; }
     DispersionChoice dispersionChoice() const { return m_dispersion; }
+    /// Returns the share κ of dispersion that holds if κ is no unknown: 1 for a round bar, else 0.
+    double heldShare() const { return m_dispersion == DispersionChoice::bar ? 1 : 0; }
+    /// Returns the share κ of dispersion for values of the unknowns.
+    double dispersionShare(const Eigen::VectorXd& values) const;
+    /// Returns a wave at the times of the model after it has travelled the distance `way` [m] in a bar like
+    /// that of the gauge, with the share of dispersion that these values have.
+    std::vector<double> dispersed(const std::vector<double>& wave, double way,
+                                  const Eigen::VectorXd& values) const;
     /// Adds a disturbance: a jump of the zero level at `time` after the front [s], with the peak force as
     /// unit. `tolerance` is its 95 % tolerance in this unit. Replaces an earlier jump.
     void setJump(double time, double tolerance);

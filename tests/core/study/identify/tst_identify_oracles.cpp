@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "core/study/identify/known_sizes.h"
-#include "core/study/identify/law_fit.h"
+#include "core/study/identify/law_search.h"
 #include "core/study/identify/record_model.h"
 #include "tests/core/study/identify/coverage_scenes.h"
 #include "tests/support/tries.h"
