@@ -8,6 +8,7 @@
 
 #include "core/study/identify/blind_check.h"
 #include "core/study/identify/law_checks.h"
+#include "core/study/identify/law_search.h"
 #include "core/study/identify/parameter_verdicts.h"
 
 namespace drillwave {
@@ -17,6 +18,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double strainedMisfit = 0.01;  ///< of the peak
+constexpr double roughMisfit = 0.005;    ///< of the peak, where it is not noise
+constexpr double roughRatio = 5;         ///< of the residuals to noise
 constexpr double rejectedMisfit = 0.05;  ///< of the peak
 constexpr double rejectedWave = 0.08;    ///< unexplained, of the peak
 constexpr double usedUpMisfit = 0.003;   ///< of the peak
@@ -124,6 +127,7 @@ void fillMatch(const LawTrials& trials, RecordAnswer& answer) {
     match.to = record.timeOf(model.firstReturning() + model.returningCount() - 1);
     match.roundTripOfFile = record.roundTripToRock();
     match.roundTrip = match.roundTripOfFile + lagOf(chosen);
+    answer.distanceThatFits += lagOf(chosen) * record.places.front().waveSpeed / 2;
     match.shiftOfSecond = record.secondShift;
     match.gainOfSecond = record.secondGain;
     match.quiet = chosen.errors.quiet;
@@ -248,7 +252,8 @@ ModelVerdict verdictOf(const LawTrials& trials, RecordAnswer& answer, const Iden
     ModelVerdict verdict = ModelVerdict::accepted;
     if (!isAccepted(misfit))
         verdict = misfit.misfit <= rejectedMisfit ? ModelVerdict::strained : ModelVerdict::rejected;
-    if (trials.isStrained && verdict == ModelVerdict::accepted) verdict = ModelVerdict::strained;
+    const bool isRough = misfit.misfit > roughMisfit && misfit.ratio > roughRatio;
+    if ((trials.isStrained || isRough) && verdict == ModelVerdict::accepted) verdict = ModelVerdict::strained;
     if (chosen.errors.unexplained > rejectedWave) verdict = ModelVerdict::rejected;
     if (const UsedUp used = usedUp(*chosen.model, chosen.fit); hasLeftTolerances(used, misfit)) {
         const bool isOfZero = used.sizes <= tooFar && misfit.misfit > strainedMisfit;
@@ -260,6 +265,8 @@ ModelVerdict verdictOf(const LawTrials& trials, RecordAnswer& answer, const Iden
     if (lag > allowed && misfit.misfit > strainedMisfit) {
         verdict = ModelVerdict::rejected;
         answer.remarks.emplace_back("arrival_off");
+    } else if (lag > allowed && !answer.has("distance_off")) {
+        answer.remarks.emplace_back("distance_off");
     }
     return verdict;
 }
@@ -305,13 +312,11 @@ void checkFileLaw(const IdentifyQuestion& question, const GaugeRecord& given, co
 
 /// Adds what these trials say to what is known of the record before.
 RecordAnswer answerOf(RecordAnswer answer, const LawTrials& trials, const IdentifyQuestion& question,
-                      const GaugeRecord& given, const PreparedRecord& record,
-                      const std::vector<KnownSize>& sizes, const std::stop_token& stop) {
-    const std::vector<GaugePlace>& places = record.places;
+                      const GaugeRecord& given, const std::vector<KnownSize>& sizes,
+                      const std::stop_token& stop) {
     const LawCandidate& chosen = trials.chosen();
     answer.law = chosen.name == "corner" ? "corner" : "bilinear";
     for (const std::string& remark : chosen.errors.remarks) answer.remarks.push_back(remark);
-    answer.distanceThatFits = given.gauges.front().distance + lagOf(chosen) * places.front().waveSpeed / 2;
     if (trials.candidates.size() > 1) answer.remarks.emplace_back("law_tried");
     if (trials.isLawOpen) answer.remarks.emplace_back("law_open");
     if (chosen.name == "crater") answer.remarks.emplace_back("crater");
@@ -351,12 +356,12 @@ RecordAnswer fittedAnswer(const RecordAnswer& before, const IdentifyQuestion& qu
     const LawTrials trials =
         tryLaws(record, question, sizes, std::move(known), stop, [&](const LawTrials& first) {
             if (!showFirst) return;
-            RecordAnswer shown = answerOf(before, first, question, given, record, sizes, stop);
+            RecordAnswer shown = answerOf(before, first, question, given, sizes, stop);
             shown.isFirst = true;
             if (shown.model != ModelVerdict::rejected) showFirst(std::move(shown));
         });
     if (stop.stop_requested()) return before;
-    RecordAnswer answer = answerOf(before, trials, question, given, record, sizes, stop);
+    RecordAnswer answer = answerOf(before, trials, question, given, sizes, stop);
     const IdentifiedParameter* gap = answer.find("bit_rock.gap");
     if (answer.model != ModelVerdict::rejected && gap && gap->low && gap->high && *gap->low > 0.02e-3 &&
         gapMayBeBend(trials, record, question, sizes, stop)) {
@@ -385,6 +390,7 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
     answer.sign = record.sign;
     answer.peak = record.peak;
     answer.impedance = places.front().end.impedance;
+    answer.distanceThatFits = given.gauges.front().distance;
     if (record.shift != 0) answer.remarks.emplace_back("distance_off");
     if (question.law == LawChoice::file) {
         checkFileLaw(question, given, record, stop, answer);

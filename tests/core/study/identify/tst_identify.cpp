@@ -63,6 +63,7 @@ class TestIdentify : public QObject {
     void missingHead_isRejected();
     void exchangedGauges_areRefused();
     void wrongDistance_isFound();
+    void wrongDistanceOfBothGauges_isFound();
     void yieldingRock_isNeverNarrowAndWrongWhenForcedBilinear();
     void cutRecord_showsNoGamma();
     void posteriorDraws_areValidLaws();
@@ -211,6 +212,21 @@ void TestIdentify::wrongDistance_isFound() {
     QVERIFY(std::abs(answer.match.roundTrip - 2 * scene.rig.ahead / scene.rig.speed()) < 6e-6);
 }
 
+// The gauges are as far apart as stated, so the waves are separated rightly and only the arrival differs.
+void TestIdentify::wrongDistanceOfBothGauges_isFound() {
+    GaugeScene scene = sceneOf("string", 2);
+    std::vector<GaugeChannel>& gauges = scene.question.records[0].gauges;
+    const double distance = gauges[0].distance;
+    QVERIFY(!answerOf(scene.question).has("distance_off"));
+    for (GaugeChannel& gauge : gauges) gauge.distance -= 0.07;
+    const RecordAnswer answer = answerOf(scene.question);
+    QVERIFY(answer.model != ModelVerdict::rejected);
+    QVERIFY(answer.has("distance_off"));
+    QVERIFY2(std::abs(answer.distanceThatFits - distance) < 0.01,
+             qPrintable(QString::number(answer.distanceThatFits)));
+    QVERIFY(holds(answer.parameters[0], scene.stiffness));
+}
+
 void TestIdentify::yieldingRock_isNeverNarrowAndWrongWhenForcedBilinear() {
     for (std::uint64_t seed = 2; seed <= 4; ++seed) {
         GaugeScene scene = sceneOf("corner", seed);
@@ -281,6 +297,7 @@ void TestIdentify::waveBehindTheSpecimen_isPredicted() {
     }
     question.barBehind = true;
     question.checkDistance = distance;
+    question.known.push_back({"zero", 0.001});  // a zero line that is free moves the force by 1 to 2 %
     const RecordAnswer answer = answerOf(question);
     QVERIFY(!answer.refusal);
     QVERIFY(std::abs(answer.parameters[0].value / (scene.stiffness / 2) - 1) < 0.01);
