@@ -82,13 +82,13 @@ Message causeWords(const std::string& source, const std::string& key, const Scen
         return parameter ? labelMessage(*parameter, scenario) : Message(key);
     }
     if (source == "noise") return translatable("noise");
-    if (source == "tail") return translatable("tail of the blow");
+    if (source == "tail") return translatable("waves that follow the blow");
     if (source == "timing") return translatable("arrival of the reflection");
     if (source == "material") return translatable("modulus and density");
     if (source == "gain_change") return translatable("gain within the record");
     if (source == "gain") return translatable("gain of the amplifier");
     if (source == "place") return translatable("distance between the gauges");
-    if (source == "resolution") return translatable("steepness of the rock in noise");
+    if (source == "resolution") return translatable("force rise hidden by noise");
     if (source == "law") return translatable("law of the rock");
     if (source == "minimum") return translatable("another solution, as good");
     if (source == "step") return translatable("step of the recorder");
@@ -191,7 +191,10 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
         next->source == "minimum")
         return {translatable("To know more: average 4 blows: %1."), {gain}};
     if (next->source == "unexplained_wave" || next->source == "tail")
-        return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."), {gain}};
+        return {answer.match.zero.size() > 1
+                    ? translatable("To know more: use gauges on opposite sides: %1.")
+                    : translatable("To know more: use gauges on opposite sides, or a second gauge: %1."),
+                {gain}};
     if (next->source == "gain_change")
         return {translatable("To know more: use a larger range of the amplifier, and check glue and cable of "
                              "the gauge: %1."),

@@ -137,7 +137,8 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
                      ? style.quantity(answer.sizeOff->change, Quantity::area, 2)
                      : shortLength(answer.sizeOff->change, 2, style)}};
     if (code == "zero_jumps" && match.jumpTime)
-        return {translatable("the zero level jumps %1 after the front; check cable and amplifier"),
+        return {translatable("a jump of the zero level %1 after the front would explain the record; check "
+                             "cable and amplifier"),
                 {time(*match.jumpTime)}};
     if (code == "gain_changes")
         return {match.gainOfReturn < 1

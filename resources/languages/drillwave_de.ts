@@ -11604,8 +11604,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>keine Änderung ist zu sehen</translation>
     </message>
     <message>
-        <source>tail of the blow</source>
-        <translation>Ende des Schlags</translation>
+        <source>waves that follow the blow</source>
+        <translation>Wellen, die dem Schlag folgen</translation>
     </message>
     <message>
         <source>arrival of the reflection</source>
@@ -11624,8 +11624,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Abstand der Messstellen voneinander</translation>
     </message>
     <message>
-        <source>steepness of the rock in noise</source>
-        <translation>Steilheit des Gesteins im Rauschen</translation>
+        <source>force rise hidden by noise</source>
+        <translation>Kraftanstieg, vom Rauschen verdeckt</translation>
     </message>
     <message>
         <source>step of the recorder</source>
@@ -11654,6 +11654,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>To know more: average 4 blows: %1.</source>
         <translation>Um mehr zu wissen: 4 Schläge mitteln: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: use gauges on opposite sides: %1.</source>
+        <translation>Um mehr zu wissen: Messstreifen auf gegenüberliegenden Seiten verwenden: %1.</translation>
     </message>
     <message>
         <source>To know more: use gauges on opposite sides, or a second gauge: %1.</source>
@@ -11816,8 +11820,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1, um %2 geändert, oder ein anderer Abstand der Messstellen voneinander würde die Aufzeichnung erklären; beide nachmessen</translation>
     </message>
     <message>
-        <source>the zero level jumps %1 after the front; check cable and amplifier</source>
-        <translation>der Nullpunkt springt %1 nach der Front; Kabel und Verstärker prüfen</translation>
+        <source>a jump of the zero level %1 after the front would explain the record; check cable and amplifier</source>
+        <translation>ein Sprung des Nullpunkts %1 nach der Front würde die Aufzeichnung erklären; Kabel und Verstärker prüfen</translation>
     </message>
     <message>
         <source>the rock begins as steep as it springs back: the bit may stand in the crater of a blow before, or be pressed into it</source>

@@ -11604,8 +11604,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>ingen ändring syns</translation>
     </message>
     <message>
-        <source>tail of the blow</source>
-        <translation>slagets svans</translation>
+        <source>waves that follow the blow</source>
+        <translation>vågor som följer slaget</translation>
     </message>
     <message>
         <source>arrival of the reflection</source>
@@ -11624,8 +11624,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avstånd mellan givarna</translation>
     </message>
     <message>
-        <source>steepness of the rock in noise</source>
-        <translation>bergets branthet i bruset</translation>
+        <source>force rise hidden by noise</source>
+        <translation>kraftökning, dold av brus</translation>
     </message>
     <message>
         <source>step of the recorder</source>
@@ -11654,6 +11654,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>To know more: average 4 blows: %1.</source>
         <translation>För att veta mer: ta medelvärdet av 4 slag: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: use gauges on opposite sides: %1.</source>
+        <translation>För att veta mer: använd givare på motstående sidor: %1.</translation>
     </message>
     <message>
         <source>To know more: use gauges on opposite sides, or a second gauge: %1.</source>
@@ -11816,8 +11820,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1, ändrat med %2, eller ett annat avstånd mellan givarna skulle förklara mätningen; mät båda</translation>
     </message>
     <message>
-        <source>the zero level jumps %1 after the front; check cable and amplifier</source>
-        <translation>nollnivån hoppar %1 efter vågfronten; kontrollera kabel och förstärkare</translation>
+        <source>a jump of the zero level %1 after the front would explain the record; check cable and amplifier</source>
+        <translation>ett hopp i nollnivån %1 efter vågfronten skulle förklara mätningen; kontrollera kabel och förstärkare</translation>
     </message>
     <message>
         <source>the rock begins as steep as it springs back: the bit may stand in the crater of a blow before, or be pressed into it</source>
