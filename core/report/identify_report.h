@@ -93,6 +93,8 @@ struct IdentifyLimit {
 /// Returns the largest sources of error, the largest first; empty for a record that is refused or rejected.
 std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
                                           const ReadingStyle& style);
+/// Returns the words for an effect of IdentifyLimit: a percentage, or that it is above 100 %.
+Message limitWords(double effect, const ReadingStyle& style);
 /// Returns a sentence that recommends the most useful further measurement; empty if there is none.
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 

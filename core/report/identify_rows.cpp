@@ -176,6 +176,10 @@ std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scen
     return limits;
 }
 
+Message limitWords(double effect, const ReadingStyle& style) {
+    return effect > 1 ? Message(translatable("over 100 %")) : Message(percentOf(effect, style));
+}
+
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style) {
     const std::optional<NextMeasurement> next = nextMeasurement(answer);
     if (!next) return {};

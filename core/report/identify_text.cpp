@@ -48,10 +48,6 @@ class IdentifyWriter {
     std::string percent(double share, int digits = 2) const {
         return m_style.number(100 * share, digits) + " %";
     }
-    std::string limitText(double share) const {
-        return share > 1 ? said(translatable("over 100 %")) : percent(share);
-    }
-
     void line(const std::string& head, const std::string& words) {
         m_text += "  " + head + std::string(head.size() < 12 ? 12 - head.size() : 1, ' ') + words + "\n";
     }
@@ -68,8 +64,8 @@ class IdentifyWriter {
         grid.add({said(translatable("Limits of the result")), said(translatable("stiffness")),
                   said(translatable("elasticity")), ""});
         for (const IdentifyLimit& limit : identifyLimits(answer, m_report.question.scenario, m_style))
-            grid.add({"  " + said(limit.cause), limitText(limit.onStiffness), limitText(limit.onGamma),
-                      said(limit.tolerance)});
+            grid.add({"  " + said(limit.cause), said(limitWords(limit.onStiffness, m_style)),
+                      said(limitWords(limit.onGamma, m_style)), said(limit.tolerance)});
         m_text += "\n" + grid.text();
         if (const Message next = identifyNext(answer, m_report.question.scenario, m_style); !next.isEmpty())
             m_text += "  " + said(next) + "\n";

@@ -241,9 +241,7 @@ void IdentifyPanel::showLimits(const IdentifyReport& report, const RecordAnswer&
     double largest = 0;
     for (const IdentifyLimit& limit : limits) largest = std::max({largest, limit.onStiffness, limit.onGamma});
     m_limits->setRowCount(int(limits.size()));
-    const auto percent = [&](double share) {
-        return fromView(style.number(100 * std::min(share, 99.0), 2)) + QStringLiteral(" %");
-    };
+    const auto percent = [&](double effect) { return fromView(style.said(limitWords(effect, style))); };
     for (int row = 0; row < int(limits.size()); ++row) {
         const IdentifyLimit& limit = limits[static_cast<std::size_t>(row)];
         m_keys.push_back(limit.key);

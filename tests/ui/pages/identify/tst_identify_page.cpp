@@ -66,6 +66,7 @@ class TestIdentifyPage : public QObject, private test::ImportFixture {
     void aDraggedArrivalMovesTheGauge();
     void aTypedToleranceNarrowsTheInterval();
     void aClickOnALimitGoesToItsField();
+    void limitsReadAsInTheText();
     void aCancelledRecordIsNotWritten();
     void anUnreadableRecordSaysWhy();
     void aRecordIsChosenByTheImportDialog();
@@ -336,6 +337,28 @@ void TestIdentifyPage::aClickOnALimitGoesToItsField() {
     auto* field = m_page->findChild<QuantityField*>(QStringLiteral("known.rod.diameter"));
     QVERIFY(field->isVisible());
     QVERIFY(field->hasFocus() || field->focusProxy() || m_page->focusWidget() == field);
+}
+
+// A record that is cut says nothing of the elasticity.
+void TestIdentifyPage::limitsReadAsInTheText() {
+    open(QStringLiteral("cut.csv"), {QStringLiteral("1.83 m")});
+    QTRY_VERIFY_WITH_TIMEOUT(isDone(), 60000);
+    const QTableWidget& limits = table("limits");
+    QVERIFY(limits.rowCount() > 0);
+    QTest::mouseClick(m_page->findChild<QPushButton*>(QStringLiteral("copyAnswer")), Qt::LeftButton);
+    const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
+    bool isOver = false;
+    for (int row = 0; row < limits.rowCount(); ++row) {
+        const QString effects = limits.item(row, 1)->text() + u' ' + limits.item(row, 2)->text();
+        isOver = isOver || limits.item(row, 2)->text() == translated(translatable("over 100 %"));
+        const QString cause = limits.item(row, 0)->text();
+        QVERIFY2(std::ranges::any_of(lines,
+                                     [&](const QString& line) {
+                                         return line.simplified().startsWith(cause + u' ' + effects);
+                                     }),
+                 qPrintable(cause + u' ' + effects));
+    }
+    QVERIFY(isOver);
 }
 
 void TestIdentifyPage::aCancelledRecordIsNotWritten() {
