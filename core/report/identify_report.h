@@ -55,6 +55,8 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
 bool isRemarkShown(std::string_view code);
 /// Returns the first sentence about a record: whether the model agrees with it and what is known.
 Message identifySentence(const RecordAnswer& answer);
+/// Returns the name of a tried law (TriedLaw::law) in words.
+Message lawWords(std::string_view law);
 /// Returns in a few words whether a record agrees with the model, or why it was refused.
 Message recordVerdict(const RecordAnswer& answer);
 /// Returns the most likely reason why the model disagrees with a rejected record.
@@ -87,14 +89,15 @@ struct IdentifyLimit {
     Message cause;
     std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
     Message tolerance;
-    double onStiffness = 0, onGamma = 0;  ///< effect on stiffness and gamma: relative 95 % half-width
+    /// Effect on stiffness and gamma: relative 95 % half-width; empty if the value is not seen.
+    std::optional<double> onStiffness, onGamma;
     bool isAssumed = false;
 };
 /// Returns the largest sources of error, the largest first; empty for a record that is refused or rejected.
 std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
                                           const ReadingStyle& style);
-/// Returns the words for an effect of IdentifyLimit: a percentage, or that it is above 100 %.
-Message limitWords(double effect, const ReadingStyle& style);
+/// Returns the words for an effect of IdentifyLimit: a percentage, that it is above 100 %, or a dash.
+Message limitWords(std::optional<double> effect, const ReadingStyle& style);
 /// Returns a sentence that recommends the most useful further measurement; empty if there is none.
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t mostLimits = 6;  ///< causes of the error that are shown
 constexpr double leastLimit = 5e-4;    ///< relative effect of a cause that is shown
+constexpr double widestShown = 4.6;    ///< half-width of a logarithm: a factor of 100
 
 struct ParameterNames {
     const char *what, *term;
@@ -61,7 +62,8 @@ Message verdictWords(const IdentifiedParameter& parameter, Quantity quantity, co
             if (parameter.reason == "no_contact") return translatable("not seen: no contact");
             if (parameter.reason == "no_corner")
                 return translatable("not seen: the force stays below a corner");
-            if (parameter.reason == "noise") return translatable("not known: any value fits");
+            if (parameter.reason == "noise")
+                return translatable("not known: uncertain by more than a factor of 10");
             if (parameter.reason == "front") return translatable("not seen: the rock is too stiff");
             return translatable("not seen: the record ends before the rock unloads");
         case ParameterVerdict::rejected:
@@ -106,7 +108,7 @@ Message toleranceWords(const BudgetRow& row, const ReadingStyle& style) {
                                                   : percentOf(row.tolerance, style);
     const Message tolerance =
         row.isAssumed ? Message(translatable("assumed +-%1"), {value}) : Message("+-" + value);
-    if (style.isPrinted() || !isOfSize(row.key)) return tolerance;
+    if (style.isPrinted() || row.key.empty() || row.key == "material") return tolerance;
     return {"%1 (%2)", {tolerance, row.key}};  // the key to state it by
 }
 
@@ -122,8 +124,9 @@ Message sizeWords(const std::string& key, const Scenario& scenario, const Readin
 std::string shortLength(double si, int digits, const ReadingStyle& style) {
     const ReadUnit read =
         style.unitFor(2e-3, Quantity::length);  // the unit in which lengths of a few millimetres are shown
-    // + 0.0 turns -0 into 0.
-    return style.number(std::round(read.unit->fromSi(si) * 1e4) / 1e4 + 0.0, digits) + " " + read.name;
+    const double shown = std::round(read.unit->fromSi(si) * 1e4) / 1e4 + 0.0;  // + 0.0 turns -0 into 0
+    const int whole = shown == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(shown)))) + 1;
+    return style.number(shown, std::max(digits, whole)) + " " + read.name;
 }
 
 std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
@@ -141,7 +144,8 @@ std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
                         valueText(parameter.value, quantity, 4, style),
                         "",
                         verdictWords(parameter, quantity, style)};
-        if (answer.model != ModelVerdict::rejected && parameter.low && parameter.high)
+        const bool isWide = !parameter.isGap() && parameter.halfWidth > widestShown;
+        if (answer.model != ModelVerdict::rejected && parameter.low && parameter.high && !isWide)
             row.interval = interval(*parameter.low, *parameter.high, quantity);
         rows.push_back(std::move(row));
     }
@@ -159,35 +163,48 @@ std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scen
                                           const ReadingStyle& style) {
     if (answer.refusal || answer.model == ModelVerdict::rejected || answer.parameters.size() < 2) return {};
     const IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
+    // What is not seen has no interval that a cause could widen.
+    const auto on = [](const IdentifiedParameter& parameter, double effect) {
+        return parameter.verdict == ParameterVerdict::notSeen ? std::nullopt : std::optional(effect);
+    };
     std::vector<IdentifyLimit> limits{
-        {causeWords("noise", "", scenario), "", {}, stiffness.noise, gamma.noise}};
+        {causeWords("noise", "", scenario), "", {}, on(stiffness, stiffness.noise), on(gamma, gamma.noise)}};
     for (std::size_t i = 0; i < stiffness.budget.size(); ++i) {
         const BudgetRow& row = stiffness.budget[i];
         limits.push_back({causeWords(row.source, row.key, scenario), row.key, toleranceWords(row, style),
-                          row.effect, gamma.budget[i].effect, row.isAssumed});
+                          on(stiffness, row.effect), on(gamma, gamma.budget[i].effect), row.isAssumed});
     }
     std::stable_sort(limits.begin(), limits.end(), [](const IdentifyLimit& a, const IdentifyLimit& b) {
-        return std::hypot(a.onStiffness, a.onGamma) > std::hypot(b.onStiffness, b.onGamma);
+        const auto together = [](const IdentifyLimit& limit) {
+            return std::hypot(limit.onStiffness.value_or(0), limit.onGamma.value_or(0));
+        };
+        return together(a) > together(b);
     });
     limits.resize(std::min(limits.size(), mostLimits));
     std::erase_if(limits, [](const IdentifyLimit& limit) {
-        return std::max(limit.onStiffness, limit.onGamma) <= leastLimit;
+        return std::max(limit.onStiffness.value_or(0), limit.onGamma.value_or(0)) <= leastLimit;
     });
     return limits;
 }
 
-Message limitWords(double effect, const ReadingStyle& style) {
-    return effect > 1 ? Message(translatable("over 100 %")) : Message(percentOf(effect, style));
+Message limitWords(std::optional<double> effect, const ReadingStyle& style) {
+    if (!effect) return Message("-");
+    return *effect > 1 ? Message(translatable("over 100 %")) : Message(percentOf(*effect, style));
 }
 
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style) {
     const std::optional<NextMeasurement> next = nextMeasurement(answer);
     if (!next) return {};
-    const Message gain = {translatable("%1 +-%2"),
-                          {namesOf(next->parameter).term, percentOf(next->halfWidth, style)}};
+    const double today = answer.find(next->parameter)->halfWidth;
+    const std::string after = percentOf(next->halfWidth, style);
+    const char* term = namesOf(next->parameter).term;
+    const Message gain =
+        today > 1 ? Message(translatable("%1 +-%2"), {term, after})
+                  : Message(translatable("%1 +-%2 instead of +-%3"), {term, after, percentOf(today, style)});
     for (const IdentifiedParameter& parameter : answer.parameters)
         if (parameter.verdict == ParameterVerdict::notSeen && parameter.reason == "no_unloading")
-            return translatable("To know more: record until the rock has unloaded.");
+            return translatable(
+                "To know more: record until the rock has unloaded, up to 1 ms after the reflection arrives.");
     if (next->halfWidth > 1)
         return {translatable("No single measurement would bring the uncertainty of %1 below 100 %."),
                 {namesOf(next->parameter).term}};
@@ -209,6 +226,9 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
         return {translatable("To know more: measure the distance of the gauge from the bit: %1."), {gain}};
     const std::string tolerance =
         next->unit == "m" ? shortLength(next->tolerance, 2, style) : percentOf(next->tolerance, style);
+    if (next->source == "place")
+        return {translatable("To know more: measure the distance between the gauges to %1: %2."),
+                {tolerance, gain}};
     return {translatable("To know more: measure %1 to %2: %3."),
             {isOfSize(next->key) ? sizeWords(next->key, scenario, style)
                                  : causeWords(next->source, next->key, scenario),

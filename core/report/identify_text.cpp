@@ -76,7 +76,7 @@ class IdentifyWriter {
         const MatchFigures& match = answer.match;
         if (answer.model == ModelVerdict::rejected || answer.law == "file") m_text += "\n";
         line(said(translatable("match")),
-             said({translatable("the model leaves %1 of the peak, noise leaves %2"),
+             said({translatable("beyond noise, the model leaves an rms of %1 of the peak; the noise is %2"),
                    {percent(match.misfit), percent(match.expected)}}));
         line(said(translatable("in quiet")),
              said({translatable("%1 of the peak where nothing should be (bending and the like)"),
@@ -96,21 +96,23 @@ class IdentifyWriter {
         if (answer.check) {
             line(said(translatable("check")),
                  said({answer.check->shift < 0
-                           ? translatable("the wave behind the specimen is predicted within %1 of its peak; "
-                                          "it was measured %2 earlier")
-                           : translatable("the wave behind the specimen is predicted within %1 of its peak; "
-                                          "it was measured %2 later"),
+                           ? translatable(
+                                 "the wave behind the specimen is predicted with an rms error of %1 of its "
+                                 "peak; it was measured %2 earlier")
+                           : translatable(
+                                 "the wave behind the specimen is predicted with an rms error of %1 of its "
+                                 "peak; it was measured %2 later"),
                        {percent(answer.check->error),
                         m_style.quantity(std::abs(answer.check->shift), Quantity::time, 2)}}));
             if (answer.check->scaledError < mostAlike * answer.check->error)
-                line({}, said({translatable("a factor of %1 brings the prediction within %2: the gain of "
-                                            "that gauge or the bar there may differ"),
+                line({}, said({translatable("a factor of %1 lowers this error to %2: the gain of that gauge "
+                                            "or the bar there may differ"),
                                {m_style.number(answer.check->gain, 3), percent(answer.check->scaledError)}}));
         }
         if (answer.laws.size() > 1) {
             std::string laws;
             for (const TriedLaw& law : answer.laws)
-                laws += (laws.empty() ? "" : ", ") + law.law + " " + percent(law.misfit);
+                laws += (laws.empty() ? "" : ", ") + said(lawWords(law.law)) + " " + percent(law.misfit);
             line(said(translatable("laws tried")), laws);
         }
     }

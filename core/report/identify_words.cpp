@@ -13,6 +13,11 @@ bool isKnownOnBothSides(const IdentifiedParameter* parameter) {
     return parameter && parameter->verdict == ParameterVerdict::identified;
 }
 
+bool isCornerSeen(const RecordAnswer& answer) {
+    const IdentifiedParameter* slope = answer.find("bit_rock.corner.1.slope");
+    return slope && slope->verdict != ParameterVerdict::notSeen;
+}
+
 }  // namespace
 
 Message rejectionReason(const RecordAnswer& answer) {
@@ -68,7 +73,7 @@ Message identifySentence(const RecordAnswer& answer) {
     const Message agrees =
         answer.model == ModelVerdict::strained
             ? translatable("The record agrees only roughly with the model.")
-        : answer.law == "corner"
+        : answer.law == "corner" && isCornerSeen(answer)
             ? translatable(
                   "The record agrees with a rock that yields at one force: its loading curve has one corner.")
             : translatable(
@@ -87,8 +92,29 @@ Message identifySentence(const RecordAnswer& answer) {
         : hasGamma     ? translatable("The elasticity of the rock is known, but its stiffness is not.")
                    : translatable("Neither stiffness nor elasticity of the rock is known to within 20 %.");
     // The first sentence is the one that is remembered.
-    if (!hasStiffness && !hasGamma) return {translatable("%1 %2"), {Message(known), agrees}};
-    return {translatable("%1 %2"), {agrees, Message(known)}};
+    const Message answered = !hasStiffness && !hasGamma
+                                 ? Message(translatable("%1 %2"), {Message(known), agrees})
+                                 : Message(translatable("%1 %2"), {agrees, Message(known)});
+    if (!answer.has("distance_off")) return answered;
+    return {translatable("%1 %2"),
+            {answered,
+             translatable("The gauge is not where the scenario file says, or the wave speed differs.")}};
+}
+
+Message lawWords(std::string_view law) {
+    constexpr std::array<std::pair<std::string_view, const char*>, 8> words{{
+        {"bilinear", translatable("one line")},
+        {"corner", translatable("one corner")},
+        {"crater", translatable("crater of a blow before")},
+        {"power", translatable("power law")},
+        {"dashpot", translatable("dashpot")},
+        {"overload", translatable("overload of the amplifier")},
+        {"jump", translatable("jump of the zero level")},
+        {"file", translatable("that of the scenario")},
+    }};
+    for (const auto& [known, word] : words)
+        if (known == law) return word;
+    return std::string(law);
 }
 
 Message recordVerdict(const RecordAnswer& answer) {
@@ -120,7 +146,8 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
                 {percent(match.before)}};
     if (code == "distance_off")
         return {translatable(
-                    "the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit"),
+                    "the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit: "
+                    "measure its distance"),
                 {time(match.roundTrip), time(match.roundTripOfFile),
                  style.quantity(answer.distanceThatFits, Quantity::length, 4)}};
     if (code == "arrival_off")

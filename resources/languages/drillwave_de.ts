@@ -11648,10 +11648,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 ±%2</translation>
     </message>
     <message>
-        <source>To know more: record until the rock has unloaded.</source>
-        <translation>Um mehr zu wissen: aufzeichnen, bis sich das Gestein entlastet hat.</translation>
-    </message>
-    <message>
         <source>To know more: average 4 blows: %1.</source>
         <translation>Um mehr zu wissen: 4 Schläge mitteln: %1.</translation>
     </message>
@@ -11678,10 +11674,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>match</source>
         <translation>Übereinstimmung</translation>
-    </message>
-    <message>
-        <source>the model leaves %1 of the peak, noise leaves %2</source>
-        <translation>das Modell lässt %1 der Spitze übrig, das Rauschen %2</translation>
     </message>
     <message>
         <source>in quiet</source>
@@ -11802,10 +11794,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>waves of %1 of the peak are there before the front; measure a single blow</source>
         <translation>vor der Front gibt es Wellen von %1 der Spitze; einen einzelnen Schlag messen</translation>
-    </message>
-    <message>
-        <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit</source>
-        <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen</translation>
     </message>
     <message>
         <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock, and look for a section missing in the file</source>
@@ -12092,10 +12080,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nicht gesehen: die Kraft bleibt unter einem Knick</translation>
     </message>
     <message>
-        <source>not known: any value fits</source>
-        <translation>nicht bekannt: jeder Wert passt</translation>
-    </message>
-    <message>
         <source>column %1 is given twice; every gauge has a column of its own</source>
         <translation>Spalte %1 ist zweimal angegeben; jede Messstelle hat eine eigene Spalte</translation>
     </message>
@@ -12126,14 +12110,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>--record %1: is not on a uniform section of the rod or string</source>
         <translation>--record %1: liegt nicht auf einem gleichförmigen Abschnitt von Stange oder Strang</translation>
-    </message>
-    <message>
-        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 earlier</source>
-        <translation>die Welle hinter der Probe ist auf %1 ihrer Spitze vorhergesagt; gemessen wurde sie %2 früher</translation>
-    </message>
-    <message>
-        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 later</source>
-        <translation>die Welle hinter der Probe ist auf %1 ihrer Spitze vorhergesagt; gemessen wurde sie %2 später</translation>
     </message>
     <message>
         <source>lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6</source>
@@ -12900,10 +12876,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>über 100 %</translation>
     </message>
     <message>
-        <source>a factor of %1 brings the prediction within %2: the gain of that gauge or the bar there may differ</source>
-        <translation>mit dem Faktor %1 stimmt die Vorhersage auf %2: die Verstärkung dieser Messstelle oder der Stab dort kann anders sein</translation>
-    </message>
-    <message>
         <source>%1 has no extremes in this range</source>
         <translation>%1 hat in diesem Bereich keine Extrema</translation>
     </message>
@@ -12922,6 +12894,78 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>uncertain by %1</source>
         <translation>unsicher um %1</translation>
+    </message>
+    <message>
+        <source>not known: uncertain by more than a factor of 10</source>
+        <translation>nicht bekannt: um mehr als den Faktor 10 unsicher</translation>
+    </message>
+    <message>
+        <source>%1 +-%2 instead of +-%3</source>
+        <translation>%1 +-%2 statt +-%3</translation>
+    </message>
+    <message>
+        <source>To know more: record until the rock has unloaded, up to 1 ms after the reflection arrives.</source>
+        <translation>Um mehr zu wissen: aufzeichnen, bis sich das Gestein entlastet hat, bis zu 1 ms nach Ankunft der Reflexion.</translation>
+    </message>
+    <message>
+        <source>To know more: measure the distance between the gauges to %1: %2.</source>
+        <translation>Um mehr zu wissen: den Abstand der Messstellen voneinander auf %1 messen: %2.</translation>
+    </message>
+    <message>
+        <source>beyond noise, the model leaves an rms of %1 of the peak; the noise is %2</source>
+        <translation>über das Rauschen hinaus lässt das Modell im Effektivwert %1 der Spitze übrig; das Rauschen ist %2</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted with an rms error of %1 of its peak; it was measured %2 earlier</source>
+        <translation>die Welle hinter der Probe ist mit einem Effektivwert des Fehlers von %1 ihrer Spitze vorhergesagt; gemessen wurde sie %2 früher</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted with an rms error of %1 of its peak; it was measured %2 later</source>
+        <translation>die Welle hinter der Probe ist mit einem Effektivwert des Fehlers von %1 ihrer Spitze vorhergesagt; gemessen wurde sie %2 später</translation>
+    </message>
+    <message>
+        <source>a factor of %1 lowers this error to %2: the gain of that gauge or the bar there may differ</source>
+        <translation>der Faktor %1 senkt diesen Fehler auf %2: die Verstärkung dieser Messstelle oder der Stab dort kann anders sein</translation>
+    </message>
+    <message>
+        <source>The gauge is not where the scenario file says, or the wave speed differs.</source>
+        <translation>Die Messstelle ist nicht dort, wo die Szenariodatei sagt, oder die Wellengeschwindigkeit ist eine andere.</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>eine Gerade</translation>
+    </message>
+    <message>
+        <source>one corner</source>
+        <translation>eine Ecke</translation>
+    </message>
+    <message>
+        <source>crater of a blow before</source>
+        <translation>Krater eines früheren Schlags</translation>
+    </message>
+    <message>
+        <source>power law</source>
+        <translation>Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>dashpot</source>
+        <translation>Dämpfer</translation>
+    </message>
+    <message>
+        <source>overload of the amplifier</source>
+        <translation>Übersteuerung des Verstärkers</translation>
+    </message>
+    <message>
+        <source>jump of the zero level</source>
+        <translation>Sprung des Nullpunkts</translation>
+    </message>
+    <message>
+        <source>that of the scenario</source>
+        <translation>das des Szenarios</translation>
+    </message>
+    <message>
+        <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit: measure its distance</source>
+        <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen: ihren Abstand messen</translation>
     </message>
 </context>
 <context>

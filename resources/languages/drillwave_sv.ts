@@ -11648,10 +11648,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 ±%2</translation>
     </message>
     <message>
-        <source>To know more: record until the rock has unloaded.</source>
-        <translation>För att veta mer: mät tills berget har avlastats.</translation>
-    </message>
-    <message>
         <source>To know more: average 4 blows: %1.</source>
         <translation>För att veta mer: ta medelvärdet av 4 slag: %1.</translation>
     </message>
@@ -11678,10 +11674,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>match</source>
         <translation>överensstämmelse</translation>
-    </message>
-    <message>
-        <source>the model leaves %1 of the peak, noise leaves %2</source>
-        <translation>modellen lämnar kvar %1 av toppen, bruset %2</translation>
     </message>
     <message>
         <source>in quiet</source>
@@ -11802,10 +11794,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>waves of %1 of the peak are there before the front; measure a single blow</source>
         <translation>det finns vågor på %1 av toppen före vågfronten; mät ett enstaka slag</translation>
-    </message>
-    <message>
-        <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit</source>
-        <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa</translation>
     </message>
     <message>
         <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock, and look for a section missing in the file</source>
@@ -12092,10 +12080,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>inte sett: kraften stannar under ett knä</translation>
     </message>
     <message>
-        <source>not known: any value fits</source>
-        <translation>inte känt: varje värde passar</translation>
-    </message>
-    <message>
         <source>column %1 is given twice; every gauge has a column of its own</source>
         <translation>kolumn %1 anges två gånger; varje givare har en egen kolumn</translation>
     </message>
@@ -12126,14 +12110,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>--record %1: is not on a uniform section of the rod or string</source>
         <translation>--record %1: ligger inte på en likformig sektion av stången eller strängen</translation>
-    </message>
-    <message>
-        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 earlier</source>
-        <translation>vågen bakom provet förutsägs inom %1 av sin topp; den mättes %2 tidigare</translation>
-    </message>
-    <message>
-        <source>the wave behind the specimen is predicted within %1 of its peak; it was measured %2 later</source>
-        <translation>vågen bakom provet förutsägs inom %1 av sin topp; den mättes %2 senare</translation>
     </message>
     <message>
         <source>lowest %1 = %2 at %3 = %4; highest %1 = %5 at %3 = %6</source>
@@ -12900,10 +12876,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>över 100 %</translation>
     </message>
     <message>
-        <source>a factor of %1 brings the prediction within %2: the gain of that gauge or the bar there may differ</source>
-        <translation>med faktorn %1 stämmer förutsägelsen inom %2: den givarens förstärkning eller stången där kan vara en annan</translation>
-    </message>
-    <message>
         <source>%1 has no extremes in this range</source>
         <translation>%1 har inga extremvärden i detta område</translation>
     </message>
@@ -12922,6 +12894,78 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>uncertain by %1</source>
         <translation>osäkert med %1</translation>
+    </message>
+    <message>
+        <source>not known: uncertain by more than a factor of 10</source>
+        <translation>inte känt: osäkert med mer än en faktor 10</translation>
+    </message>
+    <message>
+        <source>%1 +-%2 instead of +-%3</source>
+        <translation>%1 +-%2 i stället för +-%3</translation>
+    </message>
+    <message>
+        <source>To know more: record until the rock has unloaded, up to 1 ms after the reflection arrives.</source>
+        <translation>För att veta mer: mät tills berget har avlastats, upp till 1 ms efter att reflexionen kommer.</translation>
+    </message>
+    <message>
+        <source>To know more: measure the distance between the gauges to %1: %2.</source>
+        <translation>För att veta mer: mät avståndet mellan givarna på %1 när: %2.</translation>
+    </message>
+    <message>
+        <source>beyond noise, the model leaves an rms of %1 of the peak; the noise is %2</source>
+        <translation>utöver bruset lämnar modellen kvar ett effektivvärde på %1 av toppen; bruset är %2</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted with an rms error of %1 of its peak; it was measured %2 earlier</source>
+        <translation>vågen bakom provet förutsägs med ett fel (effektivvärde) på %1 av sin topp; den mättes %2 tidigare</translation>
+    </message>
+    <message>
+        <source>the wave behind the specimen is predicted with an rms error of %1 of its peak; it was measured %2 later</source>
+        <translation>vågen bakom provet förutsägs med ett fel (effektivvärde) på %1 av sin topp; den mättes %2 senare</translation>
+    </message>
+    <message>
+        <source>a factor of %1 lowers this error to %2: the gain of that gauge or the bar there may differ</source>
+        <translation>faktorn %1 sänker felet till %2: den givarens förstärkning eller stången där kan vara en annan</translation>
+    </message>
+    <message>
+        <source>The gauge is not where the scenario file says, or the wave speed differs.</source>
+        <translation>Givaren sitter inte där scenariofilen säger, eller så är våghastigheten en annan.</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>en rät linje</translation>
+    </message>
+    <message>
+        <source>one corner</source>
+        <translation>ett hörn</translation>
+    </message>
+    <message>
+        <source>crater of a blow before</source>
+        <translation>krater från ett tidigare slag</translation>
+    </message>
+    <message>
+        <source>power law</source>
+        <translation>potenslag</translation>
+    </message>
+    <message>
+        <source>dashpot</source>
+        <translation>dämpare</translation>
+    </message>
+    <message>
+        <source>overload of the amplifier</source>
+        <translation>överstyrd förstärkare</translation>
+    </message>
+    <message>
+        <source>jump of the zero level</source>
+        <translation>hopp i nollnivån</translation>
+    </message>
+    <message>
+        <source>that of the scenario</source>
+        <translation>scenariots</translation>
+    </message>
+    <message>
+        <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit: measure its distance</source>
+        <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa: mät avståndet</translation>
     </message>
 </context>
 <context>

@@ -201,26 +201,37 @@ std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer) {
     }
     std::stable_sort(causes.begin(), causes.end(),
                      [](const Cause& a, const Cause& b) { return a.together() > b.together(); });
-    const Cause& first = causes.front();
-    const double second = causes.size() > 1 ? causes[1].together() : 0;
-    if (!(first.together() > 0)) return std::nullopt;
-    NextMeasurement next{first.source, first.key, 0, first.unit, "", 0};
-    double share = std::min(1.0, second / first.together());
-    if (first.source == "noise") share = 0.5;  // the mean of four blows has half the noise
-    if (!first.key.empty() && first.tolerance > 0) {
-        // one digit, no finer than a fifth of today's tolerance
-        const double wanted = first.tolerance * std::max(share, 0.2);
-        const double digit = std::pow(10, std::floor(std::log10(wanted)));
-        next.tolerance = std::floor(wanted / digit + 1e-9) * digit;
-        share = next.tolerance / first.tolerance;
+    if (!(causes.front().together() > 0)) return std::nullopt;
+    constexpr double finest = 0.2;   // of today's tolerance
+    constexpr double cheaper = 1.5;  // to measure a size than to change the set-up
+    NextMeasurement best;
+    double bestGain = -1;
+    for (std::size_t i = 0; i < causes.size(); ++i) {
+        const Cause& cause = causes[i];
+        const double other = causes[i == 0 && causes.size() > 1 ? 1 : 0].together();
+        const bool isMeasured = !cause.key.empty() && cause.tolerance > 0;
+        double share = isMeasured && i > 0 ? finest : std::min(1.0, other / cause.together());
+        if (cause.source == "noise") share = 0.5;  // the mean of four blows has half the noise
+        NextMeasurement next{cause.source, cause.key, 0, cause.unit, "", 0};
+        if (isMeasured) {
+            const double wanted = cause.tolerance * std::max(share, finest);
+            const double digit = std::pow(10, std::floor(std::log10(wanted)));
+            next.tolerance = std::floor(wanted / digit + 1e-9) * digit;
+            share = next.tolerance / cause.tolerance;
+        }
+        const double gain =
+            cause.together() * cause.together() * (1 - share * share) * (isMeasured ? cheaper : 1);
+        if (!(gain > bestGain)) continue;
+        const bool isStiffness = cause.onStiffness >= cause.onGamma;
+        const IdentifiedParameter& parameter = isStiffness ? stiffness : gamma;
+        const double effect = isStiffness ? cause.onStiffness : cause.onGamma;
+        next.parameter = parameter.key;
+        next.halfWidth = std::sqrt(
+            std::max(0.0, parameter.halfWidth * parameter.halfWidth - effect * effect * (1 - share * share)));
+        best = next;
+        bestGain = gain;
     }
-    const bool isStiffness = first.onStiffness >= first.onGamma;
-    const IdentifiedParameter& parameter = isStiffness ? stiffness : gamma;
-    const double effect = isStiffness ? first.onStiffness : first.onGamma;
-    next.parameter = parameter.key;
-    next.halfWidth = std::sqrt(
-        std::max(0.0, parameter.halfWidth * parameter.halfWidth - effect * effect * (1 - share * share)));
-    return next;
+    return best;
 }
 
 PosteriorDraws posteriorDraws(const IdentifyFindings& findings, std::size_t count, std::uint64_t seed) {

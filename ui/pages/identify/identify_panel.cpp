@@ -239,18 +239,22 @@ void IdentifyPanel::showLimits(const IdentifyReport& report, const RecordAnswer&
     const std::vector<IdentifyLimit> limits = identifyLimits(answer, report.question.scenario, style);
     m_keys.clear();
     double largest = 0;
-    for (const IdentifyLimit& limit : limits) largest = std::max({largest, limit.onStiffness, limit.onGamma});
+    for (const IdentifyLimit& limit : limits)
+        largest = std::max({largest, limit.onStiffness.value_or(0), limit.onGamma.value_or(0)});
     m_limits->setRowCount(int(limits.size()));
-    const auto percent = [&](double effect) { return fromView(style.said(limitWords(effect, style))); };
+    const auto percent = [&](std::optional<double> effect) {
+        return fromView(style.said(limitWords(effect, style)));
+    };
     for (int row = 0; row < int(limits.size()); ++row) {
         const IdentifyLimit& limit = limits[static_cast<std::size_t>(row)];
         m_keys.push_back(limit.key);
         const std::array<QTableWidgetItem*, 4> cells{
             textCell(fromView(style.said(limit.cause))), textCell(percent(limit.onStiffness)),
             textCell(percent(limit.onGamma)), textCell(withSigns(fromView(style.said(limit.tolerance))))};
-        const double shares[] = {limit.onStiffness, limit.onGamma};
+        const double shares[] = {limit.onStiffness.value_or(0), limit.onGamma.value_or(0)};
         for (std::size_t k = 0; k < 2; ++k) {
-            cells[k + 1]->setData(barRole, QPointF(0, largest > 0 ? shares[k] / largest : 0));
+            if (!(shares[k] > 0)) continue;
+            cells[k + 1]->setData(barRole, QPointF(0, shares[k] / largest));
             cells[k + 1]->setData(hatchRole, limit.isAssumed);
         }
         for (int column = 0; column < int(cells.size()); ++column)
