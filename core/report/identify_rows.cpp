@@ -163,7 +163,7 @@ std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scen
                                           const ReadingStyle& style) {
     if (answer.refusal || answer.model == ModelVerdict::rejected || answer.parameters.size() < 2) return {};
     const IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
-    // What is not seen has no interval that a cause could widen.
+    // A value that is not seen has no interval that a cause could widen.
     const auto on = [](const IdentifiedParameter& parameter, double effect) {
         return parameter.verdict == ParameterVerdict::notSeen ? std::nullopt : std::optional(effect);
     };
