@@ -127,8 +127,8 @@ std::string curveText(const CurveReport& report, const ReadingStyle& style) {
             const CurveOutput& output = line.outputs[i];
             text +=
                 "\n" + featureTable(question, question.columns[i], output.features, style) +
-                stretchesText(question, output.grid, translatable("only points known from %1 to %2: %3"),
-                              style) +
+                stretchesText(question, output.grid,
+                              translatable("known only at grid points from %1 to %2: %3"), style) +
                 stretchesText(question, output.unsolved, translatable("no answer from %1 to %2: %3"), style);
         }
     }

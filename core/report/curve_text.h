@@ -23,8 +23,8 @@ std::string familyText(const SweepAxis& family, double value, const ReadingStyle
 /// count ≤ most.
 std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style = plainStyle());
 
-/// Returns the report as text. For each line and output it lists where the goal is reached, a table of
-/// features, and ranges where only points or no results are known.
+/// Returns the report as text. For each curve (one value of the family) and each output it lists where the
+/// goal is reached, a table of features, and the ranges that are known only at grid points or have no result.
 std::string curveText(const CurveReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

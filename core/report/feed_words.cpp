@@ -78,7 +78,7 @@ class EstimateMessage {
                 translatable("For this blow, the feed force must be at least %1 at a blow frequency of %2."),
                 {least(needed), present}};
         return {translatable("For this blow, the feed force must be at least %1 at %2, or the blow frequency "
-                             "at most %3 with this feed force."),
+                             "at most %3 with the present feed force."),
                 {least(needed), present, frequency(limit, digits, Rounding::down)}};
     }
 
@@ -92,10 +92,10 @@ class EstimateMessage {
             case FeedState::belowRequired:
                 return m_estimate.isOfAllGaps()
                            ? Message(translatable("An additional feed force of %1 is enough for this blow, "
-                                                  "and %2 is enough for every gap between bit and rock."),
+                                                  "an additional %2 for every gap between bit and rock."),
                                      {more(ofThisBlow), more(largest.thrust)})
                            : Message(translatable("An additional feed force of %1 is enough for this blow, "
-                                                  "and %2 is enough for rigid rock."),
+                                                  "an additional %2 for rigid rock."),
                                      {more(ofThisBlow), more(largest.thrust)});
             case FeedState::requiredAtThisGap:
                 return {

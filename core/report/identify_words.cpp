@@ -84,21 +84,25 @@ Message identifySentence(const RecordAnswer& answer) {
     const bool hasGap = isKnownOnBothSides(answer.find("bit_rock.gap"));
     const char* known =
         hasStiffness && hasGamma && hasGap
-            ? translatable("The record determines stiffness, elasticity and gap of the rock.")
-        : hasStiffness && hasGamma
-            ? translatable(
-                  "Stiffness and elasticity of the rock are known, but the gap between bit and rock is not.")
-        : hasStiffness ? translatable("The stiffness of the rock is known, but its elasticity is not.")
-        : hasGamma     ? translatable("The elasticity of the rock is known, but its stiffness is not.")
-                   : translatable("Neither stiffness nor elasticity of the rock is known to within 20 %.");
+            ? translatable("The record determines stiffness, elasticity (gamma) and gap of the rock.")
+        : hasStiffness && hasGamma ? translatable(
+                                         "Stiffness and elasticity (gamma) of the rock are known, but the "
+                                         "gap between bit and rock is not.")
+        : hasStiffness
+            ? translatable("The stiffness of the rock is known, but its elasticity (gamma) is not.")
+        : hasGamma
+            ? translatable("The elasticity (gamma) of the rock is known, but its stiffness is not.")
+            : translatable("Neither stiffness nor elasticity (gamma) of the rock is known to within 20 %.");
     // The first sentence is the one that is remembered.
     const Message answered = !hasStiffness && !hasGamma
                                  ? Message(translatable("%1 %2"), {Message(known), agrees})
                                  : Message(translatable("%1 %2"), {agrees, Message(known)});
     if (!answer.has("distance_off")) return answered;
-    return {translatable("%1 %2"),
-            {answered,
-             translatable("The gauge is not where the scenario file says, or the wave speed differs.")}};
+    return {
+        translatable("%1 %2"),
+        {answered,
+         translatable(
+             "The position of the gauge or the wave speed in the scenario file does not match the record.")}};
 }
 
 Message lawWords(std::string_view law) {

@@ -312,7 +312,7 @@ const Study& thrustStudy() {
                                                                : requiredFeedMessage(scenario, {}, style);
             },
         .axis = [](const StudyQuestion& question) { return askedAxis(question).axis; },
-        .threadsHelp = "number of threads for --along (default: all)",
+        .threadsHelp = "number of processor threads for --along (default: all)",
         .hasWorkLimit = true,
         .tableName = translatable("Required feed"),
         .marksBlows = true,

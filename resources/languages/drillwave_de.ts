@@ -8256,8 +8256,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>und %1 weitere; --json enthält alle</translation>
     </message>
     <message>
-        <source>only points known from %1 to %2: %3</source>
-        <translation>nur von einzelnen Punkten bekannt von %1 bis %2: %3</translation>
+        <source>known only at grid points from %1 to %2: %3</source>
+        <translation>nur an Gitterpunkten bekannt von %1 bis %2: %3</translation>
     </message>
     <message>
         <source>no answer from %1 to %2: %3</source>
@@ -11764,24 +11764,24 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung stimmt mit einem Gestein überein, dessen Kraft beim Eindringen längs einer einzigen Geraden steigt.</translation>
     </message>
     <message>
-        <source>The record determines stiffness, elasticity and gap of the rock.</source>
-        <translation>Die Aufzeichnung bestimmt Steifigkeit, Elastizität und Spalt des Gesteins.</translation>
+        <source>The record determines stiffness, elasticity (gamma) and gap of the rock.</source>
+        <translation>Die Aufzeichnung bestimmt Steifigkeit, Elastizität (gamma) und Spalt des Gesteins.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity of the rock are known, but the gap between bit and rock is not.</source>
-        <translation>Steifigkeit und Elastizität des Gesteins sind bekannt, der Spalt zwischen Bohrkrone und Gestein nicht.</translation>
+        <source>Stiffness and elasticity (gamma) of the rock are known, but the gap between bit and rock is not.</source>
+        <translation>Steifigkeit und Elastizität (gamma) des Gesteins sind bekannt, der Spalt zwischen Bohrkrone und Gestein nicht.</translation>
     </message>
     <message>
-        <source>The stiffness of the rock is known, but its elasticity is not.</source>
-        <translation>Die Steifigkeit des Gesteins ist bekannt, die Elastizität nicht.</translation>
+        <source>The stiffness of the rock is known, but its elasticity (gamma) is not.</source>
+        <translation>Die Steifigkeit des Gesteins ist bekannt, die Elastizität (gamma) nicht.</translation>
     </message>
     <message>
-        <source>The elasticity of the rock is known, but its stiffness is not.</source>
-        <translation>Die Elastizität des Gesteins ist bekannt, die Steifigkeit nicht.</translation>
+        <source>The elasticity (gamma) of the rock is known, but its stiffness is not.</source>
+        <translation>Die Elastizität (gamma) des Gesteins ist bekannt, die Steifigkeit nicht.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor elasticity of the rock is known to within 20 %.</source>
-        <translation>Weder Steifigkeit noch Elastizität des Gesteins sind auf 20&#xa0;% genau bekannt.</translation>
+        <source>Neither stiffness nor elasticity (gamma) of the rock is known to within 20 %.</source>
+        <translation>Weder Steifigkeit noch Elastizität (gamma) des Gesteins sind auf 20 % genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12754,15 +12754,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Für diesen Schlag muss der Andruck bei einer Schlagfrequenz von %2 mindestens %1 sein.</translation>
     </message>
     <message>
-        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz bei diesem Andruck höchstens %3.</translation>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with the present feed force.</source>
+        <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz beim jetzigen Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for every gap between bit and rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, an additional %2 for every gap between bit and rock.</source>
         <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for rigid rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, an additional %2 for rigid rock.</source>
         <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
     </message>
     <message>
@@ -12928,8 +12928,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>der Faktor %1 senkt diesen Fehler auf %2: die Verstärkung dieser Messstelle oder der Stab dort kann anders sein</translation>
     </message>
     <message>
-        <source>The gauge is not where the scenario file says, or the wave speed differs.</source>
-        <translation>Die Messstelle ist nicht dort, wo die Szenariodatei sagt, oder die Wellengeschwindigkeit ist eine andere.</translation>
+        <source>The position of the gauge or the wave speed in the scenario file does not match the record.</source>
+        <translation>Die Lage der Messstelle oder die Wellengeschwindigkeit in der Szenariodatei passt nicht zur Aufzeichnung.</translation>
     </message>
     <message>
         <source>one line</source>
@@ -16538,7 +16538,7 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>diesen Parameter verändern und eine Tabelle darüber ergänzen; VALUES ist START:STOP[:COUNT], START:STOP[:COUNT]:log (gleiche Verhältnisse) oder A,B,C (Vorgabe für COUNT: 101, oder jede ganze Zahl)</translation>
     </message>
     <message>
-        <source>number of threads for --along (default: all)</source>
+        <source>number of processor threads for --along (default: all)</source>
         <translation>Zahl der Threads für --along (Vorgabe: alle)</translation>
     </message>
     <message>

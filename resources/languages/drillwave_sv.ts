@@ -8256,8 +8256,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>och %1 till; --json ger alla</translation>
     </message>
     <message>
-        <source>only points known from %1 to %2: %3</source>
-        <translation>känt bara i enstaka punkter från %1 till %2: %3</translation>
+        <source>known only at grid points from %1 to %2: %3</source>
+        <translation>känt bara i rutnätspunkter från %1 till %2: %3</translation>
     </message>
     <message>
         <source>no answer from %1 to %2: %3</source>
@@ -11764,24 +11764,24 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen stämmer med ett berg vars kraft stiger längs en enda rät linje när kronan tränger in.</translation>
     </message>
     <message>
-        <source>The record determines stiffness, elasticity and gap of the rock.</source>
-        <translation>Mätningen bestämmer bergets styvhet, elasticitet och spel.</translation>
+        <source>The record determines stiffness, elasticity (gamma) and gap of the rock.</source>
+        <translation>Mätningen bestämmer bergets styvhet, elasticitet (gamma) och spalt.</translation>
     </message>
     <message>
-        <source>Stiffness and elasticity of the rock are known, but the gap between bit and rock is not.</source>
-        <translation>Bergets styvhet och elasticitet är kända, men inte spalten mellan borrkrona och berg.</translation>
+        <source>Stiffness and elasticity (gamma) of the rock are known, but the gap between bit and rock is not.</source>
+        <translation>Bergets styvhet och elasticitet (gamma) är kända, men inte spalten mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>The stiffness of the rock is known, but its elasticity is not.</source>
-        <translation>Bergets styvhet är känd, men inte dess elasticitet.</translation>
+        <source>The stiffness of the rock is known, but its elasticity (gamma) is not.</source>
+        <translation>Bergets styvhet är känd, men inte dess elasticitet (gamma).</translation>
     </message>
     <message>
-        <source>The elasticity of the rock is known, but its stiffness is not.</source>
-        <translation>Bergets elasticitet är känd, men inte dess styvhet.</translation>
+        <source>The elasticity (gamma) of the rock is known, but its stiffness is not.</source>
+        <translation>Bergets elasticitet (gamma) är känd, men inte dess styvhet.</translation>
     </message>
     <message>
-        <source>Neither stiffness nor elasticity of the rock is known to within 20 %.</source>
-        <translation>Varken bergets styvhet eller dess elasticitet är känd på 20&#xa0;% när.</translation>
+        <source>Neither stiffness nor elasticity (gamma) of the rock is known to within 20 %.</source>
+        <translation>Varken bergets styvhet eller dess elasticitet (gamma) är känd på 20 % när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12754,15 +12754,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>För detta slag måste matningskraften vara minst %1 vid en slagfrekvens på %2.</translation>
     </message>
     <message>
-        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with this feed force.</source>
-        <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid denna matningskraft.</translation>
+        <source>For this blow, the feed force must be at least %1 at %2, or the blow frequency at most %3 with the present feed force.</source>
+        <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid nuvarande matningskraft.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for every gap between bit and rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, an additional %2 for every gap between bit and rock.</source>
         <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, and %2 is enough for rigid rock.</source>
+        <source>An additional feed force of %1 is enough for this blow, an additional %2 for rigid rock.</source>
         <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
     </message>
     <message>
@@ -12928,8 +12928,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>faktorn %1 sänker felet till %2: den givarens förstärkning eller stången där kan vara en annan</translation>
     </message>
     <message>
-        <source>The gauge is not where the scenario file says, or the wave speed differs.</source>
-        <translation>Givaren sitter inte där scenariofilen säger, eller så är våghastigheten en annan.</translation>
+        <source>The position of the gauge or the wave speed in the scenario file does not match the record.</source>
+        <translation>Givarens läge eller våghastigheten i scenariofilen stämmer inte med mätningen.</translation>
     </message>
     <message>
         <source>one line</source>
@@ -16531,7 +16531,7 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>variera denna parameter och lägg till en tabell över den; VALUES är START:STOP[:COUNT], START:STOP[:COUNT]:log (lika förhållanden) eller A,B,C (standard för COUNT: 101, eller varje heltal)</translation>
     </message>
     <message>
-        <source>number of threads for --along (default: all)</source>
+        <source>number of processor threads for --along (default: all)</source>
         <translation>antal trådar för --along (standard: alla)</translation>
     </message>
     <message>

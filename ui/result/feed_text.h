@@ -60,13 +60,13 @@ QString thrustNeededText(const SolvedBlow& blow);
 /// empty without data.
 QString returnInTimeText(const SolvedBlow& blow);
 
-/// Returns WorstNeed::thrust(), the largest required feed force, with its unit. An ellipsis is added while it
-/// belongs to an earlier blow; empty if it is not known.
+/// Returns WorstNeed::thrust(), the largest required feed force, with its unit. An ellipsis is added while
+/// the value is that of an earlier scenario; empty if it is not known.
 QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow);
 
 /// Returns whether the effective feed force covers WorstNeed::thrust(), the largest required one, in words
 /// with the difference, such as "⚠ short by …". Empty if one of them is not known; an ellipsis while the
-/// estimate belongs to an earlier blow.
+/// estimate is that of an earlier scenario.
 QString worstMarginText(const WorstNeed& worst, const SolvedBlow& blow);
 /// Returns whether the effective feed force is known to be less than WorstNeed::thrust(), the largest
 /// required one.

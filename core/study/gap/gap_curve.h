@@ -59,7 +59,8 @@ struct GapCurve {
     std::size_t outputCount = 0;
     /// Smooth pieces, ascending and contiguous except for slivers of width 1e-12 around kinks.
     std::vector<GapPiece> pieces;
-    /// Gaps δ at which the order of events at the bit changes, and all whole numbers.
+    /// Gaps δ at which the order of contact events changes, and the ends of the periods of e, which repeats
+    /// when δ rises by 1.
     std::vector<double> borders;
     std::uint64_t solves = 0;  ///< number of blows solved
     double solverError = 0;    ///< largest error bound of the solver for e, over all blows

@@ -33,8 +33,8 @@ struct NextMeasurement {
     /// Source of the error to reduce: a source of BudgetRow, "noise" or "unexplained_wave".
     std::string source;
     std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
-    /// Tolerance to reach, in `unit`; 0 if the source has none. That of the largest source makes it equal to
-    /// the second; no tolerance is below a fifth of the present one.
+    /// Tolerance to reach, in `unit`; 0 if the source has none. The tolerance of the largest source makes it
+    /// equal to the second; no tolerance is below a fifth of the present one.
     double tolerance = 0;
     std::string unit;
     std::string parameter;  ///< key of the parameter whose half-width decreases most

@@ -177,8 +177,9 @@ struct WavePiece : PowerSeries<Real> {
         displaced = other.displaced;
         displacedAtStart = other.displacedAtStart;
     }
-    /// Adds `more`, the error of the bit's path by joining this piece to `next`, in units of I0. Such errors
-    /// have either sign, so their squares are added.
+    /// Updates `displaced` when this piece is joined to `next`: the root sum square of `more` and of the
+    /// larger `displaced` of the two, since such errors have either sign. `more` is the error of the bit's
+    /// position that the joining causes, in the unit of `displaced`.
     void displace(const WavePiece& next, Real more) {
         const Real before = std::max(displaced, next.displaced);
         displaced = std::sqrt(before * before + more * more);

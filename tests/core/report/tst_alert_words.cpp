@@ -63,7 +63,7 @@ const std::vector<Example>& examples() {
            {"frequency", 50, Quantity::frequency}}},
          "The feed force of 1.5 kN is less than the mean force of the blows, 2 kN: the machine is pushed "
          "back. For this blow, the feed force must be at least 2.8 kN at 50 Hz, or the blow frequency "
-         "at most 26.7 Hz with this feed force. Friction, rotation and buckling are not modelled."},
+         "at most 26.7 Hz with the present feed force. Friction, rotation and buckling are not modelled."},
         {{note, AlertCode::superRebound, "", {{"cor", 1.25}}},
          "The rod rebounds with more momentum than it had before impact (e = 1.25). An estimate for rigid "
          "rock (e = 1) gives too small a feed force."},
@@ -311,11 +311,12 @@ class TestAlertWords : public QObject {
         summary.cor = 0.4;
         const std::vector<Alert> alerts = resultAlerts(scenario, summary);
         QCOMPARE(alerts.size(), std::size_t{1});
-        QCOMPARE(textOf(alerts[0]),
-                 QString("The feed force of 1.5 kN is less than the mean force of the blows, 2 kN: the "
-                         "machine is pushed back. For this blow, the feed force must be at least 2.8 kN "
-                         "at 50 Hz, or the blow frequency at most 26.7 Hz with this feed force. Friction, "
-                         "rotation and buckling are not modelled."));
+        QCOMPARE(
+            textOf(alerts[0]),
+            QString("The feed force of 1.5 kN is less than the mean force of the blows, 2 kN: the "
+                    "machine is pushed back. For this blow, the feed force must be at least 2.8 kN "
+                    "at 50 Hz, or the blow frequency at most 26.7 Hz with the present feed force. Friction, "
+                    "rotation and buckling are not modelled."));
     }
 };
 

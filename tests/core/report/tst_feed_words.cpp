@@ -119,14 +119,14 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     row("pushed back", "t38_medium_rock", 2e3,
         "The feed force of 2 kN is less than the mean force of the blows, 3.06 kN: the machine is pushed "
         "back.",
-        "An additional feed force of 2.38 kN is enough for this blow, and 5.26 kN is enough for every gap "
+        "An additional feed force of 2.38 kN is enough for this blow, an additional 5.26 kN for every gap "
         "between "
         "bit "
         "and rock.");
     row("below required", "t38_medium_rock", 3.5e3,
         "A feed force of 3.5 kN is below the 4.375 kN that this blow requires: penetration will probably be "
         "lost.",
-        "An additional feed force of 875 N is enough for this blow, and 3.76 kN is enough for every gap "
+        "An additional feed force of 875 N is enough for this blow, an additional 3.76 kN for every gap "
         "between bit "
         "and "
         "rock.");
@@ -380,7 +380,7 @@ void TestFeedWords::aHairBelowIsPrintedWithMoreDigits() {
                          "penetration will probably be lost."));
     QCOMPARE(feedRemedy(estimateOf(FeedForce{8000.8, {}}, 8000.9)).text(),
              std::string("For this blow, the feed force must be at least 8.0009 kN at 50 Hz, or the "
-                         "blow frequency at most 49.9993 Hz with this feed force."));
+                         "blow frequency at most 49.9993 Hz with the present feed force."));
 }
 
 // Straight up half a ton is to be carried besides; straight down it does what the feed need not.
@@ -391,7 +391,7 @@ void TestFeedWords::theWeightAlongTheHoleIsNoThrustToInstall() {
                          "this blow requires: penetration will probably be lost."));
     QCOMPARE(feedRemedy(up).text(),
              std::string("For this blow, the feed force must be at least 9 kN at 50 Hz, or the blow "
-                         "frequency at most 31.2 Hz with this feed force."));
+                         "frequency at most 31.2 Hz with the present feed force."));
     QCOMPARE(sentenceOf(estimateOf({}, 8000)),
              std::string("No feed force is given. At a blow frequency of 50 Hz, the weight of machine and "
                          "rod along the hole is already enough for this blow and for rigid rock."));
