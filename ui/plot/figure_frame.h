@@ -70,8 +70,8 @@ class FigureFrame : public StudyFrame {
     /// Passes the units of all curves to the plot. Curves of the first panel also get the exact functions
     /// y(x) of which they show samples.
     void giveMeanings(PlotWidget& plot) const;
-    /// Returns the places that the arrow keys can reach in the first panel: points along its lines, with its
-    /// marks as targets. If the panel has marked points, the keys go from point to point.
+    /// Returns the places of the first panel that the arrow keys reach: points along its curves; further keys
+    /// jump to its marks. If the curves show single points, the keys go from point to point.
     KeyPlaces keyPlaces() const override;
     /// Returns the row index of the study's table whose point is nearest to `place` (coordinates of the
     /// panel). Nothing if no point is within a few pixels.

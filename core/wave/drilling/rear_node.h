@@ -35,7 +35,8 @@ struct RearState {
     bool operator==(const RearState&) const = default;
 };
 
-/// Sums at the rear end since the last blow, in the dimensionless units of Problem (problem.h).
+/// Impulses, work and largest damper force at the rear end since the last blow, in the dimensionless units of
+/// Problem (problem.h).
 struct RearSums {
     /// Impulse ∫P dt of the hammer, or ∫Fa dt of a prescribed force, in units of I0.
     double faceImpulse = 0;
