@@ -2,8 +2,9 @@
 #include "app/identify_options.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "app/command_error.h"
 #include "app/input_text.h"
@@ -11,11 +12,11 @@
 #include "app/scenario_argument.h"
 #include "app/signal_options.h"
 #include "app/study_plots.h"
-#include "core/model/parameter.h"
-#include "core/signal/signal_option.h"
 #include "core/study/identify/gauge_reading.h"
 #include "core/study/identify/identify_study.h"
+#include "core/study/identify/option_words.h"
 #include "core/text/decimal_text.h"
+#include "core/text/enum_names.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -36,91 +37,37 @@ constexpr std::string_view optionsOfOneSignal[] = {"signal", "all-samples", "sig
                        CommandError::Begin::withOption);
 }
 
-double lengthOf(const std::string& option, const std::string& text) {
-    const TypedQuantity typed = parseQuantity(text, Quantity::length);
-    if (!typed.valid()) refuseIdentifyValue(option, typed.problem);
-    return typed.si;
+/// The value of a word; `option` is the option with the word, for messages.
+template <class Value>
+Value valueOf(const std::string& option, ReadWord<Value> read) {
+    if (read.hasOtherForm) refuseIdentifyUsage({translatable("%1: %2"), {option, read.problem}});
+    if (!read.problem.isEmpty()) refuseIdentifyValue(option, read.problem);
+    return std::move(read.value);
 }
 
-}  // namespace
-
-std::optional<double> percentageOf(std::string_view text) {
-    if (!text.ends_with('%')) return std::nullopt;
-    const std::optional<double> number = parseNumber(text.substr(0, text.size() - 1));
-    return number ? std::optional(*number / 100) : std::nullopt;
-}
-
-GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word) {
-    const std::string option = "--" + name + " " + word;
-    const std::size_t at = word.rfind('@');
-    if (at == std::string::npos || at == 0)
-        refuseIdentifyUsage(
-            {translatable("%1: give COLUMN@DISTANCE, the distance from the bit face"), {option}});
-    GaugeChoice gauge;
-    gauge.column = word.substr(0, at);
-    if (const std::size_t plus = gauge.column.find('+'); plus != std::string::npos) {
-        gauge.opposite = gauge.column.substr(plus + 1);
-        gauge.column.resize(plus);
-        if (gauge.column.empty() || gauge.opposite.empty())
-            refuseIdentifyUsage({translatable("%1: two columns belong around the plus sign"), {option}});
-    }
-    gauge.distance = lengthOf(option, word.substr(at + 1));
-    if (!(gauge.distance > 0)) refuseIdentifyValue(option, translatable("the distance must be positive"));
-    return gauge;
-}
-
-namespace {
-
-KnownTolerance knownOf(const std::string& word, const Scenario& scenario) {
-    const std::string option = "--known " + word;
-    const std::size_t sign = word.find('=');
-    if (sign == std::string::npos || sign == 0)
-        refuseIdentifyUsage({translatable("%1: give KEY=+-TOLERANCE"), {option}});
-    KnownTolerance known;
-    known.key = word.substr(0, sign);
-    std::string text = word.substr(sign + 1);
-    for (const std::string_view prefix : {"+-", "\u00b1", "+/-"})
-        if (text.starts_with(prefix)) {
-            text.erase(0, prefix.size());
-            break;
-        }
-    const bool isPercent = !text.empty() && text.back() == '%';
-    const bool isRelative = known.key == "gain" || known.key == "zero" ||
-                            known.key.ends_with("youngs_modulus") || known.key.ends_with("density");
-    if (isPercent || isRelative) {
-        const std::optional<double> share = percentageOf(text);
-        if (!share) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
-        known.tolerance = *share;
-        if (!isRelative) {
-            const KeptParameter parameter = findParameter(known.key);
-            if (parameter && parameter->applies(scenario))
-                known.tolerance *= std::abs(parameter->value(scenario).value_or(0));
-        }
-    } else {
-        const Quantity quantity = known.key.ends_with(".area") ? Quantity::area : Quantity::length;
-        const TypedQuantity typed = parseQuantity(text, quantity);
-        if (!typed.valid()) refuseIdentifyValue(option, typed.problem);
-        known.tolerance = typed.si;
-    }
-    if (!(known.tolerance > 0)) refuseIdentifyValue(option, translatable("the tolerance must be positive"));
-    return known;
-}
-
-template <class Choice>
-Choice choiceOf(const Arguments& arguments, const char* option,
-                std::initializer_list<std::pair<const char*, Choice>> choices, Choice otherwise) {
+/// The index of the name that an option gives; 0 without the option.
+std::size_t choiceOf(const Arguments& arguments, const char* option,
+                     std::span<const std::string_view> names) {
     const std::optional<std::string> word = arguments.value(option);
-    if (!word) return otherwise;
+    if (!word) return 0;
+    if (const auto found = std::ranges::find(names, *word); found != names.end())
+        return static_cast<std::size_t>(found - names.begin());
     std::string list;
-    for (const auto& [name, choice] : choices) {
-        if (*word == name) return choice;
-        list += (list.empty() ? "" : ", ") + std::string(name);
-    }
+    for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
     refuseIdentifyUsage(
         {translatable("--%1 %2: must be one of %3"), {std::string(option), shortened(*word), list}});
 }
 
+template <class Choice>
+Choice choiceOf(const Arguments& arguments, const char* option, const EnumNames<Choice>& names) {
+    return allValues<Choice>[choiceOf(arguments, option, names.all())];
+}
+
 }  // namespace
+
+GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word) {
+    return valueOf("--" + name + " " + word, readGaugeWord(word));
+}
 
 std::vector<OptionSpec> identifyOptionSpecs() {
     using Times = OptionSpec::Times;
@@ -198,17 +145,11 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
     for (const std::string& word : words) gauges.push_back(gaugeChoiceOf("gauge", word));
     IdentifyQuestion question;
     question.scenario = scenario;
-    question.law = choiceOf(arguments, "law",
-                            {{"auto", LawChoice::automatic},
-                             {"bilinear", LawChoice::bilinear},
-                             {"corner", LawChoice::corner},
-                             {"file", LawChoice::file}},
-                            LawChoice::automatic);
-    question.dispersion = choiceOf(
-        arguments, "dispersion",
-        {{"fit", DispersionChoice::fit}, {"bar", DispersionChoice::bar}, {"none", DispersionChoice::none}},
-        DispersionChoice::fit);
-    question.barBehind = choiceOf(arguments, "backing", {{"rigid", false}, {"bar", true}}, false);
+    constexpr std::string_view backings[] = {"rigid", "bar"}, blows[] = {"first", "all"};
+    question.law = choiceOf(arguments, "law", lawChoiceNames);
+    question.dispersion = choiceOf(arguments, "dispersion", dispersionChoiceNames);
+    question.barBehind = choiceOf(arguments, "backing", backings) == 1;
+    question.allBlows = choiceOf(arguments, "blows", blows) == 1;
     std::string behind;
     if (const std::optional<std::string> word = arguments.value("check")) {
         if (!question.barBehind) refuseIdentifyUsage(translatable("--check needs --backing bar"));
@@ -217,7 +158,6 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
         behind = check.column;
         question.checkDistance = check.distance;
     }
-    question.allBlows = choiceOf(arguments, "blows", {{"first", false}, {"all", true}}, false);
     question.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, 2'000'000'000));
     if (const std::optional<std::string> end = arguments.value("end")) {
         const TypedQuantity typed = parseQuantity(*end, Quantity::time);
@@ -240,23 +180,13 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
     if (const Message problem = gaugePairProblem(gauges, places); !problem.isEmpty())
         refuseIdentifyValue("--gauge", problem);
     for (const std::string& word : arguments.values("known"))
-        question.known.push_back(knownOf(word, scenario));
+        question.known.push_back(valueOf("--known " + word, readKnownWord(word, scenario)));
     const SignalOptions options = signalOptionsOf(arguments);
     for (const std::string& record : records) {
         RereadableInput input(record, RereadableInput::mostKept, arguments.style());
         const std::string name = inputName(record);
         GaugeReading reading = readGauges(input.stream(), options, gauges, places, stop, behind);
-        if (!reading.problem.isEmpty())
-            throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
-                               std::vector{about(name, reading.problem)});
-        if (!reading.questions.empty()) {
-            std::vector<Message> questions;
-            for (const std::string& open : reading.questions)
-                questions.push_back(
-                    about(name, {translatable("the table does not state: %1; give %2, see drillwave signal"),
-                                 {open, std::string(answerTo(open))}}));
-            throw CommandError(ExitCode::invalidScenario, questions);
-        }
+        checkReading(name, reading.problem, reading.isWrongOption, reading.questions);
         reading.record.file = name;
         question.records.push_back(std::move(reading.record));
     }

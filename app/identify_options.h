@@ -2,10 +2,8 @@
 // Options of the command `identify` (finding the rock's law from measured strains), converted to a question.
 #pragma once
 
-#include <optional>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
@@ -17,9 +15,6 @@ namespace drillwave {
 
 /// Returns the options of `identify`: those of scenarios, those for reading records, and its own.
 std::vector<OptionSpec> identifyOptionSpecs();
-
-/// Returns a percentage such as "2%" as a share, 0.02; nothing for any other text.
-std::optional<double> percentageOf(std::string_view text);
 
 /// Returns the strain gauge that `word` describes as COLUMN@DISTANCE; `name` is its option, for messages.
 /// Throws CommandError: usage for another form; invalid scenario if the distance is not a positive length.

@@ -19,6 +19,7 @@
 #include "core/report/blow_text.h"
 #include "core/report/gauge_record.h"
 #include "core/study/identify/gauge_place.h"
+#include "core/study/identify/option_words.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "core/text/decimal_text.h"
 

@@ -109,6 +109,19 @@ void saveRecorder(const Arguments& arguments) {
         throw CommandError(ExitCode::unwritableOutput, problem);
 }
 
+void checkReading(const std::string& name, const Message& problem, bool isWrongOption,
+                  const std::vector<std::string>& questions) {
+    if (!problem.isEmpty())
+        throw CommandError(isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
+                           std::vector{about(name, problem)});
+    std::vector<Message> lines;
+    for (const std::string& question : questions)
+        lines.push_back(
+            about(name, {translatable("the table does not state: %1; give %2, see drillwave signal"),
+                         {question, std::string(answerTo(question))}}));
+    if (!lines.empty()) throw CommandError(ExitCode::invalidScenario, lines);
+}
+
 void applySignal(ScenarioDocument& document, const Arguments& arguments, const std::string& path) {
     Scenario& scenario = document.scenario;
     const std::optional<std::string> record = arguments.value("signal");
@@ -128,17 +141,7 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
     const SignalBar struck = hasUnits(scenario) ? barAt(scenario, 0) : SignalBar();
     SignalReading reading = readSignal(input.stream(), options, struck);
     const std::string name = inputName(*record);
-    if (!reading.problem.isEmpty())
-        throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
-                           std::vector{about(name, reading.problem)});
-    if (reading.isOpen()) {
-        std::vector<Message> questions;
-        for (const std::string& question : reading.questions)
-            questions.push_back(
-                about(name, {translatable("the table does not state: %1; give %2, see drillwave signal"),
-                             {question, std::string(answerTo(question))}}));
-        throw CommandError(ExitCode::invalidScenario, questions);
-    }
+    checkReading(name, reading.problem, reading.isWrongOption, reading.questions);
     for (const SignalRemark& remark : reading.remarks) {
         printRemark({translatable("%1: warning: %2"), {name, remark.text}}, arguments.style());
         document.recordRemarks.push_back(about(name, remark.text));

@@ -8,6 +8,7 @@
 
 #include "app/arguments.h"
 #include "core/signal/signal_reading.h"
+#include "core/text/message.h"
 #include "core/yaml/scenario_file.h"
 
 namespace drillwave {
@@ -22,6 +23,12 @@ std::vector<OptionSpec> recordOptionSpecs();
 /// Returns how to read a record: the settings stored under --recorder, overridden by the options given.
 /// Throws CommandError.
 SignalOptions signalOptionsOf(const Arguments& arguments);
+
+/// Does nothing if a record was read and states everything. Otherwise throws CommandError with its problem or
+/// its open questions: invalid scenario if an option is wrong or missing; unreadable input if the table
+/// `name` is wrong.
+void checkReading(const std::string& name, const Message& problem, bool isWrongOption,
+                  const std::vector<std::string>& questions);
 
 /// Stores the reading options of the command line under the name of --save-recorder; does nothing without it.
 /// Throws CommandError.

@@ -11460,20 +11460,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1: give COLUMN@DISTANCE, the distance from the bit face</source>
-        <translation>%1: COLUMN@DISTANCE angeben, den Abstand von der Stirnfläche der Krone</translation>
+        <source>give COLUMN@DISTANCE, the distance from the bit face</source>
+        <translation>COLUMN@DISTANCE angeben, den Abstand von der Stirnfläche der Krone</translation>
     </message>
     <message>
-        <source>%1: two columns belong around the plus sign</source>
-        <translation>%1: um das Pluszeichen gehören zwei Spalten</translation>
+        <source>two columns belong around the plus sign</source>
+        <translation>um das Pluszeichen gehören zwei Spalten</translation>
     </message>
     <message>
         <source>the distance must be positive</source>
         <translation>der Abstand muss positiv sein</translation>
     </message>
     <message>
-        <source>%1: give KEY=+-TOLERANCE</source>
-        <translation>%1: KEY=+-TOLERANCE angeben</translation>
+        <source>give KEY=+-TOLERANCE</source>
+        <translation>KEY=+-TOLERANCE angeben</translation>
     </message>
     <message>
         <source>must be a percentage, such as +-2%</source>

@@ -11460,20 +11460,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1: give COLUMN@DISTANCE, the distance from the bit face</source>
-        <translation>%1: ange COLUMN@DISTANCE, avståndet från kronans frontyta</translation>
+        <source>give COLUMN@DISTANCE, the distance from the bit face</source>
+        <translation>ange COLUMN@DISTANCE, avståndet från kronans frontyta</translation>
     </message>
     <message>
-        <source>%1: two columns belong around the plus sign</source>
-        <translation>%1: kring plustecknet hör två kolumner hemma</translation>
+        <source>two columns belong around the plus sign</source>
+        <translation>kring plustecknet hör två kolumner hemma</translation>
     </message>
     <message>
         <source>the distance must be positive</source>
         <translation>avståndet måste vara positivt</translation>
     </message>
     <message>
-        <source>%1: give KEY=+-TOLERANCE</source>
-        <translation>%1: ange KEY=+-TOLERANCE</translation>
+        <source>give KEY=+-TOLERANCE</source>
+        <translation>ange KEY=+-TOLERANCE</translation>
     </message>
     <message>
         <source>must be a percentage, such as +-2%</source>

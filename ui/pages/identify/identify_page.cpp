@@ -15,6 +15,7 @@
 #include "core/disk/file_bytes.h"
 #include "core/signal/detected_table.h"
 #include "core/signal/text_lines.h"
+#include "core/text/enum_names.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/section_box.h"
 #include "ui/pages/identify/gauge_fields.h"
@@ -37,11 +38,11 @@ constexpr int narrowPage = 800;     // [px], where the answer stands below the p
 constexpr int rowsOfPlots = 46;     // of text
 constexpr double placeStep = 1e-4;  // to which a dragged gauge is placed [m]
 
-// In the order of the boxes.
-constexpr LawChoice lawChoices[] = {LawChoice::automatic, LawChoice::bilinear, LawChoice::corner,
-                                    LawChoice::file};
-constexpr DispersionChoice dispersionChoices[] = {DispersionChoice::fit, DispersionChoice::bar,
-                                                  DispersionChoice::none};
+/// The value chosen in a box whose entries are in the order of the enumeration.
+template <class Choice>
+Choice chosen(const ChoiceBox& box) {
+    return allValues<Choice>[static_cast<std::size_t>(box.currentIndex())];
+}
 
 /// A record in words: its file and, where each has several, its blow from 1.
 QString rowName(const RecordAnswer& record, bool hasBlows) {
@@ -203,13 +204,13 @@ QString IdentifyPage::sourceWords() const {
 
 RecordQuestion IdentifyPage::question() const {
     RecordQuestion question;
-    question.law = lawChoices[m_law->currentIndex()];
+    question.law = chosen<LawChoice>(*m_law);
     question.scenario = scenarioForRecord(scenario(), question.law);
     question.paths = m_paths;
     question.opened = m_opened;
     question.settings = m_settings;
     question.gauges = m_gauges->gauges();
-    question.dispersion = dispersionChoices[m_dispersion->currentIndex()];
+    question.dispersion = chosen<DispersionChoice>(*m_dispersion);
     question.barBehind = m_backing->currentIndex() == 1;
     question.allBlows = m_blows->currentIndex() == 1;
     question.known = m_known->known();

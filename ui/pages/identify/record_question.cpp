@@ -12,7 +12,7 @@
 
 #include "core/numeric/available_threads.h"
 #include "core/signal/signal_option.h"
-#include "core/text/decimal_text.h"
+#include "core/study/identify/option_words.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -28,30 +28,6 @@ std::vector<GaugePlace> placesOfGauges(const RecordQuestion& question) {
         if (std::optional<GaugePlace> place = gaugePlace(question.scenario, gauge.distance))
             places.push_back(std::move(*place));
     return places;
-}
-
-const char* lawWord(LawChoice law) {
-    switch (law) {
-        case LawChoice::automatic:
-            return "auto";
-        case LawChoice::bilinear:
-            return "bilinear";
-        case LawChoice::corner:
-            return "corner";
-        case LawChoice::file:
-            break;
-    }
-    return "file";
-}
-
-QString toleranceWord(const KnownTolerance& known) {
-    const std::string_view key = known.key;
-    if (key == "gain" || key == "zero") return fromView(formatNumber(100 * known.tolerance)) + u'%';
-    const bool isArea = key.ends_with(".area");
-    const Quantity quantity = isArea ? Quantity::area : Quantity::length;
-    QString word =
-        fromView(formatQuantity(known.tolerance, quantity, *findUnit(quantity, isArea ? "mm^2" : "mm")));
-    return word.remove(u' ');
 }
 
 }  // namespace
@@ -153,23 +129,16 @@ IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
 QStringList identifyWords(const RecordQuestion& question) {
     QStringList words{QStringLiteral("identify"), QStringLiteral("--signals")};
     for (const QString& path : question.paths) words << QDir::toNativeSeparators(path);
-    for (const GaugeChoice& gauge : question.gauges)
-        words << QStringLiteral("--gauge")
-              << QStringLiteral("%1@%2").arg(fromView(gauge.name()),
-                                             fromView(formatQuantity(gauge.distance, Quantity::length,
-                                                                     *findUnit(Quantity::length, "m")))
-                                                 .remove(u' '));
-    if (question.law != LawChoice::automatic)
-        words << QStringLiteral("--law") << QLatin1String(lawWord(question.law));
-    if (question.allBlows) words << QStringLiteral("--blows") << QStringLiteral("all");
-    if (question.barBehind) words << QStringLiteral("--backing") << QStringLiteral("bar");
+    const auto add = [&words](const char* option, std::string_view value) {
+        words << QLatin1String(option) << fromView(value);
+    };
+    for (const GaugeChoice& gauge : question.gauges) add("--gauge", gaugeWord(gauge));
+    if (question.law != LawChoice::automatic) add("--law", lawChoiceNames[question.law]);
+    if (question.allBlows) add("--blows", "all");
+    if (question.barBehind) add("--backing", "bar");
     if (question.dispersion != DispersionChoice::fit)
-        words << QStringLiteral("--dispersion")
-              << (question.dispersion == DispersionChoice::bar ? QStringLiteral("bar")
-                                                               : QStringLiteral("none"));
-    for (const KnownTolerance& known : question.known)
-        words << QStringLiteral("--known")
-              << QStringLiteral("%1=+-%2").arg(fromView(known.key), toleranceWord(known));
+        add("--dispersion", dispersionChoiceNames[question.dispersion]);
+    for (const KnownTolerance& known : question.known) add("--known", knownWord(known));
     for (const auto& [name, value] : recorderSettings(question.settings)) {
         words << QStringLiteral("--") + fromView(name);
         if (!value.empty()) words << fromView(value);
