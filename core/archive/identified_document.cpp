@@ -2,11 +2,43 @@
 #include "core/archive/identified_document.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/parameter.h"
+#include "core/text/handy_text.h"
+#include "core/text/units.h"
 #include "core/yaml/scenario_text.h"
 
 namespace drillwave {
+
+namespace {
+
+/// Returns a comment about an identified parameter, such as "identified from string.csv: 127.1 to 135.4 MN/m
+/// (95 %)".
+std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter) {
+    const KeptParameter known = findParameter(parameter.key);
+    const Unit& unit = known->displayUnit();
+    const auto shown = [&](double value) {
+        return rounded(unit.fromSi(value), known->quantity == Quantity::stiffness ? 4 : 3);
+    };
+    const std::string unitName = unit.name.empty() ? "" : " " + std::string(unit.name);
+    std::string from = report.findings.main().file;
+    from.erase(0, from.find_last_of('/') + 1);  // npos + 1 is 0
+    if (report.findings.records.size() > 1)
+        from = std::to_string(report.findings.records.size()) + " records";
+    std::optional<double> low = parameter.low, high = parameter.high;
+    for (const NextBlowParameter& next : report.findings.nextBlow)
+        if (next.key == parameter.key) low = next.low, high = next.high;
+    const std::string comment = "identified from " + from + ": ";
+    if (low && high) return comment + shown(*low) + " to " + shown(*high) + unitName + " (95 %)";
+    if (low) return comment + "at least " + shown(*low) + unitName;
+    if (high) return comment + "at most " + shown(*high) + unitName;
+    return comment + "not seen";
+}
+
+}  // namespace
 
 ScenarioDocument identifiedDocument(const IdentifyReport& report, ScenarioDocument document) {
     document.scenario = identifiedScenario(document.scenario, report.findings);

@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "core/model/parameter.h"
 #include "core/report/report_table.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 
@@ -18,10 +20,7 @@ std::vector<std::pair<std::size_t, std::size_t>> curveRows(const IdentifyFinding
 }
 
 std::string headingOfKey(const std::string& key) {
-    if (key == "bit_rock.stiffness") return key + " [N/m]";
-    if (key == "bit_rock.gap") return key + " [m]";
-    if (key == "bit_rock.corner.1.force") return key + " [N]";
-    return key;
+    return withUnit(key, &unitsOf(findParameter(key)->quantity).front());
 }
 
 template <class CellsOf>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/identify_report.h"
 
+#include "core/model/parameter.h"
 #include "core/model/version.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 
 namespace {
 
 std::string_view unitOfIdentified(const std::string& key) {
-    if (key == "bit_rock.stiffness") return "N/m";
-    if (key == "bit_rock.gap") return "m";
-    if (key == "bit_rock.corner.1.force") return "N";
-    return "1";
+    const std::string_view unit = unitsOf(findParameter(key)->quantity).front().name;
+    return unit.empty() ? "1" : unit;
 }
 
 JsonArray budgetJson(const IdentifiedParameter& parameter) {
@@ -106,9 +106,7 @@ JsonArray remarksJson(const RecordAnswer& answer, const std::vector<std::string>
                       const Scenario& scenario) {
     JsonArray array;
     const auto add = [&](const std::string& code) {
-        const bool isInformation =
-            code == "assumed_tolerances" || code == "dispersion_corrected" || code == "law_tried";
-        array.emplace_back(JsonObject{{"level", isInformation ? "information" : "warning"},
+        array.emplace_back(JsonObject{{"level", isRemarkShown(code) ? "warning" : "information"},
                                       {"code", code},
                                       {"parameter", ""},
                                       {"text", identifyRemark(code, answer, scenario, plainStyle()).text()}});

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/report/figure.h"
-#include "core/study/identify/gauge_place.h"
 #include "core/study/identify/identify_study.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
@@ -53,6 +52,9 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
 /// Returns whether the report lists a warning, given by its code. Warnings that other parts of the report
 /// already express are not listed.
 bool isRemarkShown(std::string_view code);
+/// Returns the warnings that a report lists: those of one record, then those of all records together.
+std::vector<Message> identifyRemarks(const IdentifyReport& report, const RecordAnswer& answer,
+                                     const ReadingStyle& style);
 /// Returns the first sentence about a record: whether the model agrees with it and what is known.
 Message identifySentence(const RecordAnswer& answer);
 /// Returns the name of a tried law (TriedLaw::law) in words.
@@ -101,24 +103,10 @@ Message limitWords(std::optional<double> effect, const ReadingStyle& style);
 /// Returns a sentence that recommends the most useful further measurement; empty if there is none.
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 
-/// Default 95 % tolerance, used if --known does not give one.
-struct AssumedTolerance {
-    std::string key;
-    Quantity quantity = Quantity::length;
-    std::optional<double> tolerance;  ///< default tolerance in SI units; empty if it depends on the record
-};
-/// Returns the default tolerances of the amplifier, the gauge positions, and the sizes of the gauge's section
-/// and of the sections towards the bit.
-std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place);
-
 /// Returns the figure of a record that is not refused; it must be one of the findings. Panels from top to
 /// bottom: waves over time, residual of the model, force over penetration. With several records, the last
 /// panel shows stiffness and gamma of all records instead. Times are those of the record; compression is
 /// positive.
 StudyFigure identifyFigure(const IdentifyFindings& findings, const RecordAnswer& answer);
-
-/// Returns a comment for the scenario file about an identified parameter, such as "identified from
-/// string.csv: 127.1 to 135.4 MN/m (95 %)".
-std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter);
 
 }  // namespace drillwave

@@ -6,7 +6,6 @@
 
 #include "core/model/parameter.h"
 #include "core/report/parameter_words.h"
-#include "core/study/identify/known_sizes.h"
 
 namespace drillwave {
 
@@ -233,17 +232,6 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
             {isOfSize(next->key) ? sizeWords(next->key, scenario, style)
                                  : causeWords(next->source, next->key, scenario),
              tolerance, gain}};
-}
-
-std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place) {
-    IdentifyQuestion question;
-    question.scenario = scenario;
-    std::vector<AssumedTolerance> all{{"gain", Quantity::ratio, std::nullopt},
-                                      {"zero", Quantity::ratio, std::nullopt},
-                                      {"gauge", Quantity::length, placeTolerance(question)}};
-    for (const KnownSize& size : knownSizes(question, place))
-        all.push_back({size.key, size.unit == "m^2" ? Quantity::area : Quantity::length, size.tolerance});
-    return all;
 }
 
 }  // namespace drillwave

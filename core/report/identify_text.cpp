@@ -33,13 +33,8 @@ class IdentifyWriter {
         addParameters(answer);
         if (answer.model != ModelVerdict::rejected && answer.law != "file") addLimits(answer);
         addMatch(answer);
-        for (const std::string& code : answer.remarks)
-            if (isRemarkShown(code))
-                line(said(translatable("remark")),
-                     said(identifyRemark(code, answer, m_report.question.scenario, m_style)));
-        for (const std::string& code : findings.remarks)
-            line(said(translatable("remark")),
-                 said(identifyRemark(code, answer, m_report.question.scenario, m_style)));
+        for (const Message& remark : identifyRemarks(m_report, answer, m_style))
+            line(said(translatable("remark")), said(remark));
         return m_text;
     }
 

@@ -2,12 +2,21 @@
 #include "core/report/identify_report.h"
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <utility>
 
 namespace drillwave {
 
 namespace {
+
+/// Row of a table of sentences: a code and its words.
+using CodeWords = std::pair<std::string_view, const char*>;
+
+/// The words of a code, else the code.
+Message wordsOf(std::string_view code, std::span<const CodeWords> table) {
+    const auto found = std::ranges::find(table, code, &CodeWords::first);
+    return found == table.end() ? Message(std::string(code)) : Message(found->second);
+}
 
 bool isKnownOnBothSides(const IdentifiedParameter* parameter) {
     return parameter && parameter->verdict == ParameterVerdict::identified;
@@ -106,7 +115,7 @@ Message identifySentence(const RecordAnswer& answer) {
 }
 
 Message lawWords(std::string_view law) {
-    constexpr std::array<std::pair<std::string_view, const char*>, 8> words{{
+    constexpr CodeWords words[] = {
         {"bilinear", translatable("one line")},
         {"corner", translatable("one corner")},
         {"crater", translatable("crater of a blow before")},
@@ -115,23 +124,15 @@ Message lawWords(std::string_view law) {
         {"overload", translatable("overload of the amplifier")},
         {"jump", translatable("jump of the zero level")},
         {"file", translatable("that of the scenario")},
-    }};
-    for (const auto& [known, word] : words)
-        if (known == law) return word;
-    return std::string(law);
+    };
+    return wordsOf(law, words);
 }
 
 Message recordVerdict(const RecordAnswer& answer) {
     if (answer.refusal) return {translatable("refused: %1"), {answer.refusal->text}};
-    switch (answer.model) {
-        case ModelVerdict::accepted:
-            return translatable("agrees");
-        case ModelVerdict::strained:
-            return translatable("agrees roughly");
-        case ModelVerdict::rejected:
-            break;
-    }
-    return translatable("does not agree");
+    return answer.model == ModelVerdict::accepted   ? translatable("agrees")
+           : answer.model == ModelVerdict::strained ? translatable("agrees roughly")
+                                                    : translatable("does not agree");
 }
 
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
@@ -178,7 +179,7 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
                     : translatable("the returning wave fits better with %1 more gain than the incident wave; "
                                    "check range, glue and cable of the gauge"),
                 {percent(std::abs(match.gainOfReturn - 1))}};
-    constexpr std::array<std::pair<std::string_view, const char*>, 16> sentences{{
+    constexpr CodeWords sentences[] = {
         {"crater",
          translatable("the rock begins as steep as it springs back: the bit may stand in the crater of a "
                       "blow before, or be pressed into it")},
@@ -202,39 +203,22 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
          translatable("a rock that stiffens from the start explains the record as well as a gap")},
         {"sizes_off", translatable("a section differs from the file by more than its tolerance")},
         {"zero_jumps", translatable("the zero level jumps within the record")},
-    }};
-    for (const auto& [known, sentence] : sentences)
-        if (known == code) return sentence;
-    return std::string(code);
+    };
+    return wordsOf(code, sentences);
 }
 
 bool isRemarkShown(std::string_view code) {
     return code != "assumed_tolerances" && code != "dispersion_corrected" && code != "law_tried";
 }
 
-std::string identifiedComment(const IdentifyReport& report, const IdentifiedParameter& parameter) {
-    const auto inUnit = [&](double value) {
-        if (parameter.key == "bit_rock.stiffness") return rounded(value / 1e6, 4);
-        if (parameter.key == "bit_rock.gap") return rounded(value * 1e3, 3);
-        if (parameter.key == "bit_rock.corner.1.force") return rounded(value / 1e3, 4);
-        return rounded(value, 3);
-    };
-    const char* unit = parameter.key == "bit_rock.stiffness"        ? " MN/m"
-                       : parameter.key == "bit_rock.gap"            ? " mm"
-                       : parameter.key == "bit_rock.corner.1.force" ? " kN"
-                                                                    : "";
-    std::string from = report.findings.main().file;
-    from.erase(0, from.find_last_of('/') + 1);  // npos + 1 is 0
-    if (report.findings.records.size() > 1)
-        from = std::to_string(report.findings.records.size()) + " records";
-    std::optional<double> low = parameter.low, high = parameter.high;
-    for (const NextBlowParameter& next : report.findings.nextBlow)
-        if (next.key == parameter.key) low = next.low, high = next.high;
-    std::string comment = "identified from " + from + ": ";
-    if (low && high) return comment + inUnit(*low) + " to " + inUnit(*high) + unit + " (95 %)";
-    if (low) return comment + "at least " + inUnit(*low) + unit;
-    if (high) return comment + "at most " + inUnit(*high) + unit;
-    return comment + "not seen";
+std::vector<Message> identifyRemarks(const IdentifyReport& report, const RecordAnswer& answer,
+                                     const ReadingStyle& style) {
+    std::vector<Message> remarks;
+    for (const std::vector<std::string>* codes : {&answer.remarks, &report.findings.remarks})
+        for (const std::string& code : *codes)
+            if (isRemarkShown(code))
+                remarks.push_back(identifyRemark(code, answer, report.question.scenario, style));
+    return remarks;
 }
 
 }  // namespace drillwave

@@ -321,4 +321,15 @@ Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& fi
     return identified;
 }
 
+std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place) {
+    IdentifyQuestion question;
+    question.scenario = scenario;
+    std::vector<AssumedTolerance> all{{"gain", Quantity::ratio, std::nullopt},
+                                      {"zero", Quantity::ratio, std::nullopt},
+                                      {"gauge", Quantity::length, placeTolerance(question)}};
+    for (const KnownSize& size : knownSizes(question, place))
+        all.push_back({size.key, size.unit == "m^2" ? Quantity::area : Quantity::length, size.tolerance});
+    return all;
+}
+
 }  // namespace drillwave

@@ -11,9 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/study/identify/gauge_place.h"
 #include "core/study/identify/identify_answer.h"
 #include "core/study/identify/identify_question.h"
 #include "core/study/identify/identify_record.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 
@@ -86,5 +88,15 @@ PosteriorDraws posteriorDraws(const IdentifyFindings& findings, std::size_t coun
 
 /// Returns the scenario with the identified rock law, whose values are rounded to five digits.
 Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& findings);
+
+/// Default 95 % tolerance, used if --known does not give one.
+struct AssumedTolerance {
+    std::string key;
+    Quantity quantity = Quantity::length;
+    std::optional<double> tolerance;  ///< default tolerance in SI units; empty if it depends on the record
+};
+/// Returns the default tolerances of the amplifier, the gauge positions, and the sizes of the gauge's section
+/// and of the sections towards the bit.
+std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place);
 
 }  // namespace drillwave

@@ -127,27 +127,25 @@ IdentifyPanel::IdentifyPanel(QWidget* parent) : QScrollArea(parent) {
     connect(m_limits, &QTableWidget::cellActivated, this, wantTolerance);
     m_next = newWords("next", content);
     m_remarks = newWords("remarks", content);
-    m_use = new QPushButton(tr("Use this rock"), content);
-    m_use->setObjectName(QStringLiteral("useRock"));
-    m_use->setToolTip(tr("Takes the rock into the scenario as one undo step"));
-    m_pin = new QPushButton(tr("Pin"), content);
-    m_pin->setObjectName(QStringLiteral("pinRock"));
-    m_pin->setToolTip(tr("Pins the scenario with this rock as a run; the scenario stays as it is"));
-    connect(m_use, &QPushButton::clicked, this, &IdentifyPanel::useWanted);
-    m_design = new QPushButton(tr("Design with these draws"), content);
-    m_design->setObjectName(QStringLiteral("designDraws"));
-    connect(m_pin, &QPushButton::clicked, this, &IdentifyPanel::pinWanted);
-    connect(m_design, &QPushButton::clicked, this, &IdentifyPanel::designWanted);
-    auto* row = new QWidget(content);
-    auto* buttons = new FlowLayout(row);
+    m_buttons = new QWidget(content);
+    auto* buttons = new FlowLayout(m_buttons);
     buttons->setContentsMargins(0, 0, 0, 0);
-    buttons->addWidget(m_use);
-    buttons->addWidget(m_pin);
-    buttons->addWidget(m_design);
+    const auto addButton = [&](const char* name, const QString& text, auto wanted) {
+        auto* button = new QPushButton(text, m_buttons);
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, wanted);
+        buttons->addWidget(button);
+        return button;
+    };
+    m_use = addButton("useRock", tr("Use this rock"), &IdentifyPanel::useWanted);
+    m_use->setToolTip(tr("Takes the rock into the scenario as one undo step"));
+    m_pin = addButton("pinRock", tr("Pin"), &IdentifyPanel::pinWanted);
+    m_pin->setToolTip(tr("Pins the scenario with this rock as a run; the scenario stays as it is"));
+    m_design = addButton("designDraws", tr("Design with these draws"), &IdentifyPanel::designWanted);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(4, 2, 4, 2);
     layout->addWidget(m_values);
-    layout->addWidget(row);
+    layout->addWidget(m_buttons);
     layout->addWidget(m_limitsTitle);
     layout->addWidget(m_limits);
     layout->addWidget(m_next);
@@ -171,11 +169,7 @@ void IdentifyPanel::clear() {
     m_keys.clear();
     m_next->clear();
     m_remarks->clear();
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_values), static_cast<QWidget*>(m_use), static_cast<QWidget*>(m_pin),
-          static_cast<QWidget*>(m_design), static_cast<QWidget*>(m_limitsTitle),
-          static_cast<QWidget*>(m_limits), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_remarks)})
-        part->hide();
+    for (QWidget* part : widget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) part->hide();
 }
 
 void IdentifyPanel::present(const IdentifyReport& report, const RecordAnswer& answer,
@@ -186,12 +180,9 @@ void IdentifyPanel::present(const IdentifyReport& report, const RecordAnswer& an
     m_next->setVisible(!m_next->text().isEmpty());
     showRemarks(report, answer, style);
     const bool isUsable = report.findings.saysSomething() && report.findings.main().law != "file";
-    for (QPushButton* button : {m_use, m_pin}) {
-        button->setVisible(true);
-        button->setEnabled(isUsable);
-    }
+    for (QPushButton* button : {m_use, m_pin}) button->setEnabled(isUsable);
+    m_buttons->show();
     const bool hasDraws = !posteriorDraws(report.findings, 1, report.question.seed).rows.empty();
-    m_design->setVisible(true);
     m_design->setEnabled(hasDraws);
     m_design->setToolTip(hasDraws
                              ? tr("Takes the rock into the scenario, and opens Design with rows of values "
@@ -267,13 +258,9 @@ void IdentifyPanel::showLimits(const IdentifyReport& report, const RecordAnswer&
 
 void IdentifyPanel::showRemarks(const IdentifyReport& report, const RecordAnswer& answer,
                                 const ReadingStyle& style) {
-    std::vector<std::string> codes = answer.remarks;
-    codes.insert(codes.end(), report.findings.remarks.begin(), report.findings.remarks.end());
     QStringList lines;
-    for (const std::string& code : codes)
-        if (isRemarkShown(code))
-            lines << QStringLiteral("▲ ") +
-                         fromView(style.said(identifyRemark(code, answer, report.question.scenario, style)));
+    for (const Message& remark : identifyRemarks(report, answer, style))
+        lines << QStringLiteral("▲ ") + fromView(style.said(remark));
     m_remarks->setText(lines.join(u'\n'));
     m_remarks->setVisible(!lines.isEmpty());
 }

@@ -51,6 +51,7 @@ class IdentifyPanel : public QScrollArea {
     QTableWidget* m_limits;
     QLabel* m_next;
     QLabel* m_remarks;
+    QWidget* m_buttons;
     QPushButton* m_use;
     QPushButton* m_pin;
     QPushButton* m_design;

@@ -6,7 +6,7 @@
 #include <QToolButton>
 
 #include "core/model/parameter.h"
-#include "core/report/identify_report.h"
+#include "core/study/identify/identify_study.h"
 #include "core/text/units.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/flow_layout.h"
