@@ -21,9 +21,9 @@ struct ViewStatistics {
     double integral = 0;   ///< integral over the part in view, in CurveMeaning::integralUnit
 };
 
-/// Returns the statistics of a curve for the range `view` of x. Extremes are those of the drawn points and of
-/// the ends of the view. Mean and integral use the exact functions of `meaning` if it has them, else the line
-/// through the points.
+/// Returns the statistics of a curve for the range `view` of x. They use the exact functions of `meaning` if
+/// it has them, else the line through the drawn points. Extremes are looked for at the points and the ends of
+/// the view, and with an exact function also between the neighbours of the points found.
 ViewStatistics viewStatistics(const QCPGraphDataContainer& points, const CurveMeaning& meaning,
                               QCPRange view);
 

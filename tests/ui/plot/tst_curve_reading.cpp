@@ -2,6 +2,7 @@
 // Values, slopes, means and integrals read off a curve.
 #include <QTest>
 #include <cmath>
+#include <numbers>
 
 #include "ui/plot/axis_view.h"
 #include "ui/plot/curve_clip.h"
@@ -36,6 +37,7 @@ class TestCurveReading : public QObject {
     void unitsScaleSlopeAndIntegral();
     void theMeanIsOverWhatThereIsOfTheCurve();
     void extremesAreThoseOfThePartInView();
+    void extremesOfAnExactFunctionAreNotThoseOfItsPoints();
     void crowdedPointsAreThinnedToTheirExtremes();
     void pointsInARowAreLeftOut();
     void linesAreCutAtTheEdges();
@@ -131,6 +133,23 @@ void TestCurveReading::extremesAreThoseOfThePartInView() {
     QCOMPARE(part.mean, 2.0);
     QVERIFY(std::isnan(viewStatistics(points, {}, {6, 7}).least));
     QVERIFY(std::isnan(viewStatistics({}, {}, {0, 1}).mean));
+}
+
+void TestCurveReading::extremesOfAnExactFunctionAreNotThoseOfItsPoints() {
+    CurveMeaning meaning;
+    meaning.value = [](double x) { return std::sin(x); };
+    QVector<QCPGraphData> line;
+    for (double x = 0; x < 6; x += 0.4) line.append(QCPGraphData(x, std::sin(x)));
+    const ViewStatistics all = viewStatistics(pointsOf(line), meaning, {0, 6});
+    QVERIFY(std::abs(all.largestAt - std::numbers::pi / 2) < 1e-6);
+    QVERIFY(std::abs(all.leastAt - 1.5 * std::numbers::pi) < 1e-6);
+    QCOMPARE(all.largest, 1.0);
+    QCOMPARE(all.least, -1.0);
+    // An end of the view stays one.
+    const ViewStatistics rising = viewStatistics(pointsOf(line), meaning, {0.1, 1.3});
+    QCOMPARE(rising.leastAt, 0.1);
+    QCOMPARE(rising.largestAt, 1.3);
+    QCOMPARE(rising.largest, std::sin(1.3));
 }
 
 void TestCurveReading::crowdedPointsAreThinnedToTheirExtremes() {
