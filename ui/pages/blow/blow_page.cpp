@@ -99,8 +99,9 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     layout->addLayout(makeBar());
     layout->addWidget(m_instant);
     layout->addWidget(m_plot, 1);
-    constexpr int lines = 30;  // of four plots, each with its legend
-    setLeastLines(lines);
+    static constexpr int lines = 26;  // of four plots
+    setLeastLines(lines + BlowPlots::plotCount);
+    connect(m_plot, &PlotWidget::afterLayout, this, [this] { setLeastLines(lines + m_plots->legendRows()); });
 
     useFrame(*m_plots, tr("Waves, impact force, impulse and momentum over time"));
     m_plot->setNaming([this] { m_plots->name(); });

@@ -11,6 +11,8 @@
 namespace drillwave {
 namespace {
 
+constexpr int farBelow = 1 << 20;  // [px]
+
 enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
 
 // The sum, the first waves, and all later ones by their heading.
@@ -128,7 +130,10 @@ void BlowPlots::addPlot(std::size_t index, QCPMarginGroup* margins) {
     added.legend->setIconSize(20, 12);
     header->addElement(0, 0, added.title);
     header->addElement(0, 1, added.legend);
-    header->addElement(0, 2, new QCPTextElement(m_plot));  // takes what width is left
+    auto* rest = new QCPTextElement(m_plot);  // takes what width is left
+    header->addElement(0, 2, rest);
+    // A text would keep the legend beside it as low as its own line.
+    for (QCPTextElement* text : {added.title, rest}) text->setMaximumSize(farBelow, farBelow);
     header->setColumnStretchFactor(0, 1e-3);
     header->setColumnStretchFactor(1, 1e-3);
     added.legend->setLayer(QStringLiteral("legend"));
@@ -168,6 +173,12 @@ void BlowPlots::wrapLegends() {
                    plot.legend->itemCount());
         for (qsizetype i = 0; i < names.size(); ++i) plot.runs->graphs()[i]->setName(names[i]);
     }
+}
+
+int BlowPlots::legendRows() const {
+    int rows = 0;
+    for (const Plot& plot : m_plots) rows += std::max(1, plot.legend->rowCount());
+    return rows;
 }
 
 void BlowPlots::linkTimeAxes() {

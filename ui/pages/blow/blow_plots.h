@@ -34,6 +34,8 @@ class BlowPlots : public StudyFrame {
     static QString placeText(const BlowCurves& curves, const QLocale& locale);
     /// Names curves and axes in the present language.
     void name();
+    /// Returns the number of rows of all legends together; a legend without entries counts as one row.
+    int legendRows() const;
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
     /// Returns the graph of the normal force N at the observed position of the rod, which is the sum of all
     /// waves there.
