@@ -11,7 +11,8 @@ namespace drillwave {
 namespace {
 
 constexpr int captionMargin = 10;  // pixels on either side of a caption
-constexpr int leastLetters = 4;    // of a name that is cut short
+constexpr double smallLetters = 0.9;
+constexpr int leastLetters = 4;  // of a name that is cut short
 
 QFont captionFont(const QTabBar& bar) {
     QFont font = bar.font();
@@ -115,6 +116,36 @@ void TabStrip::initStyleOption(QStyleOptionTab* option, int index) const {
                                                 std::max(0, option->rect.width() - edges));
         if (option->text.size() < leastLetters) option->text.clear();
     }
+}
+
+void TabStrip::resizeEvent(QResizeEvent* event) {
+    fitLetters();
+    QTabBar::resizeEvent(event);
+}
+
+void TabStrip::tabLayoutChange() {
+    QTabBar::tabLayoutChange();
+    fitLetters();
+}
+
+// Smaller only where that brings all tabs into view.
+void TabStrip::fitLetters() {
+    const QFont usual = parentWidget() ? parentWidget()->font() : font();
+    if (usual.pointSizeF() <= 0) return;  // given in pixels
+    QFont small = usual;
+    small.setPointSizeF(smallLetters * usual.pointSizeF());
+    const auto isWide = [this](const QFont& letters) {
+        int wanted = 0;
+        for (int index = 0; index < count(); ++index)
+            if (isTabVisible(index))
+                wanted += isCaption(index) ? captionMargin
+                                           : QTabBar::tabSizeHint(index).width() +
+                                                 QFontMetrics(letters).horizontalAdvance(tabText(index)) -
+                                                 fontMetrics().horizontalAdvance(tabText(index));
+        return wanted > width();
+    };
+    const QFont& fitting = isWide(usual) && !isWide(small) ? small : usual;
+    if (font().pointSizeF() != fitting.pointSizeF()) setFont(fitting);
 }
 
 void TabStrip::mousePressEvent(QMouseEvent* event) {

@@ -9,8 +9,8 @@ class QWidget;
 namespace drillwave {
 
 /// Row of tabs. A caption, the name of a group, is a tab that cannot be chosen. If the row is too short,
-/// captions shrink to a gap, and then the tabs scroll. The chosen tab is always visible, and a name cut off
-/// at the edge ends in an ellipsis.
+/// captions shrink to a gap, then letters become a little smaller, and then the tabs scroll. The chosen tab
+/// is always visible, and a name cut off at the edge ends in an ellipsis.
 class TabStrip : public QTabBar {
     Q_OBJECT
 
@@ -42,12 +42,15 @@ class TabStrip : public QTabBar {
     void initStyleOption(QStyleOptionTab* option, int index) const override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void tabLayoutChange() override;
 
   private:
     bool isCaption(int index) const { return !pageAt(index); }
     int captionWidth(int index) const;
     bool hasRoomForCaptions() const;
     QRect shownRect() const;
+    void fitLetters();
 };
 
 }  // namespace drillwave
