@@ -22,7 +22,7 @@ namespace {
 
 constexpr int cellColumns = 3;  // of two lines each
 constexpr int margin = 3;
-constexpr int choiceWidth = 96, mostChoiceWidth = 180;
+constexpr int choiceWidth = 96, mostChoiceWidth = 230;
 constexpr int digitsWhereNarrow = 5;
 constexpr int largeType = 20;    // [px] high: a narrow table has no room for it
 constexpr double shrunk = 0.75;  // then
@@ -166,8 +166,11 @@ void CursorBar::arrangeNarrow() {
 
 void CursorBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    const int spare = event->size().width() - leastWidth(Form::wide);
-    m_choice->setFixedWidth(std::clamp(choiceWidth + spare, choiceWidth, mostChoiceWidth));
+    const int width = event->size().width();
+    const Form form = formFor(width);
+    const int column = width / cellColumns - 2 * m_grid->horizontalSpacing();  // narrow: it is as wide
+    const int room = form == Form::narrow ? column : choiceWidth + width - leastWidth(form);
+    m_choice->setFixedWidth(std::clamp(room, choiceWidth, mostChoiceWidth));
     if (formFor(event->size().width()) != m_form) {
         arrange();
         writeCells();

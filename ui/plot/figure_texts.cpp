@@ -154,13 +154,18 @@ void FigureFrame::placeTexts() {
             }
 }
 
-// One part below the other where they are too long for one line, and in as many lines as a part needs.
+// As many parts in a line as there is room for; a part that is too long for a line is broken between words.
 void FigureFrame::breakCaption() {
     const double room = m_plot->viewport().width() - 20;
     const auto fits = [&, metrics = QFontMetricsF(m_caption->font())](const QString& text) {
         return metrics.horizontalAdvance(text) <= room;
     };
-    QStringList lines = fits(m_captionText) ? QStringList(m_captionText) : m_captionText.split(betweenParts);
+    QStringList lines;
+    for (const QString& part : m_captionText.split(betweenParts))
+        if (!lines.isEmpty() && fits(lines.last() + betweenParts + part))
+            lines.last() += betweenParts + part;
+        else
+            lines << part;
     for (int i = 0; i < lines.size(); ++i)
         for (qsizetype end = lines[i].size(); !fits(lines[i]) && end > 0;) {
             end = lines[i].lastIndexOf(QLatin1Char(' '), end - 1);

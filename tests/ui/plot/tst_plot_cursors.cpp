@@ -128,7 +128,7 @@ void TestPlotCursors::aLongNameOfACurveIsWidenedOrElided() {
         return m->plot.findChild<QComboBox*>(QStringLiteral("readCurve"))->grab().toImage();
     };
     auto* choice = m->plot.findChild<QComboBox*>(QStringLiteral("readCurve"));
-    const QString name = QStringLiteral("largest compression of all");
+    const QString name = QStringLiteral("largest compression of all sections");
     const QImage elided = pictureOf(name, 500);
     const int narrow = choice->width();
     QCOMPARE(choice->toolTip(), name);
