@@ -38,6 +38,30 @@ double largestMagnitude(const Blow& blow, const BlowWaves& waves, WaveQuantity f
     return std::isfinite(largest) && largest > 0 ? largest : 1;
 }
 
+/// Widens the range of a picture to the largest forces whose position and time it shows: they may be narrower
+/// than a cell of the raster.
+void addPeaks(const Blow& blow, WavePicture& picture) {
+    const RasterGrid& grid = picture.raster.grid;
+    const auto add = [&](const RodForces& forces) {
+        for (const RodForce* peak :
+             {&forces.compression, &forces.compressionAfter, &forces.tension, &forces.tensionAfter}) {
+            const bool isShown = peak->section >= grid.xiBegin && peak->section <= grid.xiEnd &&
+                                 peak->time >= grid.timeBegin && peak->time <= grid.timeEnd;
+            if (!isShown) continue;
+            const bool isTension = peak == &forces.tension || peak == &forces.tensionAfter;
+            if (isTension)
+                picture.largest = std::max(picture.largest, static_cast<float>(peak->size));
+            else
+                picture.least = std::min(picture.least, -static_cast<float>(peak->size));
+        }
+    };
+    if (blow.summary.rodForces) return add(*blow.summary.rodForces);
+    for (std::size_t i = 0; i < blow.impact.sections.size(); ++i)
+        add(eachOf(blow.impact.sections[i], [&](const SectionPeak& peak) {
+            return RodForce{peak.force, shareOfString(blow.scenario.drillString, {i, peak.place}), peak.time};
+        }));
+}
+
 StringPicture stringPicture(const Blow& blow, const BlowWaves& waves) {
     StringPicture picture{stringRod(blow), waves.end(), 1, waves.faceContacts()};
     const double largest =
@@ -111,6 +135,7 @@ WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePic
         picture.least = std::min(picture.least, value);
         picture.largest = std::max(picture.largest, value);
     }
+    if (need.field == WaveQuantity::force) addPeaks(blow, picture);
     return picture;
 }
 

@@ -208,9 +208,11 @@ void WavePicturePage::showSpan() {
 // The place below the pointer, also when a zoom has brought another one there; else what is in view.
 void WavePicturePage::showReadout() {
     const QString place = m_pointer ? m_picture->readout(*m_pointer) : QString();
-    const QString range = m_picture->rangeText();
-    const bool fits = m_readout->fontMetrics().horizontalAdvance(range) < m_readout->width();
-    m_readout->setText(!place.isEmpty() ? place : fits ? range : QStringLiteral(" "));
+    const QString range = m_picture->rangeText(), fronts = m_picture->frontsText();
+    QString inView = fronts.isEmpty() ? range : range + QStringLiteral(" · ") + fronts;
+    for (const QString& shorter : {range, QStringLiteral(" ")})
+        if (m_readout->fontMetrics().horizontalAdvance(inView) >= m_readout->width()) inView = shorter;
+    m_readout->setText(place.isEmpty() ? inView : place);
     m_readout->setToolTip(place.isEmpty() ? range : place + u'\n' + range);
 }
 

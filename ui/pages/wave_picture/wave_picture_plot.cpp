@@ -212,6 +212,12 @@ QString WavePicturePlot::rangeText() const {
     return range + tr(" · colours end at ±%1").arg(quantityText(picture.limit, unit, locale));
 }
 
+QString WavePicturePlot::frontsText() const {
+    if (!m_blow || !frontsShown()) return {};
+    return picture()->string ? tr("fronts: — start, - - end of a wave")
+                             : tr("fronts: — start, - - end of a wave; p towards the bit, n back");
+}
+
 void WavePicturePlot::summarize() {
     const WavePicture& picture = *this->picture();
     const QLocale locale = m_plot->locale();

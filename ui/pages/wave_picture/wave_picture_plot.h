@@ -44,6 +44,8 @@ class WavePicturePlot : public StudyFrame {
     void name();
     /// Returns a text with the extremes in view and the end of the colour scale; empty if nothing is shown.
     QString rangeText() const;
+    /// Returns a text that explains the lines of the wave fronts; empty if they are not shown.
+    QString frontsText() const;
     /// Returns a text with position, time and field at a point of the plot; for a drill string with section,
     /// force, stress and velocity. Empty outside the picture.
     QString readout(const QPointF& pixel) const;
