@@ -176,8 +176,8 @@ const Command& drillCommand() {
               "refuse a computation of more than N steps, counted as time steps times section ends (default: "
               "4e9)"},
              {"o", "FILE.csv|DIR",
-              "also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files "
-              "into DIR; -o - prints the rows"},
+              "also write one row for each blow to FILE.csv, and the scenario and options to FILE.csv.yaml; "
+              "with DIR, write the files of a drilling run there; -o - prints the rows"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()}),

@@ -236,10 +236,9 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                                  "estimate for rigid rock (e = 1) gives too small a feed force."),
                     {fourDigits(alert, "cor", style)}};
         case AlertCode::severalContacts:
-            return {
-                translatable(
-                    "The bit hits the rock %1 times in this blow: reflected waves push it back to the rock."),
-                {whole(alert, "contacts")}};
+            return {translatable("The bit hits the rock %1 times in this blow: reflected waves push it "
+                                 "against the rock again."),
+                    {whole(alert, "contacts")}};
         case AlertCode::closedFormInvalid:
             return closedFormInvalid(alert, style);
         case AlertCode::inputDecides:

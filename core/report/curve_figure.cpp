@@ -82,14 +82,14 @@ Message lineName(const CurveStudy& study, const CurveLine& line, CurveKind kind,
 void addGroupAxis(StudyPanel& panel, const CurveQuestion& question) {
     if (!hasUnits(question.base)) return;
     const Scales scales = scalesOf(question.base);
-    const auto show = [&](const char* group, double perSi) {
-        panel.top = FigureAxis{.title = printedWords(findParameter(group)->symbol)};
+    const auto show = [&](const char* formula, double perSi) {
+        panel.top = FigureAxis{.title = formula};
         panel.topPerX = perSi;
     };
     const std::string_view key = question.along.key();
-    if (key == "bit_rock.stiffness") show("beta", 1 / scales.stiffness);
-    if (key == "bit_rock.gap") show("delta", 1 / scales.penetration);
-    if (key == "rod.length") show("tau", groupsOf(question.base).tau / question.base.rod.length);
+    if (key == "bit_rock.stiffness") show("β = k t₀ / Z", 1 / scales.stiffness);
+    if (key == "bit_rock.gap") show("δ = d Z / (2 I₀)", 1 / scales.penetration);
+    if (key == "rod.length") show("τ = L / (c t₀)", groupsOf(question.base).tau / question.base.rod.length);
 }
 
 void addLines(StudyPanel& panel, const CurveStudy& study, CurveKind kind, double perX,

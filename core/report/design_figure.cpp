@@ -134,7 +134,7 @@ class ObjectivePanel {
             if (m_marks == DesignMarks::all) addMark(present, *design, nominal(*design));
         }
         const char* robustName = best.ties.empty() ? translatable("best for uncertain rock")
-                                                   : translatable("best, but within the error");
+                                                   : translatable("best, by less than the error");
         FigureSeries robust{.legend = named(robustName, *best.robust), .points = SeriesPoints::diamonds};
         addMark(robust, *best.robust, objective(*best.robust));
         FigureSeries ties{.points = SeriesPoints::circles};

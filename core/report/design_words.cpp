@@ -431,9 +431,9 @@ Message statisticMessage(const Statistic& statistic, Sense sense) {
             break;
     }
     if (statistic.percent == 50) return translatable("in the middle (median)");
-    const int bad = sense == Sense::largest ? statistic.percent : 100 - statistic.percent;
-    if (bad < 50) return {translatable("in the worst %1 %"), {std::to_string(bad)}};
-    return {translatable("in the best %1 %"), {std::to_string(100 - bad)}};
+    if (sense == Sense::largest)
+        return {translatable("reached in %1 % of cases"), {std::to_string(100 - statistic.percent)}};
+    return {translatable("not exceeded in %1 % of cases"), {std::to_string(statistic.percent)}};
 }
 
 std::string aimedName(const DesignAim& aim) {

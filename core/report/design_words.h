@@ -99,7 +99,7 @@ const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim,
 std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
                            const ReadingStyle& style = plainStyle());
 
-/// Returns a statistic of an objective in words, such as "in the worst 5 %". The bad side depends on `sense`.
+/// Returns a statistic of an objective in words, such as "reached in 95 % of cases" for `sense` largest.
 Message statisticMessage(const Statistic& statistic, Sense sense);
 
 /// Returns the name of an objective for tables, such as "thrust q95".

@@ -185,7 +185,7 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
               .isFromZero = true},
         .series = {drawn(curves.rate, translatable("penetration rate"), SeriesRole::result,
                          SeriesPoints::joined),
-                   drawn(curves.bouncing, translatable("started bouncing"), SeriesRole::result,
+                   drawn(curves.bouncing, translatable("start with a bouncing rod"), SeriesRole::result,
                          SeriesPoints::apart),
                    drawn(curves.contact, translatable("blows in contact"), SeriesRole::second),
                    drawn(rateOf(shown.constantForce), translatable("constant force"), SeriesRole::third),
@@ -214,7 +214,7 @@ StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan,
     if (scan)
         figure.caption.push_back({scan->isOld ? translatable("scan of an earlier scenario: scan again")
                                               : translatable("strip: 95 % error of the penetration rate")});
-    if (sequence) figure.caption.push_back({translatable("shaded: counted blows")});
+    if (sequence) figure.caption.push_back({translatable("shaded: blows averaged")});
     if (sequence && isDetailed)
         figure.caption.push_back({translatable("gap and next gap: a projection from more dimensions")});
     for (const std::size_t row : {0, 0, 1, 1, 2, 2, 2})

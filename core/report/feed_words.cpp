@@ -58,8 +58,8 @@ class EstimateMessage {
                 return {
                     m_estimate.isOfAllGaps()
                         ? translatable("A feed force of %1 is enough for every single blow. It even returns "
-                                       "an undamped rod to the rock before the next blow at every gap, which "
-                                       "requires %2.")
+                                       "an undamped rod to the rock before the next blow, whatever the gap "
+                                       "(this requires %2).")
                         : translatable("A feed force of %1 is enough for this blow and for rigid rock, and "
                                        "even returns an undamped rod to the rock in time (%2 required); "
                                        "other gaps between bit and rock were not examined."),

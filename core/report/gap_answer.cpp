@@ -83,10 +83,10 @@ class GapAnswer : public StudyAnswer {
         if (Message remark = periodRemark(m_study, style); !remark.isEmpty())
             sentences.push_back(std::move(remark));
         else if (hasUnits(scenario()))
-            sentences.push_back({translatable("Results repeat with every d₀ = %1 of gap."),
+            sentences.push_back({translatable("Results repeat every d₀ = %1 of gap."),
                                  {style.quantity(scalesOf(scenario()).penetration, Quantity::length, 4)}});
         else
-            sentences.push_back(translatable("Results repeat with every d₀ of gap."));
+            sentences.push_back(translatable("Results repeat every d₀ of gap."));
         return sentences;
     }
     StudyFigure figure(std::size_t view) const override {

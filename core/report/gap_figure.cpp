@@ -118,9 +118,9 @@ StudyFigure emptyFigure(const Scenario& scenario, GapOutput output) {
     curve.series = {{.legend = axisTitle(output)}};
     StudyPanel& distribution = figure.panels.back();
     distribution.width = distributionWidth;
-    distribution.x = {.title = translatable("in a band [%]")};
+    distribution.x = {.title = translatable("per class [%]")};
     distribution.top = {.title = translatable("below [%]"), .range = {{0, 105}}};
-    distribution.series = {{.kind = SeriesKind::area, .legend = translatable("share in a band")},
+    distribution.series = {{.kind = SeriesKind::area, .legend = translatable("share per class")},
                            {.kind = SeriesKind::path,
                             .role = SeriesRole::second,
                             .legend = translatable("share below"),
@@ -163,7 +163,7 @@ StudyFigure gapFigure(const GapStudy& study, GapOutput output) {
             {translatable("e > 1 at %1 of gaps"), {{100 * share.value, PlainNumber::percent}}});
     }
     if (const auto thrust = thrustNeeded(study.scenario, study.spread(GapOutput::cor).quantiles.back().value))
-        figure.caption.push_back({translatable("feed force for 95 % of gaps %1"),
+        figure.caption.push_back({translatable("feed force enough for 95 % of gaps: %1"),
                                   {{*thrust, SiValues{Quantity::force, *thrust}}}});
     return figure;
 }

@@ -172,8 +172,9 @@ std::vector<Message> sequenceSentences(const DrillingResult& result, const Readi
                              {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
         sentences.push_back(remedyWords(*sequence->unresolved, style));
     }
-    sentences.push_back({translatable("The bit starts in contact with the rock in %1 of the blows."),
-                         {percentText(sequence->contactShare, style)}});
+    sentences.push_back(
+        {translatable("In %1 of the blows, the bit is in contact with the rock when the blow arrives."),
+         {percentText(sequence->contactShare, style)}});
     sentences.push_back(
         {feedModelOf(result.scenario) == FeedModel::damper
              ? translatable(

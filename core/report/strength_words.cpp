@@ -16,13 +16,13 @@ namespace {
 const char* firstPattern(const StrengthUse& use) {
     if (use.of == StrengthUse::Strength::fatigue)
         return translatable(
-            "The section closest to breaking (%1) has a tension of %2, which is %3 of its fatigue strength "
+            "The most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength "
             "of %4.");
     return use.isTension ? translatable(
-                               "The section closest to yielding (%1) has a tension of %2, which is %3 of its "
+                               "The most heavily loaded section (%1) has a tension of %2, which is %3 of its "
                                "yield strength of %4.")
                          : translatable(
-                               "The section closest to yielding (%1) has a compression of %2, which is %3 of "
+                               "The most heavily loaded section (%1) has a compression of %2, which is %3 of "
                                "its yield strength of %4.");
 }
 

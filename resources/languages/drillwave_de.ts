@@ -1843,7 +1843,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
-        <translation>Eine Stange zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel des Schlags bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den Andruck, den die Schläge brauchen. Die Steifigkeit oder den Spalt ziehen, um zu sehen, wie sich beide ändern.</translation>
+        <translation>Eine Stange zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel der Schlagenergie bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den erforderlichen Andruck. Den Regler der Steifigkeit oder des Spalts ziehen, um zu sehen, wie sich beide ändern.</translation>
     </message>
     <message>
         <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
@@ -5732,8 +5732,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Kraft–Eindringung</translation>
     </message>
     <message>
-        <source>straight</source>
-        <translation>Gerade</translation>
+        <source>linear</source>
+        <translation>linear</translation>
     </message>
 </context>
 <context>
@@ -5770,12 +5770,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Zellen · nicht gelöst</translation>
     </message>
     <message>
-        <source>cells · %1 · efficiency %2 ± %3</source>
-        <translation>Zellen · %1 · Wirkungsgrad %2 ± %3</translation>
+        <source>cells · computed in %1 · efficiency %2 ± %3</source>
+        <translation>Zellen · berechnet in %1 · Wirkungsgrad %2 ± %3</translation>
     </message>
     <message>
-        <source>exact · %1 · %2 · e = %3 ± %4</source>
-        <translation>exakt · %1 · %2 · e = %3 ± %4</translation>
+        <source>exact · %1 · computed in %2 · e = %3 ± %4</source>
+        <translation>exakt · %1 · berechnet in %2 · e = %3 ± %4</translation>
     </message>
     <message>
         <source>1 force peak</source>
@@ -6184,8 +6184,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Stange prallt mit mehr Impuls zurück, als sie vor dem Aufprall hatte (e = %1). Eine Schätzung für starres Gestein (e = 1) ergibt einen zu kleinen Andruck.</translation>
     </message>
     <message>
-        <source>The bit hits the rock %1 times in this blow: reflected waves push it back to the rock.</source>
-        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: reflektierte Wellen drücken sie zum Gestein zurück.</translation>
+        <source>The bit hits the rock %1 times in this blow: reflected waves push it against the rock again.</source>
+        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: reflektierte Wellen drücken sie wieder gegen das Gestein.</translation>
     </message>
     <message>
         <source>The numerical error of the coefficient of restitution e may be as large as %1.</source>
@@ -10548,8 +10548,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Dieses Mittel ist ungenau: sein Fehler liegt über %1, weil %2.</translation>
     </message>
     <message>
-        <source>The bit starts in contact with the rock in %1 of the blows.</source>
-        <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt mit dem Gestein.</translation>
+        <source>In %1 of the blows, the bit is in contact with the rock when the blow arrives.</source>
+        <translation>Bei %1 der Schläge liegt die Bohrkrone am Gestein an, wenn der Schlag ankommt.</translation>
     </message>
     <message>
         <source>The connection between machine and rod is modelled as %1, which is an assumption.</source>
@@ -11268,16 +11268,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 weitere Abschnitte</translation>
     </message>
     <message>
-        <source>The section closest to breaking (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
-        <translation>Der Abschnitt, der dem Bruch am nächsten ist (%1), hat eine Zugspannung von %2; das sind %3 seiner Dauerfestigkeit von %4.</translation>
+        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
+        <translation>Der am höchsten belastete Abschnitt (%1) hat eine Zugspannung von %2; das sind %3 seiner Dauerfestigkeit von %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Der Abschnitt, der dem Fließen am nächsten ist (%1), hat eine Zugspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
+        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Der am höchsten belastete Abschnitt (%1) hat eine Zugspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Der Abschnitt, der dem Fließen am nächsten ist (%1), hat eine Druckspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
+        <source>The most heavily loaded section (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Der am höchsten belastete Abschnitt (%1) hat eine Druckspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
         <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
@@ -11340,12 +11340,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>konnte nicht bei allen Spalten gelöst werden: %1</translation>
     </message>
     <message>
-        <source>Results repeat with every d₀ of gap.</source>
-        <translation>Ergebnisse wiederholen sich mit jedem d₀ Spalt.</translation>
+        <source>Results repeat every d₀ of gap.</source>
+        <translation>Die Ergebnisse wiederholen sich alle d₀ Spalt.</translation>
     </message>
     <message>
-        <source>Results repeat with every d₀ = %1 of gap.</source>
-        <translation>Ergebnisse wiederholen sich mit jedem d₀ = %1 Spalt.</translation>
+        <source>Results repeat every d₀ = %1 of gap.</source>
+        <translation>Die Ergebnisse wiederholen sich alle d₀ = %1 Spalt.</translation>
     </message>
     <message>
         <source>How the gap scatters</source>
@@ -11357,7 +11357,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>all equally likely</source>
-        <translation>alle gleich wahrscheinlich</translation>
+        <translation>gleichverteilt</translation>
     </message>
     <message>
         <source>mean ± deviation</source>
@@ -11408,16 +11408,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>δ = Spalt / d₀</translation>
     </message>
     <message>
-        <source>in a band [%]</source>
-        <translation>in einem Band [%]</translation>
+        <source>per class [%]</source>
+        <translation>je Klasse [%]</translation>
     </message>
     <message>
         <source>below [%]</source>
         <translation>darunter [%]</translation>
     </message>
     <message>
-        <source>share in a band</source>
-        <translation>Anteil in einem Band</translation>
+        <source>share per class</source>
+        <translation>Anteil je Klasse</translation>
     </message>
     <message>
         <source>share below</source>
@@ -11448,8 +11448,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>e &gt; 1 bei %1 der Spalte</translation>
     </message>
     <message>
-        <source>feed force for 95 % of gaps %1</source>
-        <translation>95&#xa0;%-Andruck %1</translation>
+        <source>feed force enough for 95 % of gaps: %1</source>
+        <translation>Andruck, der für 95&#xa0;% der Spalte reicht: %1</translation>
     </message>
     <message>
         <source>records</source>
@@ -11781,7 +11781,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Neither stiffness nor elasticity (gamma) of the rock is known to within 20 %.</source>
-        <translation>Weder Steifigkeit noch Elastizität (gamma) des Gesteins sind auf 20 % genau bekannt.</translation>
+        <translation>Weder Steifigkeit noch Elastizität (gamma) des Gesteins sind auf 20&#xa0;% genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12596,8 +12596,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energieanteil</translation>
     </message>
     <message>
-        <source>started bouncing</source>
-        <translation>springend begonnen</translation>
+        <source>start with a bouncing rod</source>
+        <translation>Start mit springender Stange</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12616,8 +12616,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Streifen: 95-%-Fehler des Bohrfortschritts</translation>
     </message>
     <message>
-        <source>shaded: counted blows</source>
-        <translation>schattiert: gezählte Schläge</translation>
+        <source>shaded: blows averaged</source>
+        <translation>schattiert: gemittelte Schläge</translation>
     </message>
     <message>
         <source>gap and next gap: a projection from more dimensions</source>
@@ -12678,12 +12678,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>in der Mitte (Median)</translation>
     </message>
     <message>
-        <source>in the worst %1 %</source>
-        <translation>in den schlechtesten %1 %</translation>
+        <source>reached in %1 % of cases</source>
+        <translation>in %1&#xa0;% der Fälle erreicht</translation>
     </message>
     <message>
-        <source>in the best %1 %</source>
-        <translation>in den besten %1 %</translation>
+        <source>not exceeded in %1 % of cases</source>
+        <translation>in %1&#xa0;% der Fälle nicht überschritten</translation>
     </message>
     <message>
         <source>at %1 = %2</source>
@@ -12727,11 +12727,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
-        <translation>%1 von %2 auf %3 ändern: das verbessert %4 von %6 auf %5.</translation>
+        <translation>%1 von %2 auf %3 ändern: %4 wird besser, %5 statt %6.</translation>
     </message>
     <message>
         <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
-        <translation>Die Auslegung von %1 auf %2 wechseln: das verbessert %3 von %5 auf %4.</translation>
+        <translation>Die Auslegung von %1 auf %2 wechseln: %3 wird besser, %4 statt %5.</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for every single blow (%2 required).</source>
@@ -12742,7 +12742,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow at every gap, which requires %2.</source>
+        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow, whatever the gap (this requires %2).</source>
         <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag. Er bringt sogar eine ungedämpfte Stange bei jedem Spalt vor dem nächsten Schlag zurück ans Gestein, was %2 erfordert.</translation>
     </message>
     <message>
@@ -12884,8 +12884,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 (%2).</translation>
     </message>
     <message>
-        <source>best, but within the error</source>
-        <translation>beste, aber innerhalb des Fehlers</translation>
+        <source>best, by less than the error</source>
+        <translation>beste, Vorsprung kleiner als der Fehler</translation>
     </message>
     <message>
         <source>known to within %1</source>
@@ -14050,8 +14050,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>To mark a time, click an event or place the time cursor in Blow.</source>
-        <translation>Eine Zeit markieren: auf ein Ereignis klicken oder in Schlag den Zeitcursor setzen.</translation>
+        <source>To mark a time, click an event or place the time cursor on the page Blow.</source>
+        <translation>Eine Zeit markieren: auf ein Ereignis klicken oder auf der Seite Schlag den Zeitcursor setzen.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -14349,7 +14349,7 @@ in %4</translation>
         <translation>Läufe</translation>
     </message>
     <message>
-        <source>F7 pins this result to compare with.</source>
+        <source>F7 pins this result for comparison.</source>
         <translation>F7 heftet dieses Ergebnis zum Vergleich an.</translation>
     </message>
     <message>
@@ -15756,6 +15756,14 @@ Festigkeit</translation>
         <source> and so on</source>
         <translation> und so weiter</translation>
     </message>
+    <message>
+        <source>fronts: — start, - - end of a wave</source>
+        <translation>Fronten: — Beginn, - - Ende einer Welle</translation>
+    </message>
+    <message>
+        <source>fronts: — start, - - end of a wave; p towards the bit, n back</source>
+        <translation>Fronten: — Beginn, - - Ende einer Welle; p zur Krone, n zurück</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::WavesNotice</name>
@@ -16031,8 +16039,8 @@ ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abge
         <translation>Zahlen als Vielfache der Skalen d0, v0, I0, F0 und t0 eines Schlags ausgeben (`drillwave help glossary 2`)</translation>
     </message>
     <message>
-        <source>also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files into DIR; -o - prints the rows</source>
-        <translation>auch eine Zeile je Schlag nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml, oder alle Dateien nach DIR; -o - gibt die Zeilen aus</translation>
+        <source>also write one row for each blow to FILE.csv, and the scenario and options to FILE.csv.yaml; with DIR, write the files of a drilling run there; -o - prints the rows</source>
+        <translation>auch eine Zeile je Schlag nach FILE.csv schreiben, Szenario und Optionen nach FILE.csv.yaml; mit DIR die Dateien eines Bohrlaufs dorthin schreiben; -o - druckt die Zeilen</translation>
     </message>
     <message>
         <source>vary the blow frequency: short for --along drill.blow_frequency=VALUES</source>

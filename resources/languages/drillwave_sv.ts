@@ -1843,7 +1843,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
-        <translation>En stång för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slaget stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i styvheten eller spalten för att se båda ändras.</translation>
+        <translation>En stång för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slagenergin stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i reglaget för styvhet eller spalt för att se båda ändras.</translation>
     </message>
     <message>
         <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
@@ -5732,8 +5732,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>kraft–inträngning</translation>
     </message>
     <message>
-        <source>straight</source>
-        <translation>rak</translation>
+        <source>linear</source>
+        <translation>linjär</translation>
     </message>
 </context>
 <context>
@@ -5770,12 +5770,12 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>celler · inte löst</translation>
     </message>
     <message>
-        <source>cells · %1 · efficiency %2 ± %3</source>
-        <translation>celler · %1 · verkningsgrad %2 ± %3</translation>
+        <source>cells · computed in %1 · efficiency %2 ± %3</source>
+        <translation>celler · beräknat på %1 · verkningsgrad %2 ± %3</translation>
     </message>
     <message>
-        <source>exact · %1 · %2 · e = %3 ± %4</source>
-        <translation>exakt · %1 · %2 · e = %3 ± %4</translation>
+        <source>exact · %1 · computed in %2 · e = %3 ± %4</source>
+        <translation>exakt · %1 · beräknat på %2 · e = %3 ± %4</translation>
     </message>
     <message>
         <source>1 force peak</source>
@@ -6184,7 +6184,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Stången studsar med mer rörelsemängd än den hade före anslaget (e = %1). En uppskattning för stelt berg (e = 1) ger för liten matningskraft.</translation>
     </message>
     <message>
-        <source>The bit hits the rock %1 times in this blow: reflected waves push it back to the rock.</source>
+        <source>The bit hits the rock %1 times in this blow: reflected waves push it against the rock again.</source>
         <translation>Borrkronan träffar berget %1 gånger i detta slag: reflekterade vågor trycker den tillbaka mot berget.</translation>
     </message>
     <message>
@@ -10548,8 +10548,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Detta medelvärde är osäkert: dess fel är över %1, eftersom %2.</translation>
     </message>
     <message>
-        <source>The bit starts in contact with the rock in %1 of the blows.</source>
-        <translation>Borrkronan börjar i kontakt med berget vid %1 av slagen.</translation>
+        <source>In %1 of the blows, the bit is in contact with the rock when the blow arrives.</source>
+        <translation>Vid %1 av slagen ligger borrkronan an mot berget när slaget kommer.</translation>
     </message>
     <message>
         <source>The connection between machine and rod is modelled as %1, which is an assumption.</source>
@@ -11268,16 +11268,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 andra sektioner</translation>
     </message>
     <message>
-        <source>The section closest to breaking (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
-        <translation>Sektionen närmast brott (%1) har en dragspänning på %2, vilket är %3 av utmattningsgränsen %4.</translation>
+        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
+        <translation>Den hårdast belastade sektionen (%1) har en dragspänning på %2, vilket är %3 av utmattningsgränsen %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Sektionen närmast flytning (%1) har en dragspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
+        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Den hårdast belastade sektionen (%1) har en dragspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
-        <source>The section closest to yielding (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Sektionen närmast flytning (%1) har en tryckspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
+        <source>The most heavily loaded section (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Den hårdast belastade sektionen (%1) har en tryckspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
         <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
@@ -11340,12 +11340,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kunde inte lösas vid alla spalter: %1</translation>
     </message>
     <message>
-        <source>Results repeat with every d₀ of gap.</source>
-        <translation>Resultaten upprepas med varje d₀ spalt.</translation>
+        <source>Results repeat every d₀ of gap.</source>
+        <translation>Resultaten upprepar sig för varje d₀ spalt.</translation>
     </message>
     <message>
-        <source>Results repeat with every d₀ = %1 of gap.</source>
-        <translation>Resultaten upprepas med varje d₀ = %1 spalt.</translation>
+        <source>Results repeat every d₀ = %1 of gap.</source>
+        <translation>Resultaten upprepar sig för varje d₀ = %1 spalt.</translation>
     </message>
     <message>
         <source>How the gap scatters</source>
@@ -11408,16 +11408,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>δ = spalt / d₀</translation>
     </message>
     <message>
-        <source>in a band [%]</source>
-        <translation>i ett band [%]</translation>
+        <source>per class [%]</source>
+        <translation>per klass [%]</translation>
     </message>
     <message>
         <source>below [%]</source>
         <translation>under [%]</translation>
     </message>
     <message>
-        <source>share in a band</source>
-        <translation>andel i ett band</translation>
+        <source>share per class</source>
+        <translation>andel per klass</translation>
     </message>
     <message>
         <source>share below</source>
@@ -11448,8 +11448,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>e &gt; 1 vid %1 av spalterna</translation>
     </message>
     <message>
-        <source>feed force for 95 % of gaps %1</source>
-        <translation>95&#xa0;%-matningskraft %1</translation>
+        <source>feed force enough for 95 % of gaps: %1</source>
+        <translation>matningskraft som räcker för 95&#xa0;% av spalterna: %1</translation>
     </message>
     <message>
         <source>records</source>
@@ -11781,7 +11781,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Neither stiffness nor elasticity (gamma) of the rock is known to within 20 %.</source>
-        <translation>Varken bergets styvhet eller dess elasticitet (gamma) är känd på 20 % när.</translation>
+        <translation>Varken bergets styvhet eller dess elasticitet (gamma) är känd på 20&#xa0;% när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -12596,8 +12596,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energiandel</translation>
     </message>
     <message>
-        <source>started bouncing</source>
-        <translation>startade studsande</translation>
+        <source>start with a bouncing rod</source>
+        <translation>start med studsande stång</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12616,8 +12616,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>band: 95 %-fel för borrsjunkningen</translation>
     </message>
     <message>
-        <source>shaded: counted blows</source>
-        <translation>skuggat: räknade slag</translation>
+        <source>shaded: blows averaged</source>
+        <translation>skuggat: slag som medelvärdet bildas över</translation>
     </message>
     <message>
         <source>gap and next gap: a projection from more dimensions</source>
@@ -12678,12 +12678,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>i mitten (median)</translation>
     </message>
     <message>
-        <source>in the worst %1 %</source>
-        <translation>i de sämsta %1 %</translation>
+        <source>reached in %1 % of cases</source>
+        <translation>uppnådd i %1&#xa0;% av fallen</translation>
     </message>
     <message>
-        <source>in the best %1 %</source>
-        <translation>i de bästa %1 %</translation>
+        <source>not exceeded in %1 % of cases</source>
+        <translation>ej överskriden i %1&#xa0;% av fallen</translation>
     </message>
     <message>
         <source>at %1 = %2</source>
@@ -12742,7 +12742,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow at every gap, which requires %2.</source>
+        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow, whatever the gap (this requires %2).</source>
         <translation>Matningskraften %1 räcker för varje enskilt slag. Den för till och med en odämpad stång tillbaka till berget före nästa slag vid varje spel, vilket kräver %2.</translation>
     </message>
     <message>
@@ -12884,8 +12884,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 (%2).</translation>
     </message>
     <message>
-        <source>best, but within the error</source>
-        <translation>bäst, men inom felet</translation>
+        <source>best, by less than the error</source>
+        <translation>bäst, men skillnaden är mindre än felet</translation>
     </message>
     <message>
         <source>known to within %1</source>
@@ -14050,8 +14050,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>To mark a time, click an event or place the time cursor in Blow.</source>
-        <translation>Markera en tid: klicka på en händelse eller sätt tidsmarkören i Slag.</translation>
+        <source>To mark a time, click an event or place the time cursor on the page Blow.</source>
+        <translation>För att markera en tid: klicka på en händelse eller sätt tidsmarkören på sidan Slag.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -14349,8 +14349,8 @@ i %4</translation>
         <translation>Körningar</translation>
     </message>
     <message>
-        <source>F7 pins this result to compare with.</source>
-        <translation>F7 fäster detta resultat att jämföra med.</translation>
+        <source>F7 pins this result for comparison.</source>
+        <translation>F7 fäster resultatet för jämförelse.</translation>
     </message>
     <message>
         <source>Ticked runs are shown in the plots. F2 renames, Del removes; right-click for more</source>
@@ -15756,6 +15756,14 @@ fastheten</translation>
         <source> and so on</source>
         <translation> och så vidare</translation>
     </message>
+    <message>
+        <source>fronts: — start, - - end of a wave</source>
+        <translation>fronter: — början, - - slutet av en våg</translation>
+    </message>
+    <message>
+        <source>fronts: — start, - - end of a wave; p towards the bit, n back</source>
+        <translation>fronter: — början, - - slutet av en våg; p mot kronan, n tillbaka</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::WavesNotice</name>
@@ -16028,8 +16036,8 @@ noll är avskurna.</translation>
         <translation>skriv tal som multiplar av ett slags skalor d0, v0, I0, F0 och t0 (`drillwave help glossary 2`)</translation>
     </message>
     <message>
-        <source>also write one row for each blow to FILE.csv, with its record FILE.csv.yaml, or all files into DIR; -o - prints the rows</source>
-        <translation>skriv även en rad per slag till FILE.csv, med protokollet FILE.csv.yaml, eller alla filer till DIR; -o - skriver ut raderna</translation>
+        <source>also write one row for each blow to FILE.csv, and the scenario and options to FILE.csv.yaml; with DIR, write the files of a drilling run there; -o - prints the rows</source>
+        <translation>skriv även en rad per slag till FILE.csv, scenario och val till FILE.csv.yaml; med DIR skrivs borrkörningens filer dit; -o - skriver ut raderna</translation>
     </message>
     <message>
         <source>vary the blow frequency: short for --along drill.blow_frequency=VALUES</source>

@@ -220,7 +220,8 @@ void TestReport::studiesHaveTheNumbersOfTheirCommands() {
     }
     const QJsonObject drill = json({"drill", file});
     const QByteArray share = QByteArray::number(100 * drill["contact_share"].toDouble(), 'g', 3);
-    QVERIFY(html.contains("The bit starts in contact with the rock in " + share + " % of the blows."));
+    QVERIFY(html.contains("In " + share +
+                          " % of the blows, the bit is in contact with the rock when the blow arrives."));
 
     const QJsonObject design = json({"design", file});
     const QString designs = tableOf(html, "design");

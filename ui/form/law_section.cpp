@@ -36,7 +36,7 @@ LawSection::LawSection(Document& document, QGridLayout* grid, QWidget* parent)
     m_law->setToolTip(
         tr("Rise of the force with penetration: along a line, along lines with corners, or as a power; "
            "unloading always follows one slope"));
-    for (const QString& name : {tr("straight"), tr("corners"), tr("power")}) m_law->addItem(name);
+    for (const QString& name : {tr("linear"), tr("corners"), tr("power")}) m_law->addItem(name);
     const int row = grid->rowCount();
     grid->addWidget(label, row, 0);
     grid->addWidget(m_law, row, 1, 1, formColumns - 1);

@@ -163,7 +163,7 @@ void RunPanel::fill() {
     m_list->setVisible(!runs.empty());
     m_output->setVisible(!runs.empty());
     m_list->headerItem()->setText(value, m_output->currentText());
-    m_hint->setText(runs.empty() ? tr("F7 pins this result to compare with.")
+    m_hint->setText(runs.empty() ? tr("F7 pins this result for comparison.")
                                  : tr("Not kept when the window closes"));
     m_hint->setToolTip(runs.empty() ? QString() : tr("File ▸ Keep runs beside the file keeps them"));
     m_hint->setVisible(runs.empty() || !m_kept);

@@ -68,7 +68,7 @@ const std::vector<Example>& examples() {
          "The rod rebounds with more momentum than it had before impact (e = 1.25). An estimate for rigid "
          "rock (e = 1) gives too small a feed force."},
         {{note, AlertCode::severalContacts, "", {{"contacts", 3}}},
-         "The bit hits the rock 3 times in this blow: reflected waves push it back to the rock."},
+         "The bit hits the rock 3 times in this blow: reflected waves push it against the rock again."},
         {{note,
           AlertCode::closedFormInvalid,
           "tau",

@@ -141,7 +141,7 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "return to the rock before each next blow.");
     row("return met", "t38_medium_rock", 12e3,
         "A feed force of 12 kN is enough for every single blow. It even returns an undamped rod to the rock "
-        "before the next blow at every gap, which requires 11.45 kN.",
+        "before the next blow, whatever the gap (this requires 11.45 kN).",
         "The installed feed force is enough for single blows.");
     row("a string, at this gap", "t38_string", 8e3,
         "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "

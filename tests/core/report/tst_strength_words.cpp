@@ -51,12 +51,12 @@ class TestStrengthWords : public QObject {
                                                   stressed(300e6, 300e6), stressed(855e6, 200e6)};
         QCOMPARE(strengthSentence(scenario, stresses, plainStyle()).text(),
                  std::string(
-                     "The section closest to yielding (3rd rod) has a compression of 855 MPa, which is 95 % "
+                     "The most heavily loaded section (3rd rod) has a compression of 855 MPa, which is 95 % "
                      "of its yield strength of 900 MPa."));
         parts[2].sections.front().yieldStrength.reset();
         QCOMPARE(strengthSentence(scenario, stresses, plainStyle()).text(),
                  std::string(
-                     "The section closest to breaking (2nd rod) has a tension of 300 MPa, which is 75 % of "
+                     "The most heavily loaded section (2nd rod) has a tension of 300 MPa, which is 75 % of "
                      "its fatigue strength of 400 MPa."));
         parts[0].sections.front().fatigueStrength.reset();
         QVERIFY(strengthSentence(scenario, stresses, plainStyle())

@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Returns the name of an objective, such as "efficiency in the worst 5 %".
+/// Returns the name of an objective, such as "efficiency reached in 95 % of cases".
 QString aimName(const DesignAim& aim);
 
 /// Base class that holds the style, so that the style is constructed before the names that refer to it.
@@ -64,7 +64,7 @@ class DesignUnits : private DesignStyle, public DesignNames {
     QLocale m_locale;
 };
 
-/// Returns an objective in words, such as "largest efficiency in the worst 5 %".
+/// Returns an objective in words, such as "largest efficiency reached in 95 % of cases".
 QString aimWords(const DesignAim& aim);
 
 }  // namespace drillwave

@@ -270,7 +270,7 @@ void TestCurvePage::presetsAreNamedWhereTheyLie() {
     showPage();
     const StudyPanel panel = panelOf(*m_page);
     QVERIFY(panel.bands.size() >= 4);
-    QCOMPARE(translated(panel.top->title), QString("β"));
+    QCOMPARE(translated(panel.top->title), QString("β = k t₀ / Z"));
     for (const FigureBand& band : panel.bands) {
         QVERIFY(band.from <= *band.at && *band.at <= band.to && band.to < 1.2 * band.from);
         QVERIFY(!band.name.isEmpty());
