@@ -130,7 +130,7 @@ double withoutRounding(double spread) {
     return std::abs(spread) < noSpread ? 0 : spread;
 }
 
-Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
+Message motionWords(const DrillingResult& result) {
     const DrillingStatistics& statistics = *result.statistics;
     const auto motion = [&]() -> Message {
         if (statistics.regime == DrillingRegime::rest) return translatable("at rest before every blow");
@@ -138,16 +138,22 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
         if (statistics.period == 1) return translatable("repeats every blow");
         return {translatable("repeats every %1 blows"), {std::to_string(statistics.period)}};
     };
-    if (!result.lyapunov) return motion();
-    const double error = result.lyapunov->error.value_or(0);
-    const bool isUnstable = statistics.regime != DrillingRegime::irregular && result.lyapunov->value > error;
-    const Message regime =
-        isUnstable ? Message{translatable("%1, but a small disturbance grows"), {motion()}} : motion();
+    if (!result.lyapunov || statistics.regime == DrillingRegime::irregular) return motion();
+    const bool isUnstable = result.lyapunov->value > result.lyapunov->error.value_or(0);
+    return isUnstable ? Message{translatable("%1, but a small disturbance grows"), {motion()}} : motion();
+}
+
+Message exponentWords(const DrillingResult& result, const ReadingStyle& style) {
+    if (!result.lyapunov) return {};
     const std::string exponent = style.number(result.lyapunov->value, 3);
-    if (!result.lyapunov->error)
-        return {translatable("%1; Lyapunov exponent %2 per blow"), {regime, exponent}};
-    return {translatable("%1; Lyapunov exponent %2 +- %3 per blow"),
-            {regime, exponent, style.number(*result.lyapunov->error, 2)}};
+    if (!result.lyapunov->error) return {translatable("Lyapunov exponent %1 per blow"), {exponent}};
+    return {translatable("Lyapunov exponent %1 +- %2 per blow"),
+            {exponent, style.number(*result.lyapunov->error, 2)}};
+}
+
+Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
+    const Message exponent = exponentWords(result, style);
+    return exponent.isEmpty() ? motionWords(result) : Message{"%1; %2", {motionWords(result), exponent}};
 }
 
 std::vector<Message> drillingSentences(const DrillingReport& report, const ReadingStyle& style) {

@@ -49,8 +49,12 @@ double withoutRounding(double spread);
 std::vector<Message> drillingSentences(const DrillingReport& report,
                                        const ReadingStyle& style = plainStyle());
 
-/// Returns a sentence that says whether the motion repeats, with the Lyapunov exponent λ. Requires
+/// Returns in a few words whether the motion repeats, and whether a small disturbance grows. Requires
 /// statistics.
+Message motionWords(const DrillingResult& result);
+/// Returns the Lyapunov exponent λ with its name and error; empty if it was not computed.
+Message exponentWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+/// Returns motionWords() and exponentWords() as one text. Requires statistics.
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units);

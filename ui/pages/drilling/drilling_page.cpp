@@ -3,6 +3,7 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -61,7 +62,12 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
     addAbove(scanControls, PartOf::question);
     m_details = new SectionBox(tr("Details"), this);
     m_details->setObjectName(QStringLiteral("details"));
-    (new QVBoxLayout(m_details->content()))->addWidget(m_table);
+    m_exponent = new QLabel(m_details->content());
+    m_exponent->setObjectName(QStringLiteral("exponent"));
+    m_exponent->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* inside = new QVBoxLayout(m_details->content());
+    inside->addWidget(m_exponent);
+    inside->addWidget(m_table);
     addBelow(m_details);
     m_frame = new FigureFrame(widget);
     m_details->rememberAs(QStringLiteral("drilling/details"), SectionBox::Begin::folded);
@@ -180,6 +186,7 @@ void DrillingPage::hideEvent(QHideEvent* event) {
 
 void DrillingPage::refuse(const std::vector<Message>& problems) {
     m_table->clearNumbers();
+    m_exponent->hide();
     QStringList lines;
     for (const Message& problem : problems) lines << translated(problem);
     showNothing(lines.join(QLatin1Char('\n')));
@@ -209,6 +216,10 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
         m_table->present(*answer.result, document().units());
     else
         m_table->clearNumbers();
+    m_exponent->setText(answer.result ? withSigns(translated(exponentWords(
+                                            *answer.result, LocalStyle::of(document().units()))))
+                                      : QString());
+    m_exponent->setVisible(!m_exponent->text().isEmpty());
     say(answer.result ? wordsOf(answer) : QStringList{tr("Solving the blows one after another …")});
     redraw();
 }
@@ -260,7 +271,7 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
             tr("; in contact means within %1 of the rock; %2")
                 .arg(QString::fromStdString(style.quantity(
                          contactLimit / lawUnitOfPenetration * result.units.length(), Quantity::length, 2)),
-                     translated(regimeWords(result, style)));
+                     translated(motionWords(result)));
     sentences << numbers + QLatin1Char('.');
     for (const Alert& alert : result.alerts)
         if (alert.level == AlertLevel::warning || alert.code == AlertCode::noWaveLoss)
