@@ -18,6 +18,7 @@ constexpr int bitWidth = 10, rockWidth = 26, hammerWidth = 30;
 constexpr int mostGapShown = 14;  // [px]
 constexpr int hammerAway = 4;     // from the string while they do not touch [px]
 constexpr int enoughForOneLine = 640, enoughOfString = 780;
+constexpr int textColumns = 1000;  // in which the extremes are looked for, whatever the width
 
 }  // namespace
 
@@ -82,20 +83,23 @@ QRect RodStrip::rodRect() const {
 
 void RodStrip::compute() {
     m_values.clear();
-    if (m_blow) {
-        const int columns =
-            std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF())));
-        const RasterGrid grid{picture().rear, 1, columns, m_time, m_time, 1};
-        m_values = BlowWaves(*m_blow).raster(picture().raster.quantity, grid).values;
-        if (picture().string && isStress()) toStress(grid);
-    }
+    if (m_blow)
+        m_values =
+            valuesAt(std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF()))));
     update();
 }
 
-void RodStrip::toStress(const RasterGrid& grid) {
+std::vector<float> RodStrip::valuesAt(int columns) const {
+    const RasterGrid grid{picture().rear, 1, columns, m_time, m_time, 1};
+    std::vector<float> values = BlowWaves(*m_blow).raster(picture().raster.quantity, grid).values;
+    if (picture().string && isStress()) toStress(grid, values);
+    return values;
+}
+
+void RodStrip::toStress(const RasterGrid& grid, std::vector<float>& values) const {
     const StringRod& rod = picture().string->rod;
     for (int i = 0; i < grid.columns; ++i) {
-        float& value = m_values[static_cast<std::size_t>(i)];
+        float& value = values[static_cast<std::size_t>(i)];
         const RodStretch& stretch = rod.stretches[rod.sectionAt(grid.xi(i))];
         value = static_cast<float>(stressOf(stretch, double(value), stretch.shareAt(grid.xi(i))));
     }
@@ -127,7 +131,7 @@ QString RodStrip::stateText() const {
                                   : tr("bit at the rock, no force");
     if (picture().string) state += hammerTouches() ? tr(" · hammer pushes") : tr(" · hammer not in contact");
     float least = 0, most = 0;
-    for (const float value : m_values) {
+    for (const float value : valuesAt(textColumns)) {
         least = std::min(least, value);
         most = std::max(most, value);
     }

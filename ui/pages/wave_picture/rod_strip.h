@@ -47,7 +47,8 @@ class RodStrip : public QWidget {
     QRect rodRect() const;
     bool isStress() const { return !m_blow || picture().raster.quantity == WaveQuantity::force; }
     bool hammerTouches() const;
-    void toStress(const RasterGrid& grid);
+    std::vector<float> valuesAt(int columns) const;
+    void toStress(const RasterGrid& grid, std::vector<float>& values) const;
     void paintRod(QPainter& painter, const QRect& rod) const;
     void paintSections(QPainter& painter, const QRect& rod) const;
     QImage colouredLine() const;
