@@ -62,6 +62,7 @@ class IdentifyPage : public StudyPage {
     void drawsWanted(const QString& source, const QByteArray& table);
 
   protected:
+    bool canFoldSettings() const override { return hasRecords(); }  // they have the button that opens records
     void ask() override;
     void present() override;
     QByteArray csv() const override;

@@ -99,7 +99,7 @@ void StudyPage::resizeEvent(QResizeEvent* event) {
 // In a low window the plot is seen first. A window that has grown shows the settings again.
 void StudyPage::foldSettings() {
     constexpr int leastHeight = 680;  // [px]
-    const bool isLow = window()->height() < leastHeight;
+    const bool isLow = window()->height() < leastHeight && canFoldSettings();
     if (isLow == m_isLow) return;
     m_isLow = isLow;
     const bool wasFolded = std::exchange(m_hasFolded, isLow && m_settings->isOpen());

@@ -82,6 +82,8 @@ class StudyPage : public PlotPage {
     void addBelow(QWidget* table);
     /// Returns the box of the controls.
     SectionBox& settingsBox() const { return *m_settings; }
+    /// Returns whether a low window may fold the settings at present.
+    virtual bool canFoldSettings() const { return true; }
     /// Sets the study that gives the page's answer. Call it once.
     void watch(StudyActivity& activity);
     /// Adds a further study of the page. Each update of the study calls present(). Hiding the page stops the
