@@ -3,6 +3,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QStyleOptionTab>
 #include <QToolButton>
 #include <algorithm>
@@ -135,17 +136,22 @@ void TabStrip::fitLetters() {
     QFont small = usual;
     small.setPointSizeF(smallLetters * usual.pointSizeF());
     const auto isWide = [this](const QFont& letters) {
+        const auto nameIn = [](const QFontMetrics& metrics, const QString& name) {
+            return metrics.size(Qt::TextShowMnemonic, name).width();
+        };
         int wanted = 0;
         for (int index = 0; index < count(); ++index)
             if (isTabVisible(index))
                 wanted += isCaption(index) ? captionMargin
                                            : QTabBar::tabSizeHint(index).width() +
-                                                 QFontMetrics(letters).horizontalAdvance(tabText(index)) -
-                                                 fontMetrics().horizontalAdvance(tabText(index));
+                                                 nameIn(QFontMetrics(letters), tabText(index)) -
+                                                 nameIn(fontMetrics(), tabText(index));
         return wanted > width();
     };
     const QFont& fitting = isWide(usual) && !isWide(small) ? small : usual;
-    if (font().pointSizeF() != fitting.pointSizeF()) setFont(fitting);
+    if (m_isFitting || font().pointSizeF() == fitting.pointSizeF()) return;
+    const QScopedValueRollback fits(m_isFitting, true);  // another font is another layout
+    setFont(fitting);
 }
 
 void TabStrip::mousePressEvent(QMouseEvent* event) {

@@ -51,6 +51,8 @@ class TabStrip : public QTabBar {
     bool hasRoomForCaptions() const;
     QRect shownRect() const;
     void fitLetters();
+
+    bool m_isFitting = false;
 };
 
 }  // namespace drillwave
