@@ -177,7 +177,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
 std::vector<OptionSpec> curveOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
         {{"along", "KEY=RANGE",
-          "vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)"},
+          "parameter along the curve, from START to STOP without steps; with :log, its axis is logarithmic"},
          {"family", "KEY=VALUES",
           "vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, "
           "START:STOP:COUNT:log (equal ratios) or A,B,C"},

@@ -34,7 +34,8 @@ bool asksForPlots(const Arguments& arguments) {
 }
 
 OptionSpec plotsOptionSpec() {
-    return {"plots", "png,svg,pdf", "with -o, also write the picture of the window in these formats"};
+    return {"plots", "png,svg,pdf",
+            "with -o, also write the plots that the window would show, as png, svg or pdf"};
 }
 
 StudyPlots StudyPlots::besideFile(const Arguments& arguments) {

@@ -224,8 +224,7 @@ Message extremesMessage(const CurveQuestion& question, const CurveOutput& output
     const CurveFeature* least = extreme(CurveFeature::Kind::minimum);
     const CurveFeature* most = extreme(CurveFeature::Kind::maximum);
     if (least && most)
-        return {translatable("The values of %1 are between %2 and %3"),
-                {name, placed(*least), placed(*most)}};
+        return {translatable("%1 ranges from %2 to %3"), {name, placed(*least), placed(*most)}};
     if (most) return {translatable("the largest %1 is %2"), {name, placed(*most)}};
     if (least) return {translatable("the smallest %1 is %2"), {name, placed(*least)}};
     return {};

@@ -151,9 +151,10 @@ std::vector<FigureBand> requiredFeeds(const DrillingScan& scan) {
     const double weight =
         feedForceOf(result.scenario)->effective() - result.scenario.drill.thrust.value_or(0);
     std::vector<FigureBand> lines;
-    for (const auto& [times, words] : {std::pair(1.0, "f I₀"), std::pair(1 + *scan.cor, "f I₀(1+e)"),
-                                       std::pair(1 + 2 * *scan.cor, "f I₀(1+2e)")})
-        lines.push_back({std::string(words), times * needed - weight, times * needed - weight});
+    for (const auto& [times, words] :
+         {std::pair(1.0, "f I₀"), std::pair(1 + *scan.cor, translatable("required")),
+          std::pair(1 + 2 * *scan.cor, translatable("in time"))})
+        lines.push_back({words, times * needed - weight, times * needed - weight});
     return lines;
 }
 
@@ -185,7 +186,7 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
               .isFromZero = true},
         .series = {drawn(curves.rate, translatable("penetration rate"), SeriesRole::result,
                          SeriesPoints::joined),
-                   drawn(curves.bouncing, translatable("start with a bouncing rod"), SeriesRole::result,
+                   drawn(curves.bouncing, translatable("if the rod bounces at first"), SeriesRole::result,
                          SeriesPoints::apart),
                    drawn(curves.contact, translatable("blows in contact"), SeriesRole::second),
                    drawn(rateOf(shown.constantForce), translatable("constant force"), SeriesRole::third),

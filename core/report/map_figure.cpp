@@ -45,7 +45,10 @@ FigureNumber valueOf(const MapOutput& output, double value, int digits) {
 
 /// Points of the map rarely are where the scenario is: their values must not be taken for those of it.
 FigureText titleOf(const SweepAxis& axis, double value, bool isHere) {
-    return {isHere ? "%1 = %2" : translatable("at %1 = %2"), {named(*axis.parameter), valueOf(axis, value)}};
+    constexpr int roughDigits = 3;
+    return isHere ? FigureText{"%1 = %2", {named(*axis.parameter), valueOf(axis, value)}}
+                  : FigureText{translatable("at %1 ≈ %2"),
+                               {named(*axis.parameter), valueOf(axis, value, roughDigits)}};
 }
 
 /// Names of neighbours are on different sides.
@@ -106,7 +109,7 @@ std::vector<FigureText> summaryOf(const MapReport& report, const MapOutput& outp
     if (!grid.extent())
         return {{grid.failed() > 0 ? translatable("No point could be solved.")
                                    : translatable("The map follows.")}};
-    std::vector<FigureText> parts{{translatable("The values of %1 are between %2 and %3"),
+    std::vector<FigureText> parts{{translatable("%1 ranges from %2 to %3"),
                                    {{.words = output.axis.title},
                                     valueOf(output, grid.extent()->least, shownDigits),
                                     valueOf(output, grid.extent()->largest, shownDigits)}}};

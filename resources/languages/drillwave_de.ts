@@ -839,7 +839,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Impulse of the impact force on the rock, (1 + e) times that of the hammer</source>
-        <translation>Kraftstoß der Stoßkraft auf das Gestein, das (1 + e)-Fache dessen des Hammers</translation>
+        <translation>Kraftstoß der Kraft auf das Gestein, das (1 + e)-Fache dessen des Hammers</translation>
     </message>
     <message>
         <source>Largest compressive stress of the residual waves after the blow; for drill strings, over one round trip. The model does not damp them, a real rod does.</source>
@@ -851,7 +851,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Largest impact force</source>
-        <translation>Größte Stoßkraft</translation>
+        <translation>Größte Kraft auf das Gestein</translation>
     </message>
     <message>
         <source>Largest penetration of the bit during the blow</source>
@@ -895,7 +895,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Number of peaks of the impact force above 1 % of the largest</source>
-        <translation>Anzahl der Spitzen der Stoßkraft über 1 % der größten</translation>
+        <translation>Anzahl der Spitzen der Kraft auf das Gestein über 1 % der größten</translation>
     </message>
     <message>
         <source>Start of the random numbers for the scatter of the intervals</source>
@@ -1259,7 +1259,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>face stiffness</source>
-        <translation>Stoßsteifigkeit</translation>
+        <translation>Kontaktsteifigkeit</translation>
     </message>
     <message>
         <source>fall</source>
@@ -1335,7 +1335,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>impulse of the impact force, 1 + e</source>
-        <translation>Kraftstoß der Stoßkraft, 1 + e</translation>
+        <translation>Kraftstoß auf das Gestein, 1 + e</translation>
     </message>
     <message>
         <source>impulse on the rock</source>
@@ -1371,7 +1371,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>largest impact force</source>
-        <translation>größte Stoßkraft</translation>
+        <translation>größte Kraft auf das Gestein</translation>
     </message>
     <message>
         <source>largest penetration</source>
@@ -1463,7 +1463,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>peaks of the impact force above 1 % of the largest</source>
-        <translation>Spitzen der Stoßkraft über 1 % der größten</translation>
+        <translation>Spitzen der Kraft auf das Gestein über 1 % der größten</translation>
     </message>
     <message>
         <source>penetration</source>
@@ -1843,7 +1843,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
-        <translation>Eine Stange zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel der Schlagenergie bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den erforderlichen Andruck. Den Regler der Steifigkeit oder des Spalts ziehen, um zu sehen, wie sich beide ändern.</translation>
+        <translation>Eine Stange zum Strossenbohren in mittelhartem Gestein: ein guter Einstieg. Auf die Energie und den Andruck achten: drei Viertel der Schlagenergie bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den erforderlichen Andruck. Den Regler der Steifigkeit oder des Spalts ziehen, um zu sehen, wie sich beide ändern.</translation>
     </message>
     <message>
         <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
@@ -3220,7 +3220,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>impact force</source>
-        <translation>Stoßkraft</translation>
+        <translation>Kraft auf das Gestein</translation>
     </message>
     <message>
         <source>where &quot;%1&quot; was measured</source>
@@ -3656,11 +3656,11 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     </message>
     <message>
         <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
-        <translation>Werte am Zeitcursor: Normalkraft im Querschnitt, Stoßkraft, Kraftstoß, Impuls</translation>
+        <translation>Werte am Zeitcursor: Normalkraft im Querschnitt, Kraft auf das Gestein, Kraftstoß, Impuls</translation>
     </message>
     <message>
         <source>Waves, impact force, impulse and momentum over time</source>
-        <translation>Wellen, Stoßkraft, Kraftstoß und Impuls über der Zeit</translation>
+        <translation>Wellen, Kraft auf das Gestein, Kraftstoß und Impuls über der Zeit</translation>
     </message>
     <message>
         <source>Section x/L</source>
@@ -3695,8 +3695,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Strg+Rad zoomt · Ziehen verschiebt · Doppelklick passt ein</translation>
     </message>
     <message>
-        <source>The largest impact force is %1, at %2.</source>
-        <translation>Die größte Stoßkraft ist %1, bei %2.</translation>
+        <source>The largest impact force on the rock is %1, at %2.</source>
+        <translation>Die größte Kraft auf das Gestein ist %1, bei %2.</translation>
     </message>
     <message>
         <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
@@ -3717,7 +3717,7 @@ N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂
     <name>drillwave::BlowPlots</name>
     <message>
         <source>impact force F</source>
-        <translation>Stoßkraft F</translation>
+        <translation>Kraft auf das Gestein F</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -3729,7 +3729,7 @@ N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂
     </message>
     <message>
         <source>impulse of the impact force I</source>
-        <translation>Kraftstoß I der Stoßkraft</translation>
+        <translation>Kraftstoß I auf das Gestein</translation>
     </message>
     <message>
         <source>momentum of the rod p</source>
@@ -3765,11 +3765,11 @@ N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂
     </message>
     <message>
         <source>Four plots over time from 0 to %1. %2: largest N %3, wave to the bit %4, from the bit %5. Impact force up to %6, force of the hammer on the string up to %7. Impulse up to %8. Momentum of the string up to %9.</source>
-        <translation>Vier Diagramme über der Zeit von 0 bis %1. %2: größtes N %3, Welle zur Bohrkrone %4, von der Bohrkrone %5. Stoßkraft bis %6, Kraft des Hammers auf den Strang bis %7. Kraftstoß bis %8. Impuls des Strangs bis %9.</translation>
+        <translation>Vier Diagramme über der Zeit von 0 bis %1. %2: größtes N %3, Welle zur Bohrkrone %4, von der Bohrkrone %5. Kraft auf das Gestein bis %6, Kraft des Hammers auf den Strang bis %7. Kraftstoß bis %8. Impuls des Strangs bis %9.</translation>
     </message>
     <message>
         <source>Four plots over time from 0 to %1. Largest values at x/L = %2: normal force N %10, incident wave N0p %3, its reflection from the bit N1n %4, then from the rear end N2p %5 and again from the bit N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
-        <translation>Vier Diagramme über der Zeit von 0 bis %1. Größte Werte bei x/L = %2: Normalkraft N %10, einlaufende Welle N0p %3, ihre Reflexion an der Krone N1n %4, dann am hinteren Ende N2p %5 und wieder an der Krone N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
+        <translation>Vier Diagramme über der Zeit von 0 bis %1. Größte Werte bei x/L = %2: Normalkraft N %10, einlaufende Welle N0p %3, ihre Reflexion an der Krone N1n %4, dann am hinteren Ende N2p %5 und wieder an der Krone N3n %6. Kraft auf das Gestein bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
     </message>
     <message>
         <source>%1, %2 from its rear</source>
@@ -3958,8 +3958,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Die Stange, die ohne Wellen ankommt, gepunktet, über ihrer Steifigkeit in einer von zwei Einheiten</translation>
     </message>
     <message>
-        <source>no line for a rod without waves</source>
-        <translation>keine Linie für Stange ohne Wellen</translation>
+        <source>no curve to compare with</source>
+        <translation>keine Vergleichskurve</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -4117,7 +4117,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Load %1</source>
-        <translation>%1 laden</translation>
+        <translation>%1 übernehmen</translation>
     </message>
     <message>
         <source>Smallest %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -4246,7 +4246,7 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>Load %1</source>
-        <translation>%1 laden</translation>
+        <translation>%1 übernehmen</translation>
     </message>
     <message>
         <source>Objectives: %1</source>
@@ -4799,11 +4799,11 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>impact force, impulse and momentum</source>
-        <translation>Stoßkraft, Kraftstoß und Impuls</translation>
+        <translation>Kraft auf das Gestein, Kraftstoß und Impuls</translation>
     </message>
     <message>
         <source>impact force and its closed form</source>
-        <translation>Stoßkraft und ihre geschlossene Form</translation>
+        <translation>Kraft auf das Gestein und ihre geschlossene Form</translation>
     </message>
     <message>
         <source>restitution over the stiffness</source>
@@ -5762,20 +5762,20 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::MainWindow</name>
     <message>
-        <source>exact · not solved</source>
-        <translation>exakt · nicht gelöst</translation>
+        <source>exact method · not solved</source>
+        <translation>exaktes Verfahren · nicht gelöst</translation>
     </message>
     <message>
-        <source>cells · not solved</source>
-        <translation>Zellen · nicht gelöst</translation>
+        <source>cell method · not solved</source>
+        <translation>Zellenverfahren · nicht gelöst</translation>
     </message>
     <message>
-        <source>cells · computed in %1 · efficiency %2 ± %3</source>
-        <translation>Zellen · berechnet in %1 · Wirkungsgrad %2 ± %3</translation>
+        <source>cell method · computed in %1 · efficiency %2 ± %3</source>
+        <translation>Zellenverfahren · berechnet in %1 · Wirkungsgrad %2 ± %3</translation>
     </message>
     <message>
-        <source>exact · %1 · computed in %2 · e = %3 ± %4</source>
-        <translation>exakt · %1 · berechnet in %2 · e = %3 ± %4</translation>
+        <source>exact method · %1 · computed in %2 · e = %3 ± %4</source>
+        <translation>exaktes Verfahren · %1 · berechnet in %2 · e = %3 ± %4</translation>
     </message>
     <message>
         <source>1 force peak</source>
@@ -6280,12 +6280,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>wiederholt sich alle %1 Schläge</translation>
     </message>
     <message>
-        <source>%1; Lyapunov exponent %2 per blow</source>
-        <translation>%1; Ljapunow-Exponent %2 je Schlag</translation>
+        <source>Lyapunov exponent %1 per blow</source>
+        <translation>Ljapunow-Exponent %1 je Schlag</translation>
     </message>
     <message>
-        <source>%1; Lyapunov exponent %2 +- %3 per blow</source>
-        <translation>%1; Ljapunow-Exponent %2 +- %3 je Schlag</translation>
+        <source>Lyapunov exponent %1 +- %2 per blow</source>
+        <translation>Ljapunow-Exponent %1 +- %2 je Schlag</translation>
     </message>
     <message>
         <source>at %1</source>
@@ -12337,7 +12337,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
-        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
+        <translation>Die Kraft N %1 und ihre Wellen, die Kraft auf das Gestein, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
     </message>
     <message>
         <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
@@ -12369,7 +12369,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
-        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls des Strangs über der Zeit.</translation>
+        <translation>Die Kraft N %1 und ihre Wellen, die Kraft auf das Gestein, ihr Kraftstoß und der Impuls des Strangs über der Zeit.</translation>
     </message>
     <message>
         <source>The largest tension and compression along hammer (below 0) and string during the blow, with the strengths of the sections.</source>
@@ -12460,8 +12460,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1, am Ende des Bereichs</translation>
     </message>
     <message>
-        <source>The values of %1 are between %2 and %3</source>
-        <translation>Die Werte von %1 liegen zwischen %2 und %3</translation>
+        <source>%1 ranges from %2 to %3</source>
+        <translation>%1 reicht von %2 bis %3</translation>
     </message>
     <message>
         <source>the largest %1 is %2</source>
@@ -12596,8 +12596,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energieanteil</translation>
     </message>
     <message>
-        <source>start with a bouncing rod</source>
-        <translation>Start mit springender Stange</translation>
+        <source>if the rod bounces at first</source>
+        <translation>bei anfangs springender Stange</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12686,8 +12686,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>in %1&#xa0;% der Fälle nicht überschritten</translation>
     </message>
     <message>
-        <source>at %1 = %2</source>
-        <translation>bei %1 = %2</translation>
+        <source>at %1 ≈ %2</source>
+        <translation>bei %1 ≈ %2</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -12966,6 +12966,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit: measure its distance</source>
         <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen: ihren Abstand messen</translation>
+    </message>
+    <message>
+        <source>in time</source>
+        <translation>rechtzeitig</translation>
     </message>
 </context>
 <context>
@@ -13992,8 +13996,20 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>e = %1</translation>
     </message>
     <message>
-        <source>this blow: %1</source>
-        <translation>dieser Schlag: %1</translation>
+        <source>this blow: penetration %1</source>
+        <translation>dieser Schlag: Eindringung %1</translation>
+    </message>
+    <message>
+        <source>hammer work %1</source>
+        <translation>Arbeit des Hammers %1</translation>
+    </message>
+    <message>
+        <source>hammer energy %1</source>
+        <translation>Energie des Hammers %1</translation>
+    </message>
+    <message>
+        <source>power %1</source>
+        <translation>Leistung %1</translation>
     </message>
 </context>
 <context>
@@ -14039,7 +14055,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
     <message>
         <source>Impact force against penetration</source>
-        <translation>Stoßkraft über der Eindringung</translation>
+        <translation>Kraft auf das Gestein über der Eindringung</translation>
     </message>
     <message>
         <source>Nothing to show: this blow has too many waves to keep.</source>
@@ -14074,7 +14090,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
     <message>
         <source>impact force F</source>
-        <translation>Stoßkraft F</translation>
+        <translation>Kraft auf das Gestein F</translation>
     </message>
     <message>
         <source>penetration U</source>
@@ -14106,7 +14122,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
     <message>
         <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fₘ = %2 at the penetration Uₘ = %3; unloading along k/γ = %4; the penetration Uᵣ = %5 stays. The enclosed area: %6.</source>
-        <translation>Stoßkraft über der Eindringung. Belastung entlang der Steigung k = %1 bis zur Spitze, Fₘ = %2 bei der Eindringung Uₘ = %3; Entlastung entlang k/γ = %4; die Eindringung Uᵣ = %5 bleibt. Die eingeschlossene Fläche: %6.</translation>
+        <translation>Kraft auf das Gestein über der Eindringung. Belastung entlang der Steigung k = %1 bis zur Spitze, Fₘ = %2 bei der Eindringung Uₘ = %3; Entlastung entlang k/γ = %4; die Eindringung Uᵣ = %5 bleibt. Die eingeschlossene Fläche: %6.</translation>
     </message>
     <message>
         <source> Above its corners it loads along %1.</source>
@@ -14280,7 +14296,7 @@ in %4</translation>
     </message>
     <message>
         <source>contact, penetration %1, impact force %2</source>
-        <translation>Kontakt, Eindringung %1, Stoßkraft %2</translation>
+        <translation>Kontakt, Eindringung %1, Kraft auf das Gestein %2</translation>
     </message>
     <message>
         <source>apart, gap %1</source>
@@ -15893,8 +15909,8 @@ und jeder Wert des anderen ergibt eine Kurve.</translation>
         <translation>nur Teil I von N Teilen der Zeilen lösen; `drillwave join` fügt die Teile zusammen; nur Teil 1 hat einen Kopf</translation>
     </message>
     <message>
-        <source>with -o, also write the picture of the window in these formats</source>
-        <translation>mit -o auch das Bild des Fensters in diesen Formaten schreiben</translation>
+        <source>with -o, also write the plots that the window would show, as png, svg or pdf</source>
+        <translation>mit -o auch die Diagramme schreiben, die das Fenster zeigen würde, als png, svg oder pdf</translation>
     </message>
     <message>
         <source>solve every row of a table of cases; write its columns and the outputs</source>
@@ -15916,8 +15932,8 @@ und Szenario fest.</translation>
         <translation>einen Parameter ändern: Extrema, Knicke und Sprünge der Ausgaben und wo sie ein Ziel erreichen, mit Fehlern</translation>
     </message>
     <message>
-        <source>vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)</source>
-        <translation>diesen Parameter stetig verändern; RANGE ist START:STOP oder START:STOP:log (in seinem Logarithmus)</translation>
+        <source>parameter along the curve, from START to STOP without steps; with :log, its axis is logarithmic</source>
+        <translation>Parameter entlang der Kurve, von START bis STOP ohne Stufen; mit :log ist seine Achse logarithmisch</translation>
     </message>
     <message>
         <source>vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>

@@ -1843,7 +1843,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>A bench-drilling rod in medium rock: a good case to start with. Look at energy and feed force: three quarters of the blow energy remain in the rock, most of the rest remains in the rod as waves, and the rebound decides the required feed force. Drag stiffness or gap and watch both change.</source>
-        <translation>En stång för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slagenergin stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i reglaget för styvhet eller spalt för att se båda ändras.</translation>
+        <translation>En stång för pallborrning i medelhårt berg: ett bra fall att börja med. Se på energin och matningskraften: tre fjärdedelar av slagenergin stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i reglaget för styvhet eller spalt för att se båda ändras.</translation>
     </message>
     <message>
         <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
@@ -3695,8 +3695,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Ctrl+hjul zoomar · dra flyttar · dubbelklick anpassar</translation>
     </message>
     <message>
-        <source>The largest impact force is %1, at %2.</source>
-        <translation>Den största stötkraften är %1, vid %2.</translation>
+        <source>The largest impact force on the rock is %1, at %2.</source>
+        <translation>Den största kraften mot berget är %1, vid %2.</translation>
     </message>
     <message>
         <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
@@ -3958,8 +3958,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Stången som kommer fram utan vågor, prickad, över sin styvhet i en av två enheter</translation>
     </message>
     <message>
-        <source>no line for a rod without waves</source>
-        <translation>ingen linje för stång utan vågor</translation>
+        <source>no curve to compare with</source>
+        <translation>ingen jämförelsekurva</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -4117,7 +4117,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Load %1</source>
-        <translation>Ladda %1</translation>
+        <translation>Använd %1</translation>
     </message>
     <message>
         <source>Smallest %1 found with %4: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -4246,7 +4246,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>Load %1</source>
-        <translation>Ladda %1</translation>
+        <translation>Använd %1</translation>
     </message>
     <message>
         <source>Objectives: %1</source>
@@ -5762,20 +5762,20 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::MainWindow</name>
     <message>
-        <source>exact · not solved</source>
-        <translation>exakt · inte löst</translation>
+        <source>exact method · not solved</source>
+        <translation>exakt metod · inte löst</translation>
     </message>
     <message>
-        <source>cells · not solved</source>
-        <translation>celler · inte löst</translation>
+        <source>cell method · not solved</source>
+        <translation>cellmetoden · inte löst</translation>
     </message>
     <message>
-        <source>cells · computed in %1 · efficiency %2 ± %3</source>
-        <translation>celler · beräknat på %1 · verkningsgrad %2 ± %3</translation>
+        <source>cell method · computed in %1 · efficiency %2 ± %3</source>
+        <translation>cellmetoden · beräknat på %1 · verkningsgrad %2 ± %3</translation>
     </message>
     <message>
-        <source>exact · %1 · computed in %2 · e = %3 ± %4</source>
-        <translation>exakt · %1 · beräknat på %2 · e = %3 ± %4</translation>
+        <source>exact method · %1 · computed in %2 · e = %3 ± %4</source>
+        <translation>exakt metod · %1 · beräknat på %2 · e = %3 ± %4</translation>
     </message>
     <message>
         <source>1 force peak</source>
@@ -6280,12 +6280,12 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>upprepas efter %1 slag</translation>
     </message>
     <message>
-        <source>%1; Lyapunov exponent %2 per blow</source>
-        <translation>%1; Ljapunovexponent %2 per slag</translation>
+        <source>Lyapunov exponent %1 per blow</source>
+        <translation>Ljapunovexponent %1 per slag</translation>
     </message>
     <message>
-        <source>%1; Lyapunov exponent %2 +- %3 per blow</source>
-        <translation>%1; Ljapunovexponent %2 +- %3 per slag</translation>
+        <source>Lyapunov exponent %1 +- %2 per blow</source>
+        <translation>Ljapunovexponent %1 +- %2 per slag</translation>
     </message>
     <message>
         <source>at %1</source>
@@ -10433,7 +10433,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>feed required</source>
-        <translation>matningskraft som krävs</translation>
+        <translation>erforderlig matningskraft</translation>
     </message>
     <message>
         <source>+- is the 95 % error: the scatter of the blows plus three times the change with half or twice the time step. Penetrations are upper limits: all rock under the bit breaks and cuttings are removed.</source>
@@ -12460,8 +12460,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1, i slutet av området</translation>
     </message>
     <message>
-        <source>The values of %1 are between %2 and %3</source>
-        <translation>Värdena på %1 ligger mellan %2 och %3</translation>
+        <source>%1 ranges from %2 to %3</source>
+        <translation>%1 går från %2 till %3</translation>
     </message>
     <message>
         <source>the largest %1 is %2</source>
@@ -12596,8 +12596,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energiandel</translation>
     </message>
     <message>
-        <source>start with a bouncing rod</source>
-        <translation>start med studsande stång</translation>
+        <source>if the rod bounces at first</source>
+        <translation>om stången först studsar</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12679,15 +12679,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>reached in %1 % of cases</source>
-        <translation>uppnådd i %1&#xa0;% av fallen</translation>
+        <translation>som uppnås i %1&#xa0;% av fallen</translation>
     </message>
     <message>
         <source>not exceeded in %1 % of cases</source>
-        <translation>ej överskriden i %1&#xa0;% av fallen</translation>
+        <translation>som inte överskrids i %1&#xa0;% av fallen</translation>
     </message>
     <message>
-        <source>at %1 = %2</source>
-        <translation>vid %1 = %2</translation>
+        <source>at %1 ≈ %2</source>
+        <translation>vid %1 ≈ %2</translation>
     </message>
     <message>
         <source>No point could be solved.</source>
@@ -12791,7 +12791,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>required feed</source>
-        <translation>matningskraft som krävs</translation>
+        <translation>erforderlig matningskraft</translation>
     </message>
     <message>
         <source>enough up to</source>
@@ -12966,6 +12966,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit: measure its distance</source>
         <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa: mät avståndet</translation>
+    </message>
+    <message>
+        <source>in time</source>
+        <translation>i tid</translation>
     </message>
 </context>
 <context>
@@ -13957,7 +13961,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
     <message>
         <source>required feed</source>
-        <translation>matningskraft som krävs</translation>
+        <translation>erforderlig matningskraft</translation>
     </message>
     <message>
         <source>sequence of blows</source>
@@ -13992,8 +13996,20 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>e = %1</translation>
     </message>
     <message>
-        <source>this blow: %1</source>
-        <translation>detta slag: %1</translation>
+        <source>this blow: penetration %1</source>
+        <translation>detta slag: inträngning %1</translation>
+    </message>
+    <message>
+        <source>hammer work %1</source>
+        <translation>hammarens arbete %1</translation>
+    </message>
+    <message>
+        <source>hammer energy %1</source>
+        <translation>hammarens energi %1</translation>
+    </message>
+    <message>
+        <source>power %1</source>
+        <translation>effekt %1</translation>
     </message>
 </context>
 <context>
@@ -15892,8 +15908,8 @@ varje värde på den andra ger en kurva.</translation>
         <translation>lös bara del I av N delar av raderna; `drillwave join` sätter ihop delarna; bara del 1 har rubrikrad</translation>
     </message>
     <message>
-        <source>with -o, also write the picture of the window in these formats</source>
-        <translation>med -o: skriv även fönstrets bild i dessa format</translation>
+        <source>with -o, also write the plots that the window would show, as png, svg or pdf</source>
+        <translation>med -o: skriv även de diagram som fönstret skulle visa, som png, svg eller pdf</translation>
     </message>
     <message>
         <source>solve every row of a table of cases; write its columns and the outputs</source>
@@ -15914,8 +15930,8 @@ ett rör (pipe). FILE.csv.yaml bredvid FILE.csv innehåller version, kommando oc
         <translation>variera en parameter: extremvärden, knän och språng hos utdata och var de når ett mål, med fel</translation>
     </message>
     <message>
-        <source>vary this parameter continuously; RANGE is START:STOP or START:STOP:log (in its logarithm)</source>
-        <translation>variera denna parameter kontinuerligt; RANGE är START:STOP eller START:STOP:log (i dess logaritm)</translation>
+        <source>parameter along the curve, from START to STOP without steps; with :log, its axis is logarithmic</source>
+        <translation>parameter längs kurvan, från START till STOP utan steg; med :log är dess axel logaritmisk</translation>
     </message>
     <message>
         <source>vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>

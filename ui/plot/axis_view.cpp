@@ -154,8 +154,9 @@ QString labelThatFits(const QCPAxis& axis) {
                               : rect.height() + beyond;
     const auto fitted = [&](const QString& line) {
         if (metrics.horizontalAdvance(line) <= length) return line;
-        const qsizetype tailAt =
-            std::max(line.lastIndexOf(QLatin1String(" [")), line.lastIndexOf(QLatin1String(" = ")));
+        qsizetype tailAt = -1;
+        for (const char16_t* tail : {u" [", u" = ", u" ≈ "})
+            tailAt = std::max(tailAt, line.lastIndexOf(QString::fromUtf16(tail)));
         const QString tail = tailAt < 0 ? QString() : line.mid(tailAt);
         const QString words =
             metrics.elidedText(line.left(tailAt), Qt::ElideRight, length - metrics.horizontalAdvance(tail));

@@ -154,9 +154,13 @@ void ResultPanel::showHeadline() {
         const auto value = [this](std::string_view output) {
             return outputText(*findOutput(output), *m_blow);
         };
+        const auto named = [](const QString& words, const QString& text) {
+            return text.isEmpty() ? text : words.arg(text);
+        };
         parts << penetrationText();
-        parts << (isForced(m_blow->scenario) ? value("work_ratio") : hammerEnergyText(*m_blow))
-              << value("percussion_power")
+        parts << (isForced(m_blow->scenario) ? named(tr("hammer work %1"), value("work_ratio"))
+                                             : named(tr("hammer energy %1"), hammerEnergyText(*m_blow)))
+              << named(tr("power %1"), value("percussion_power"))
               << tr("e = %1").arg(value("cor")).replace(u' ', QChar(QChar::Nbsp));
         parts.removeAll(QString());
     }
@@ -165,7 +169,7 @@ void ResultPanel::showHeadline() {
 
 QString ResultPanel::penetrationText() const {
     const QString text = outputText(*findOutput("residual_penetration"), *m_blow);
-    return text.isEmpty() ? QString() : tr("this blow: %1").arg(text);
+    return text.isEmpty() ? QString() : tr("this blow: penetration %1").arg(text);
 }
 
 QString ResultPanel::shortAnswer() const {

@@ -60,14 +60,15 @@ constexpr int messageMilliseconds = 8000;
 QString statusText(const SolvedBlow& blow) {
     const bool isExact = methodKey(blow.request.scenario, Method::exact) == name(Method::exact);
     if (!blow.fault.isEmpty())
-        return isExact ? MainWindow::tr("exact · not solved") : MainWindow::tr("cells · not solved");
+        return isExact ? MainWindow::tr("exact method · not solved")
+                       : MainWindow::tr("cell method · not solved");
     const QLocale locale;
     if (!isExact)
-        return MainWindow::tr("cells · computed in %1 · efficiency %2 ± %3")
+        return MainWindow::tr("cell method · computed in %1 · efficiency %2 ± %3")
             .arg(runTimeText(blow.runTime, locale), numberText(blow.summary.energy.rockWork, 4, locale),
                  magnitudeText(blow.summary.efficiencyError, locale));
     const int peaks = blow.summary.forcePeaks.value_or(0);
-    return MainWindow::tr("exact · %1 · computed in %2 · e = %3 ± %4")
+    return MainWindow::tr("exact method · %1 · computed in %2 · e = %3 ± %4")
         .arg(peaks == 1 ? MainWindow::tr("1 force peak") : MainWindow::tr("%1 force peaks").arg(peaks),
              runTimeText(blow.runTime, locale), numberText(blow.summary.cor, 4, locale),
              magnitudeText(blow.summary.corError, locale));

@@ -99,9 +99,10 @@ class RearNode {
         /// Returns the total force on the rear end, in units of F0.
         WaveCell sum() const { return face + damper; }
     };
-    /// Advances the rear end by one time step, number `part` of a cell, and returns the forces on it. `f1` is
-    /// the arriving wave in the hammer, `b2` the one in the string. `force` is Fa, or null if there is none
-    /// or it is over.
+    /// Advances the struck end of the string by one time step and returns the forces on it. `part` is the
+    /// index of the step within a cell. `f1` is the wave that arrives through the hammer, `b2` the one that
+    /// arrives through the string. `force` is the given force of the hammer blow; null if there is none or it
+    /// has ended.
     Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part) {
         if (!m_machine && !force && !hasHammer()) return {{}, WaveCell::constant(m_meanForce)};
         return push(f1, b2, force, part);

@@ -33,7 +33,7 @@ QString answerOf(const SolvedBlow& blow, const BlowCurves& curves) {
     QString text;
     if (!curves.force->isEmpty()) {
         const auto peak = std::ranges::max_element(*curves.force, {}, &QCPGraphData::value);
-        text = BlowPage::tr("The largest impact force is %1, at %2.")
+        text = BlowPage::tr("The largest impact force on the rock is %1, at %2.")
                    .arg(shown(peak->value, blow.units.force), shown(peak->key, blow.units.time));
     }
     if (!curves.sectionForce->isEmpty()) {

@@ -87,7 +87,7 @@ QList<QWidget*> CurvePage::makeControls() {
     m_reference->setAccessibleName(tr("Rod without waves"));
     m_reference->setToolTip(
         tr("A rod that arrives without waves, dotted, over its stiffness in one of two units"));
-    m_reference->addItem(tr("no line for a rod without waves"));
+    m_reference->addItem(tr("no curve to compare with"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
     connect(m_axis, &AxisFields::changed, this, &CurvePage::requestUpdate);

@@ -37,8 +37,9 @@ class RunCurveFinder {
 
     explicit RunCurveFinder(Find find) : m_find(std::move(find)) {}
 
-    /// Returns the answers: known ones first, then new ones. Forgets answers to questions that are no longer
-    /// asked.
+    /// Returns an answer to each question; some are missing after a stop. Answers kept from earlier calls
+    /// come first, then new ones in the order of the questions; `feed` shows each new one as soon as it is
+    /// found. Drops kept answers to questions that are no longer asked.
     Answers operator()(const std::vector<Question>& questions, const StudyFeed<Answers>& feed) {
         Answers found;
         std::vector<Question> open;

@@ -210,7 +210,8 @@ void WavePicturePage::showReadout() {
     const QString place = m_pointer ? m_picture->readout(*m_pointer) : QString();
     const QString range = m_picture->rangeText(), fronts = m_picture->frontsText();
     QString inView = fronts.isEmpty() ? range : range + QStringLiteral(" · ") + fronts;
-    for (const QString& shorter : {range, QStringLiteral(" ")})
+    for (const QString& shorter :
+         {range + QStringLiteral(" · ") + fronts.section(u';', -1).trimmed(), range, QStringLiteral(" ")})
         if (m_readout->fontMetrics().horizontalAdvance(inView) >= m_readout->width()) inView = shorter;
     m_readout->setText(place.isEmpty() ? inView : place);
     m_readout->setToolTip(place.isEmpty() ? range : place + u'\n' + range);

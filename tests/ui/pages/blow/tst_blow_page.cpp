@@ -116,7 +116,7 @@ void TestBlowPage::theAnswerHasTheLargestForcesAndTheRebound() {
     m_page->setResult(blow);
     const QString answer = label("answer")->text();
     const QString peak = outputText(*findOutput("peak_force"), *blow);
-    QVERIFY2(answer.startsWith(QStringLiteral("The largest impact force is %1, at ").arg(peak)),
+    QVERIFY2(answer.startsWith(QStringLiteral("The largest impact force on the rock is %1, at ").arg(peak)),
              qPrintable(answer));
     QVERIFY2(answer.contains(QStringLiteral("the force is between −")), qPrintable(answer));
     QVERIFY2(answer.endsWith(

@@ -134,8 +134,7 @@ void TestMapPage::theFirstLookIsRestitutionOverStiffnessAndElasticity() {
     QCOMPARE(report().contours.size(), std::size_t{1});
     QCOMPARE(report().contours[0].level, 1.0);
     QCOMPARE(mapRect()->axis(QCPAxis::atLeft)->label(), QStringLiteral("elasticity γ"));
-    QVERIFY(
-        m_page->figureFrame().textSummary().startsWith(QStringLiteral("The values of COR e are between ")));
+    QVERIFY(m_page->figureFrame().textSummary().startsWith(QStringLiteral("COR e ranges from ")));
     const QString answer = m_page->findChild<QLabel*>(QStringLiteral("answer"))->text();
     QVERIFY2(answer.startsWith(QStringLiteral("COR e exceeds 1 only where elasticity γ is above 0")),
              qPrintable(answer));
