@@ -110,19 +110,9 @@ std::string recordsCsv(const IdentifyReport& report) {
 }
 
 std::string incidentCsv(const IdentifyReport& report) {
-    const MatchCurves& curves = report.findings.main().curves;
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 0; i < curves.time.size(); ++i)
-        points.emplace_back(curves.time[i], std::max(0.0, curves.incident[i]));
-    // a table of a blow begins at 0 with its front and ends when the wave does
-    double peak = 0;
-    for (const auto& [time, force] : points) peak = std::max(peak, force);
-    std::size_t first = 0, last = points.size();
-    while (first + 1 < points.size() && points[first].second < 0.005 * peak) ++first;
-    while (last > first + 1 && points[last - 1].second < 0.002 * peak) --last;
-    return csvText({{"time [us]", "force [kN]"}, last - first, [&](std::size_t row) {
-                        const auto& [time, force] = points[first + row];
-                        return Cells{1e6 * (time - points[first].first), force / 1000};
+    const auto wave = report.findings.main().incidentWave();
+    return csvText({{"time [us]", "force [kN]"}, wave.size(), [&](std::size_t row) {
+                        return Cells{1e6 * wave[row].first, wave[row].second / 1000};
                     }});
 }
 

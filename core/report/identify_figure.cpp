@@ -14,10 +14,6 @@ constexpr double residualHeight = 0.55;  // over that of the record
 constexpr double rockHeight = 0.95;
 constexpr double alongHeight = 0.5;  // plot along several records over the one above it
 
-bool isOfPair(const RecordAnswer& answer) {
-    return answer.match.zero.size() > 1;
-}
-
 FigureAxis timeAxis(const RecordAnswer& answer) {
     const MatchCurves& curves = answer.curves;
     const double length = curves.time.empty() ? 1e-3 : curves.time.back() - curves.time.front();
@@ -59,7 +55,7 @@ StudyPanel recordPanel(const RecordAnswer& answer) {
     const MatchCurves& curves = answer.curves;
     StudyPanel panel{.x = timeAxis(answer), .y = forceAxis(answer, translatable("force, compression +"))};
     const double begin = returningFrom(answer);
-    if (isOfPair(answer)) {
+    if (answer.hasTwoGauges()) {
         panel.series.push_back(
             {.legend = translatable("returning wave, measured"), .x = curves.time, .y = curves.measured});
         panel.series.push_back(fromTime(begin, curves, curves.model,
@@ -74,7 +70,7 @@ StudyPanel recordPanel(const RecordAnswer& answer) {
                                         {.role = SeriesRole::second, .legend = translatable("model")}));
     }
     panel.series.push_back(zeroLine(answer));
-    const bool hasQuiet = !isOfPair(answer) && curves.incidentEnd > curves.quietFrom;
+    const bool hasQuiet = !answer.hasTwoGauges() && curves.incidentEnd > curves.quietFrom;
     panel.bands.push_back({translatable("incident"), curves.front,
                            hasQuiet ? curves.quietFrom : std::min(curves.incidentEnd, begin)});
     if (hasQuiet) panel.bands.push_back({translatable("quiet"), curves.quietFrom, curves.incidentEnd});
@@ -95,29 +91,9 @@ StudyPanel residualPanel(const RecordAnswer& answer) {
     return panel;
 }
 
-/// The law as identified; penetration counts from the untouched rock, beyond the gap.
-struct IdentifiedLaw {
-    double stiffness = 1, cornerForce = INFINITY, cornerSlope = 1;
-
-    double penetrationAt(double force) const {
-        const double before = std::min(force, cornerForce);
-        return before / stiffness + (force - before) / (cornerSlope * stiffness);
-    }
-};
-
-std::optional<IdentifiedLaw> lawOf(const RecordAnswer& answer) {
-    const IdentifiedParameter* stiffness = answer.find("bit_rock.stiffness");
-    if (!stiffness || !(stiffness->value > 0)) return std::nullopt;
-    IdentifiedLaw law{stiffness->value};
-    const IdentifiedParameter* force = answer.find("bit_rock.corner.1.force");
-    const IdentifiedParameter* slope = answer.find("bit_rock.corner.1.slope");
-    if (force && slope && slope->value > 0) law.cornerForce = force->value, law.cornerSlope = slope->value;
-    return law;
-}
-
 /// Loading between both ends of the stiffness, or unloading between both ends of gamma, as closed areas.
 void addIntervals(const RecordAnswer& answer, double largestForce, StudyPanel& panel) {
-    const std::optional<IdentifiedLaw> law = lawOf(answer);
+    const std::optional<IdentifiedLaw> law = answer.loadingLaw();
     const IdentifiedParameter* stiffness = answer.find("bit_rock.stiffness");
     const IdentifiedParameter* gamma = answer.find("bit_rock.gamma");
     if (answer.model == ModelVerdict::rejected || !law || !(largestForce > 0)) return;
@@ -149,15 +125,6 @@ void addIntervals(const RecordAnswer& answer, double largestForce, StudyPanel& p
     }
 }
 
-/// Whether the gauge's section ends at the rock: only then f + b is the force on it. Lengths are a cause of
-/// the error in sections between gauge and rock.
-bool endsAtRock(const RecordAnswer& answer) {
-    for (const IdentifiedParameter& parameter : answer.parameters)
-        for (const BudgetRow& row : parameter.budget)
-            if (row.key.ends_with(".length")) return false;
-    return true;
-}
-
 StudyPanel rockPanel(const RecordAnswer& answer) {
     const MatchCurves& curves = answer.curves;
     StudyPanel panel{.row = 2,
@@ -180,7 +147,7 @@ StudyPanel rockPanel(const RecordAnswer& answer) {
         model.x.push_back(curves.penetration[i]);
         model.y.push_back(curves.modelForce[i]);
     }
-    if (endsAtRock(answer)) panel.series.push_back(std::move(measured));
+    if (answer.hasGaugeAtRock()) panel.series.push_back(std::move(measured));
     panel.series.push_back(std::move(model));
     return panel;
 }

@@ -211,7 +211,7 @@ Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const
         next->source == "minimum")
         return {translatable("To know more: average 4 blows: %1."), {gain}};
     if (next->source == "unexplained_wave" || next->source == "tail")
-        return {answer.match.zero.size() > 1
+        return {answer.hasTwoGauges()
                     ? translatable("To know more: use gauges on opposite sides: %1.")
                     : translatable("To know more: use gauges on opposite sides, or a second gauge: %1."),
                 {gain}};

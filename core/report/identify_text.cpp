@@ -79,7 +79,7 @@ class IdentifyWriter {
         Message timing{translatable("reflection after %1, the file says %2"),
                        {m_style.quantity(match.roundTrip, Quantity::time, 4),
                         m_style.quantity(match.roundTripOfFile, Quantity::time, 4)}};
-        if (match.zero.size() > 1)
+        if (answer.hasTwoGauges())
             timing = {translatable("%1; gain of the second gauge %2"),
                       {timing, m_style.number(match.gainOfSecond, 4)}};
         line(said(translatable("timing")), said(timing));

@@ -36,7 +36,7 @@ Message rejectionReason(const RecordAnswer& answer) {
             "The reflection does not arrive at the time computed from the scenario file: check the distance "
             "of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a "
             "section.");
-    const bool hasTwoGauges = match.zero.size() > 1;
+    const bool hasTwoGauges = answer.hasTwoGauges();
     if (answer.has("sizes_off"))
         return hasTwoGauges
                    ? translatable(
@@ -160,7 +160,7 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
                              "clock, and look for a section missing in the file"),
                 {time(match.roundTrip), time(match.roundTripOfFile)}};
     if (code == "sizes_off" && answer.sizeOff)
-        return {match.zero.size() > 1
+        return {answer.hasTwoGauges()
                     ? translatable("%1 changed by %2, or another distance between the gauges, would explain "
                                    "the record; measure both")
                     : translatable("%1 changed by %2 would explain the record; measure it"),

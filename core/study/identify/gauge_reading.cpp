@@ -55,6 +55,14 @@ double powerOf(const std::vector<double>& values) {
 
 }  // namespace
 
+std::vector<GaugePlace> gaugePlaces(const Scenario& scenario, const std::vector<GaugeChoice>& gauges) {
+    std::vector<GaugePlace> places;
+    for (const GaugeChoice& gauge : gauges)
+        if (std::optional<GaugePlace> place = gaugePlace(scenario, gauge.distance))
+            places.push_back(std::move(*place));
+    return places;
+}
+
 Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places) {
     std::vector<std::string> columns;
     for (const GaugeChoice& gauge : gauges)

@@ -29,6 +29,9 @@ struct GaugeChoice {
 /// positions of `gauges`, in the same order.
 Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places);
 
+/// Returns the positions of the gauges that are on a uniform section of rod or string, in the same order.
+std::vector<GaugePlace> gaugePlaces(const Scenario& scenario, const std::vector<GaugeChoice>& gauges);
+
 /// Record of strain gauges, or the problem why it could not be read.
 struct GaugeReading {
     GaugeRecord record;

@@ -2,7 +2,9 @@
 // Rock properties identified from a record, with their uncertainty.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -124,6 +126,19 @@ struct BlindCheck {
     double scaledError = 0;  ///< like `error`, for the prediction times `gain`
 };
 
+/// Loading curve of the rock as identified, with at most one corner.
+struct IdentifiedLaw {
+    double stiffness = 1;           ///< slope of the first line [N/m], > 0
+    double cornerForce = INFINITY;  ///< force at the corner [N]
+    double cornerSlope = 1;         ///< slope beyond the corner, as a share of the stiffness; > 0
+
+    /// Returns the penetration [m] at a force [N] ≥ 0, counted from the untouched rock beyond the gap.
+    double penetrationAt(double force) const {
+        const double before = std::min(force, cornerForce);
+        return before / stiffness + (force - before) / (cornerSlope * stiffness);
+    }
+};
+
 struct RecordAnswer {
     std::string file;
     std::size_t blow = 0;  ///< index of the blow in the record, from 0
@@ -154,6 +169,14 @@ struct RecordAnswer {
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;
+    bool hasTwoGauges() const { return match.zero.size() > 1; }
+    /// Returns whether the section with the gauge ends at the rock. Only then is the sum of incident and
+    /// returning wave the force on the rock.
+    bool hasGaugeAtRock() const;
+    /// Returns the loading curve; empty if no stiffness was found.
+    std::optional<IdentifiedLaw> loadingLaw() const;
+    /// Returns times from the front [s] and forces [N] ≥ 0 of the incident wave, from its front to its end.
+    std::vector<std::pair<double, double>> incidentWave() const;
     /// Returns whether the result contains information about the rock. This requires that the model is not
     /// rejected and that stiffness or gamma is identified or bounded. Also true if the law of the scenario
     /// file was used instead of a fitted one.

@@ -22,14 +22,6 @@ namespace {
     throw std::runtime_error(translated(reason).toStdString());
 }
 
-std::vector<GaugePlace> placesOfGauges(const RecordQuestion& question) {
-    std::vector<GaugePlace> places;
-    for (const GaugeChoice& gauge : question.gauges)
-        if (std::optional<GaugePlace> place = gaugePlace(question.scenario, gauge.distance))
-            places.push_back(std::move(*place));
-    return places;
-}
-
 }  // namespace
 
 Scenario scenarioForRecord(Scenario scenario, LawChoice law) {
@@ -56,7 +48,7 @@ QString missingIn(const RecordQuestion& question) {
                       "from the bit face.")
                 .arg(fromView(gauge.name()));
     }
-    return translated(gaugePairProblem(question.gauges, placesOfGauges(question)));
+    return translated(gaugePairProblem(question.gauges, gaugePlaces(question.scenario, question.gauges)));
 }
 
 QStringList recordNames(const QStringList& paths) {
@@ -83,8 +75,8 @@ IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
         const std::string file = names[i].toStdString();
         std::ifstream in(QFile::encodeName(question.paths[i]).toStdString(), std::ios::binary);
         if (!in) refuseRecord(about(file, translatable("cannot be read")));
-        GaugeReading reading =
-            readGauges(in, question.settings, question.gauges, placesOfGauges(question), feed.stop);
+        GaugeReading reading = readGauges(in, question.settings, question.gauges,
+                                          gaugePlaces(question.scenario, question.gauges), feed.stop);
         if (feed.stop.stop_requested()) return answer;
         if (!reading.problem.isEmpty()) refuseRecord(about(file, reading.problem));
         if (!reading.questions.empty())
