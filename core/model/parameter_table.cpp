@@ -186,7 +186,7 @@ constexpr std::array parameterTable{
               Quantity::velocity, "m/s", string_ranges::velocity, {1, 20}, linear, Scope::hammer,
               [](const S& s) { return Value(s.drillString.hammer.velocity); }, [](S& s, double v) { s.drillString.hammer.velocity = v; },
               {.shortLabel = "velocity"}},
-    Parameter{"hammer.face_stiffness", "face stiffness", "", "Stiffness of the contact of hammer and string (default: rigid)",
+    Parameter{"hammer.face_stiffness", "contact stiffness", "", "Stiffness of the contact of hammer and string (default: rigid)",
               Quantity::stiffness, "GN/m", string_ranges::stiffness, {1e8, 1e11}, logarithmic, Scope::hammer,
               [](const S& s) { return s.drillString.hammer.faceStiffness; }, [](S& s, double v) { s.drillString.hammer.faceStiffness = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drillString.hammer.faceStiffness.reset(); }}},

@@ -151,10 +151,9 @@ std::vector<FigureBand> requiredFeeds(const DrillingScan& scan) {
     const double weight =
         feedForceOf(result.scenario)->effective() - result.scenario.drill.thrust.value_or(0);
     std::vector<FigureBand> lines;
-    for (const auto& [times, words] :
-         {std::pair(1.0, "f I₀"), std::pair(1 + *scan.cor, translatable("required")),
-          std::pair(1 + 2 * *scan.cor, translatable("in time"))})
-        lines.push_back({words, times * needed - weight, times * needed - weight});
+    for (const auto& [times, words] : {std::pair(1.0, "f I₀"), std::pair(1 + *scan.cor, "f I₀(1+e)"),
+                                       std::pair(1 + 2 * *scan.cor, "f I₀(1+2e)")})
+        lines.push_back({std::string(words), times * needed - weight, times * needed - weight});
     return lines;
 }
 
@@ -186,7 +185,7 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
               .isFromZero = true},
         .series = {drawn(curves.rate, translatable("penetration rate"), SeriesRole::result,
                          SeriesPoints::joined),
-                   drawn(curves.bouncing, translatable("if the rod bounces at first"), SeriesRole::result,
+                   drawn(curves.bouncing, translatable("second solution (bouncing rod)"), SeriesRole::result,
                          SeriesPoints::apart),
                    drawn(curves.contact, translatable("blows in contact"), SeriesRole::second),
                    drawn(rateOf(shown.constantForce), translatable("constant force"), SeriesRole::third),
@@ -218,6 +217,10 @@ StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan,
     if (sequence) figure.caption.push_back({translatable("shaded: blows averaged")});
     if (sequence && isDetailed)
         figure.caption.push_back({translatable("gap and next gap: a projection from more dimensions")});
+    if (scan && !requiredFeeds(scan->scan).empty())
+        figure.caption.push_back(
+            {translatable("feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) "
+                          "returns an undamped rod before the next blow")});
     for (const std::size_t row : {0, 0, 1, 1, 2, 2, 2})
         figure.panels.push_back({.row = row, .hasOwnY = true, .isHidden = true});
     const auto show = [&](DrillingPanel which, StudyPanel panel) {

@@ -259,7 +259,7 @@ const char* labelOf(ThrustCase which) {
         case ThrustCase::rigidRock:
             return translatable("rigid rock");
         case ThrustCase::elasticWorst:
-            return translatable("elastic rock, worst gap");
+            return translatable("fully elastic rock (gamma = 1), worst gap");
     }
     return "";
 }

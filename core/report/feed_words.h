@@ -55,7 +55,7 @@ Message drillingWords(const ReadingStyle& style);
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
 /// Returns the label of a case of the required feed force: "this blow", "95 % of all gaps", "rigid rock" or
-/// "elastic rock, worst gap".
+/// "fully elastic rock (gamma = 1), worst gap".
 const char* labelOf(ThrustCase which);
 
 }  // namespace drillwave

@@ -105,7 +105,7 @@ class ThrustAnswer : public StudyAnswer {
 /// The columns are narrow.
 const char* shortLabelOf(ThrustCase which) {
     if (which == ThrustCase::gapQuantile) return translatable("95 % of gaps");
-    return which == ThrustCase::elasticWorst ? translatable("worst gap") : labelOf(which);
+    return which == ThrustCase::elasticWorst ? translatable("elastic, worst gap") : labelOf(which);
 }
 
 StudyTable ThrustAnswer::table(const ReadingStyle& style) const {

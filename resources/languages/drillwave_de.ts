@@ -1258,7 +1258,7 @@ Trotzdem löschen?</translation>
         <translation>exponentiell</translation>
     </message>
     <message>
-        <source>face stiffness</source>
+        <source>contact stiffness</source>
         <translation>Kontaktsteifigkeit</translation>
     </message>
     <message>
@@ -2650,8 +2650,8 @@ Trotzdem löschen?</translation>
         <translation>unter dem Erforderlichen</translation>
     </message>
     <message>
-        <source>elastic rock, worst gap</source>
-        <translation>elastisches Gestein, schlechtester Spalt</translation>
+        <source>fully elastic rock (gamma = 1), worst gap</source>
+        <translation>vollelastisches Gestein (gamma = 1), ungünstigster Spalt</translation>
     </message>
     <message>
         <source>no estimate</source>
@@ -3422,8 +3422,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stiff and extreme cases of uniform rods</source>
-        <translation>Steife und extreme Fälle gleichförmiger Stangen</translation>
+        <source>Hard test cases (uniform rods)</source>
+        <translation>Schwierige Testfälle (gleichförmige Stangen)</translation>
     </message>
     <message>
         <source>Solve this scenario with every method and measure errors and times</source>
@@ -3705,12 +3705,12 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
 N₀ₚ is the first wave to the bit, N₁ₙ its reflection from the bit, N₂ₚ from the rear end, N₃ₙ again from the bit.</source>
-        <translation>Stelle, an der die Wellen gezeigt werden: 0 ist das Schlagende, 1 die Bohrkrone.
+        <translation>Stelle, an der die Wellen gezeigt werden: 0 ist das hammerseitige Ende, 1 die Bohrkrone.
 N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂ₚ am hinteren Ende, N₃ₙ wieder an der Krone.</translation>
     </message>
     <message>
         <source>0: struck end, 1: bit</source>
-        <translation>0: Schlagende, 1: Bohrkrone</translation>
+        <translation>0: hammerseitiges Ende, 1: Bohrkrone</translation>
     </message>
 </context>
 <context>
@@ -3752,8 +3752,8 @@ N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂
         <translation>geschlossene Form, Fehler von e &lt; %1</translation>
     </message>
     <message>
-        <source>waves at x/L = %1</source>
-        <translation>Wellen bei x/L = %1</translation>
+        <source>waves at x/L = %1 (p to the bit, n from it)</source>
+        <translation>Wellen bei x/L = %1 (p zur Krone, n von ihr)</translation>
     </message>
     <message>
         <source>N, tension +</source>
@@ -6028,8 +6028,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>95 % der Spalte</translation>
     </message>
     <message>
-        <source>worst gap</source>
-        <translation>schlechtester Spalt</translation>
+        <source>elastic, worst gap</source>
+        <translation>elastisch, ungünstigster Spalt</translation>
     </message>
     <message>
         <source>Mean force that balances a blow which starts at rest on the rock</source>
@@ -6264,8 +6264,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Rechnung wurde angehalten, bevor alle Schläge gelöst waren.</translation>
     </message>
     <message>
-        <source>at rest before every blow</source>
-        <translation>vor jedem Schlag in Ruhe</translation>
+        <source>rod at rest before every blow</source>
+        <translation>Stange vor jedem Schlag in Ruhe</translation>
     </message>
     <message>
         <source>irregular: use means only</source>
@@ -6326,10 +6326,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>rigid rock</source>
         <translation>starres Gestein</translation>
-    </message>
-    <message>
-        <source>elastic rock, worst gap</source>
-        <translation>elastisches Gestein, schlechtester Spalt</translation>
     </message>
     <message>
         <source>section %1</source>
@@ -12345,7 +12341,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 from the struck end</source>
-        <translation>%1 vom Schlagende</translation>
+        <translation>%1 vom hammerseitigen Ende</translation>
     </message>
     <message>
         <source>%1 from the hammer, %2</source>
@@ -12596,8 +12592,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energieanteil</translation>
     </message>
     <message>
-        <source>if the rod bounces at first</source>
-        <translation>bei anfangs springender Stange</translation>
+        <source>second solution (bouncing rod)</source>
+        <translation>zweite Lösung (springende Stange)</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12968,8 +12964,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen: ihren Abstand messen</translation>
     </message>
     <message>
-        <source>in time</source>
-        <translation>rechtzeitig</translation>
+        <source>feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) returns an undamped rod before the next blow</source>
+        <translation>Andrücke: f I₀ mittlere Kraft der Schläge, f I₀(1+e) erforderlich, f I₀(1+2e) bringt eine ungedämpfte Stange vor dem nächsten Schlag zurück</translation>
+    </message>
+    <message>
+        <source>fully elastic rock (gamma = 1), worst gap</source>
+        <translation>vollelastisches Gestein (gamma = 1), ungünstigster Spalt</translation>
     </message>
 </context>
 <context>
@@ -14138,7 +14138,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>Section shown by the dotted line: 0 is the struck end, 1 the bit.
 A click in the plot moves it, and moves the time cursor to the largest stress there.</source>
-        <translation>Die gepunktete Linie: wohin in der Stange man schaut, 0 ist das Schlagende, 1 die Bohrkrone.
+        <translation>Die gepunktete Linie: wohin in der Stange man schaut, 0 ist das hammerseitige Ende, 1 die Bohrkrone.
 Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannung dort am größten ist.</translation>
     </message>
     <message>
@@ -14214,7 +14214,7 @@ in %4</translation>
     </message>
     <message>
         <source>position x from the struck end</source>
-        <translation>Stelle x vom Schlagende</translation>
+        <translation>Stelle x vom hammerseitigen Ende</translation>
     </message>
     <message>
         <source>stress (tension positive)</source>
@@ -14518,7 +14518,7 @@ in %4</translation>
     </message>
     <message>
         <source>Distance of the gauge from the struck end; negative in the hammer</source>
-        <translation>Der Messstelle, vom Schlagende; unter 0 im Hammer</translation>
+        <translation>Der Messstelle, vom hammerseitigen Ende; unter 0 im Hammer</translation>
     </message>
     <message>
         <source>not given</source>
@@ -14710,11 +14710,11 @@ in %4</translation>
     </message>
     <message>
         <source>place x: not given: type the distance of the gauge from the struck end, because the time of a wave depends on it</source>
-        <translation>Stelle x: nicht gegeben: eine Welle kommt durch jeden Querschnitt zu anderer Zeit; eingeben, wie weit die Messstelle vom Schlagende ist</translation>
+        <translation>Stelle x: nicht gegeben: eine Welle kommt durch jeden Querschnitt zu anderer Zeit; eingeben, wie weit die Messstelle vom hammerseitigen Ende ist</translation>
     </message>
     <message>
         <source>place x: must not be less than 0, the struck end</source>
-        <translation>Stelle x: darf nicht kleiner als 0 sein, das Schlagende</translation>
+        <translation>Stelle x: darf nicht kleiner als 0 sein, das hammerseitige Ende</translation>
     </message>
     <message>
         <source>place x: must be at least %1, the rear of the hammer</source>
@@ -15655,7 +15655,7 @@ Festigkeit</translation>
     </message>
     <message>
         <source>Section shown by the dashed line, also used on the page Blow: 0 is the struck end, 1 the bit.</source>
-        <translation>Die gestrichelte Linie: wo in der Stange die Wellen der Seite Schlag beobachtet werden; 0 ist das Schlagende, 1 die Bohrkrone.</translation>
+        <translation>Die gestrichelte Linie: wo in der Stange die Wellen der Seite Schlag beobachtet werden; 0 ist das hammerseitige Ende, 1 die Bohrkrone.</translation>
     </message>
     <message>
         <source>Waves in the rod over position and time</source>
@@ -15722,7 +15722,7 @@ Festigkeit</translation>
     </message>
     <message>
         <source>position x from the struck end</source>
-        <translation>Stelle x vom Schlagende</translation>
+        <translation>Stelle x vom hammerseitigen Ende</translation>
     </message>
     <message>
         <source>time t</source>

@@ -1258,8 +1258,8 @@ Ta bort ändå?</translation>
         <translation>exponentiell</translation>
     </message>
     <message>
-        <source>face stiffness</source>
-        <translation>slagytans styvhet</translation>
+        <source>contact stiffness</source>
+        <translation>kontaktstyvhet</translation>
     </message>
     <message>
         <source>fall</source>
@@ -2650,8 +2650,8 @@ Ta bort ändå?</translation>
         <translation>under kravet</translation>
     </message>
     <message>
-        <source>elastic rock, worst gap</source>
-        <translation>elastiskt berg, sämsta spalten</translation>
+        <source>fully elastic rock (gamma = 1), worst gap</source>
+        <translation>helt elastiskt berg (gamma = 1), ogynnsammaste spalt</translation>
     </message>
     <message>
         <source>no estimate</source>
@@ -3422,8 +3422,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Avbryt</translation>
     </message>
     <message>
-        <source>Stiff and extreme cases of uniform rods</source>
-        <translation>Styva och extrema fall av likformiga stänger</translation>
+        <source>Hard test cases (uniform rods)</source>
+        <translation>Svåra testfall (likformiga stänger)</translation>
     </message>
     <message>
         <source>Solve this scenario with every method and measure errors and times</source>
@@ -3752,8 +3752,8 @@ N₀ₚ är den första vågen mot kronan, N₁ₙ dess reflexion från kronan, 
         <translation>sluten form, fel i e &lt; %1</translation>
     </message>
     <message>
-        <source>waves at x/L = %1</source>
-        <translation>vågor vid x/L = %1</translation>
+        <source>waves at x/L = %1 (p to the bit, n from it)</source>
+        <translation>vågor vid x/L = %1 (p mot kronan, n från den)</translation>
     </message>
     <message>
         <source>N, tension +</source>
@@ -6028,8 +6028,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>95 % av spalterna</translation>
     </message>
     <message>
-        <source>worst gap</source>
-        <translation>sämsta spalt</translation>
+        <source>elastic, worst gap</source>
+        <translation>elastiskt, ogynnsammaste spalt</translation>
     </message>
     <message>
         <source>Mean force that balances a blow which starts at rest on the rock</source>
@@ -6264,8 +6264,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Beräkningen stoppades innan alla slag var lösta.</translation>
     </message>
     <message>
-        <source>at rest before every blow</source>
-        <translation>i vila före varje slag</translation>
+        <source>rod at rest before every blow</source>
+        <translation>stången i vila före varje slag</translation>
     </message>
     <message>
         <source>irregular: use means only</source>
@@ -6326,10 +6326,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>rigid rock</source>
         <translation>stelt berg</translation>
-    </message>
-    <message>
-        <source>elastic rock, worst gap</source>
-        <translation>elastiskt berg, sämsta spalt</translation>
     </message>
     <message>
         <source>section %1</source>
@@ -12596,8 +12592,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energiandel</translation>
     </message>
     <message>
-        <source>if the rod bounces at first</source>
-        <translation>om stången först studsar</translation>
+        <source>second solution (bouncing rod)</source>
+        <translation>andra lösning (studsande stång)</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12968,8 +12964,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa: mät avståndet</translation>
     </message>
     <message>
-        <source>in time</source>
-        <translation>i tid</translation>
+        <source>feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) returns an undamped rod before the next blow</source>
+        <translation>matningskrafter: f I₀ slagens medelkraft, f I₀(1+e) krävs, f I₀(1+2e) för en odämpad stång tillbaka före nästa slag</translation>
+    </message>
+    <message>
+        <source>fully elastic rock (gamma = 1), worst gap</source>
+        <translation>helt elastiskt berg (gamma = 1), ogynnsammaste spalt</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     m_tabs->setObjectName(QStringLiteral("proofs"));
     m_tabs->setDocumentMode(true);
     addTable(QStringLiteral("accuracyTable"), tr("This scenario"));
-    addTable(QStringLiteral("stabilityTable"), tr("Stiff and extreme cases of uniform rods"));
+    addTable(QStringLiteral("stabilityTable"), tr("Hard test cases (uniform rods)"));
     m_tabs->widget(1)->setToolTip(tr("The worst first; a click loads a case"));
     static_cast<QVBoxLayout*>(layout())->addWidget(m_tabs, 1);
     watch(m_study.job());

@@ -316,9 +316,10 @@ void BlowPlots::setLabels() {
     if (m_curves.closedForm)
         closedFormGraph()->setName(
             tr("closed form, error of e < %1").arg(boundText(m_curves.closedForm->error, locale)));
-    m_plots[waves].title->setText(m_curves.place
-                                      ? placeText(m_curves, locale)
-                                      : tr("waves at x/L = %1").arg(sectionText(m_curves.section, locale)));
+    m_plots[waves].title->setText(
+        m_curves.place
+            ? placeText(m_curves, locale)
+            : tr("waves at x/L = %1 (p to the bit, n from it)").arg(sectionText(m_curves.section, locale)));
     m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(tr("N, tension +")));
     m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
     m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));

@@ -282,8 +282,9 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
         const std::optional<Sequence> present = sequenceOf(result);
         if (scan->scan && isScanNew()) {
             const QStringList words = translatedEach(scanSentences(*scan->scan, present, style));
-            sentences.front() += QLatin1Char(' ') + words.value(0);
-            sentences << words.mid(1);
+            // The answer has all sentences on the scan except the last, on the limits of the model.
+            sentences.front() += u' ' + words.mid(0, words.size() - 1).join(u' ');
+            sentences << words.mid(words.size() - 1);
         }
     }
     return sentences;
