@@ -277,7 +277,8 @@ void TestStudyWords::aRepeatingMotionWithPositiveExponentIsNamedUnstable() {
     QVERIFY(words(0.3, 0.001).startsWith("irregular: use means only;"));
     result.statistics->regime = DrillingRegime::rest;
     result.lyapunov.reset();
-    QCOMPARE(QString::fromStdString(regimeWords(result).text()), QString("rod at rest before every blow"));
+    QCOMPARE(QString::fromStdString(regimeWords(result).text()),
+             QString("rod back at rest before every blow"));
 }
 
 QTEST_GUILESS_MAIN(TestStudyWords)

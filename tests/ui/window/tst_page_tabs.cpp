@@ -65,6 +65,7 @@ class TestPageTabs : public QObject {
     void pagesStandInTheirGroups();
     void captionsAreNeverChosen();
     void namesOfPagesGoBeforeCaptions();
+    void lettersShrinkWhereThatBringsAllTabsIntoView();
     void theChosenTabIsInViewInANarrowWindow();
     void tabsAreAboveTheDocksOverTheWholeWidth();
     void aPageThatFitsIsNotScrolled();
@@ -200,6 +201,31 @@ void TestPageTabs::namesOfPagesGoBeforeCaptions() {
     strip.resize(1000, strip.height());
     for (int i = 0; i < strip.count(); ++i) QCOMPARE(strip.tabRect(i).width(), widths[i]);
     strip.setParent(&window);
+}
+
+void TestPageTabs::lettersShrinkWhereThatBringsAllTabsIntoView() {
+    QWidget window;
+    TabStrip strip(&window);
+    QList<EmptyPage*> pages;
+    for (int i = 0; i < 6; ++i) {
+        pages << new EmptyPage(QStringLiteral("a page with a long name"));
+        pages.last()->setParent(&window);
+        strip.insertPage(i, pages.last(), pages.last()->title());
+    }
+    window.resize(2000, 100);
+    window.show();
+    const auto wanted = [&] { return strip.tabRect(strip.count() - 1).right() + 1; };
+    strip.resize(2000, 30);
+    const double usual = strip.font().pointSizeF();
+    const int room = wanted();
+    strip.resize(room - 10, 30);
+    QVERIFY(strip.font().pointSizeF() < usual);
+    QVERIFY(wanted() <= strip.width());
+    // Where that is not enough the tabs scroll, and a wide row has its usual letters again.
+    for (const int width : {room / 2, room}) {
+        strip.resize(width, 30);
+        QCOMPARE(strip.font().pointSizeF(), usual);
+    }
 }
 
 void TestPageTabs::theChosenTabIsInViewInANarrowWindow() {

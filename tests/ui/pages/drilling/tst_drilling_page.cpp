@@ -164,6 +164,9 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     QVERIFY(std::abs(sumOf(figure.panels[std::size_t(DrillingPanel::energy)].series.front().x) - 100) < 1);
     const LocalStyle style = LocalStyle::of(m_document->units());
     QVERIFY(words().startsWith(QString::fromStdString(sequenceText(expected, style))));
+    QVERIFY(!words().contains(QStringLiteral("Lyapunov")));
+    QCOMPARE(m_page->findChild<QLabel*>(QStringLiteral("exponent"))->text(),
+             withSigns(translated(exponentWords(found, style))));
     const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("statistics"));
     const double mean =
         scaleOf(DrillingMeasure::length, expected).value(expected.spread(3).mean, OutputUnits::si);

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
@@ -60,6 +61,7 @@ class TestIdentifyPage : public QObject, private test::ImportFixture {
     void theAnswerIsThatOfTheCommand_data();
     void theAnswerIsThatOfTheCommand();
     void aRejectedRecordHasNoIntervals();
+    void theButtonThatOpensARecordIsInViewInALowWindow();
     void theRecordIsShownInThreeRows();
     void theRockIsUsedAsOneUndoStep();
     void theRockOfTheScenarioIsNotAsked();
@@ -195,6 +197,21 @@ void TestIdentifyPage::theAnswerIsThatOfTheCommand() {
     const QList<QByteArray> lines = m_page->exports().first().csv().split('\n');
     QCOMPARE(lines.first(), QByteArray("time [s],incident [N],measured [N],model [N],residual [N]"));
     QCOMPARE(m_page->exports()[1].csv().count('\n'), qsizetype(posteriorRows + 1));
+}
+
+void TestIdentifyPage::theButtonThatOpensARecordIsInViewInALowWindow() {
+    QScrollArea window;
+    window.setWidget(m_page.get());
+    window.setWidgetResizable(true);
+    const auto* button = m_page->findChild<QPushButton*>(QStringLiteral("openRecord"));
+    window.resize(900, 500);
+    window.show();
+    QVERIFY(button->isVisible());
+    window.resize(1100, 900);
+    open(QStringLiteral("noise.csv"), {QStringLiteral("1.83 m")});
+    window.resize(901, 500);
+    QTRY_VERIFY(!button->isVisible());
+    window.takeWidget();
 }
 
 void TestIdentifyPage::aRejectedRecordHasNoIntervals() {
