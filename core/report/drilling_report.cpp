@@ -133,7 +133,8 @@ double withoutRounding(double spread) {
 Message motionWords(const DrillingResult& result) {
     const DrillingStatistics& statistics = *result.statistics;
     const auto motion = [&]() -> Message {
-        if (statistics.regime == DrillingRegime::rest) return translatable("rod at rest before every blow");
+        if (statistics.regime == DrillingRegime::rest)
+            return translatable("rod back at rest before every blow");
         if (statistics.regime != DrillingRegime::period) return translatable("irregular: use means only");
         if (statistics.period == 1) return translatable("repeats every blow");
         return {translatable("repeats every %1 blows"), {std::to_string(statistics.period)}};

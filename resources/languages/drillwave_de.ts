@@ -3869,7 +3869,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
 <context>
     <name>drillwave::ContactBarsItem</name>
     <message>
-        <source>bit on rock</source>
+        <source>bit touches rock</source>
         <translation>Krone am Gestein</translation>
     </message>
 </context>
@@ -6264,8 +6264,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Rechnung wurde angehalten, bevor alle Schläge gelöst waren.</translation>
     </message>
     <message>
-        <source>rod at rest before every blow</source>
-        <translation>Stange vor jedem Schlag in Ruhe</translation>
+        <source>rod back at rest before every blow</source>
+        <translation>Stange kommt vor jedem Schlag zur Ruhe</translation>
     </message>
     <message>
         <source>irregular: use means only</source>
@@ -14002,10 +14002,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>hammer work %1</source>
         <translation>Arbeit des Hammers %1</translation>
-    </message>
-    <message>
-        <source>hammer energy %1</source>
-        <translation>Energie des Hammers %1</translation>
     </message>
     <message>
         <source>power %1</source>

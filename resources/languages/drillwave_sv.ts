@@ -3869,7 +3869,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
 <context>
     <name>drillwave::ContactBarsItem</name>
     <message>
-        <source>bit on rock</source>
+        <source>bit touches rock</source>
         <translation>krona mot berg</translation>
     </message>
 </context>
@@ -6264,8 +6264,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Beräkningen stoppades innan alla slag var lösta.</translation>
     </message>
     <message>
-        <source>rod at rest before every blow</source>
-        <translation>stången i vila före varje slag</translation>
+        <source>rod back at rest before every blow</source>
+        <translation>stången kommer till vila före varje slag</translation>
     </message>
     <message>
         <source>irregular: use means only</source>
@@ -13440,7 +13440,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Anpassa</translation>
+        <translation>Visa allt</translation>
     </message>
 </context>
 <context>
@@ -14002,10 +14002,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>hammer work %1</source>
         <translation>hammarens arbete %1</translation>
-    </message>
-    <message>
-        <source>hammer energy %1</source>
-        <translation>hammarens energi %1</translation>
     </message>
     <message>
         <source>power %1</source>

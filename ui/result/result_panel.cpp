@@ -158,8 +158,7 @@ void ResultPanel::showHeadline() {
             return text.isEmpty() ? text : words.arg(text);
         };
         parts << penetrationText();
-        parts << (isForced(m_blow->scenario) ? named(tr("hammer work %1"), value("work_ratio"))
-                                             : named(tr("hammer energy %1"), hammerEnergyText(*m_blow)))
+        parts << named(tr("hammer work %1"), value("work_ratio"))
               << named(tr("power %1"), value("percussion_power"))
               << tr("e = %1").arg(value("cor")).replace(u' ', QChar(QChar::Nbsp));
         parts.removeAll(QString());

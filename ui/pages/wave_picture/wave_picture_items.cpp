@@ -205,7 +205,7 @@ void ContactBarsItem::drawTitle(QCPPainter& painter) const {
     painter.translate(axes.right() + width, axes.center().y());
     painter.rotate(-90);
     const double height = QFontMetricsF(m_style.font).height();
-    painter.drawText(QRectF(-length / 2, -height, length, height), Qt::AlignCenter, tr("bit on rock"));
+    painter.drawText(QRectF(-length / 2, -height, length, height), Qt::AlignCenter, tr("bit touches rock"));
     painter.restore();
 }
 
