@@ -212,7 +212,8 @@ void WavePicturePage::showReadout() {
     QString inView = fronts.isEmpty() ? range : range + QStringLiteral(" · ") + fronts;
     for (const QString& shorter :
          {range + QStringLiteral(" · ") + fronts.section(u';', -1).trimmed(), range, QStringLiteral(" ")})
-        if (m_readout->fontMetrics().horizontalAdvance(inView) >= m_readout->width()) inView = shorter;
+        if (m_readout->fontMetrics().horizontalAdvance(inView) >= m_readout->contentsRect().width())
+            inView = shorter;
     m_readout->setText(place.isEmpty() ? inView : place);
     m_readout->setToolTip(place.isEmpty() ? range : place + u'\n' + range);
 }
