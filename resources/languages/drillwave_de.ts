@@ -12341,7 +12341,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 from the struck end</source>
-        <translation>%1 vom hammerseitigen Ende</translation>
+        <translation>%1 vom Hammer</translation>
     </message>
     <message>
         <source>%1 from the hammer, %2</source>
