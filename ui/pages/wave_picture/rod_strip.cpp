@@ -83,9 +83,15 @@ QRect RodStrip::rodRect() const {
 
 void RodStrip::compute() {
     m_values.clear();
-    if (m_blow)
+    m_least = m_most = 0;
+    if (m_blow) {
         m_values =
             valuesAt(std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF()))));
+        for (const float value : valuesAt(textColumns)) {
+            m_least = std::min(m_least, value);
+            m_most = std::max(m_most, value);
+        }
+    }
     update();
 }
 
@@ -130,15 +136,10 @@ QString RodStrip::stateText() const {
                     : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))
                                   : tr("bit at the rock, no force");
     if (picture().string) state += hammerTouches() ? tr(" · hammer pushes") : tr(" · hammer not in contact");
-    float least = 0, most = 0;
-    for (const float value : valuesAt(textColumns)) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
     const ShownUnit& unit = isStress() ? units.stress : units.velocity;
     return (isStress() ? tr("t = %1 · %2 · stress %3 … %4") : tr("t = %1 · %2 · velocity %3 … %4"))
-        .arg(timeText(m_time, picture().interesting, units.time, locale()), state, text(double(least), unit),
-             text(double(most), unit));
+        .arg(timeText(m_time, picture().interesting, units.time, locale()), state,
+             text(double(m_least), unit), text(double(m_most), unit));
 }
 
 void RodStrip::paintEvent(QPaintEvent*) {

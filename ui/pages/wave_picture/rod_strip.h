@@ -60,6 +60,7 @@ class RodStrip : public QWidget {
     int m_left = 64, m_right = -1;
     std::vector<float>
         m_values;  // values at the pixels of the rod: the field of the picture, or the stress in a string
+    float m_least = 0, m_most = 0;  // extremes of the same quantity along the rod, or 0
 };
 
 }  // namespace drillwave
