@@ -185,7 +185,7 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
               .isFromZero = true},
         .series = {drawn(curves.rate, translatable("penetration rate"), SeriesRole::result,
                          SeriesPoints::joined),
-                   drawn(curves.bouncing, translatable("second solution (bouncing rod)"), SeriesRole::result,
+                   drawn(curves.bouncing, translatable("also possible: bouncing rod"), SeriesRole::result,
                          SeriesPoints::apart),
                    drawn(curves.contact, translatable("blows in contact"), SeriesRole::second),
                    drawn(rateOf(shown.constantForce), translatable("constant force"), SeriesRole::third),
@@ -217,7 +217,9 @@ StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan,
     if (sequence) figure.caption.push_back({translatable("shaded: blows averaged")});
     if (sequence && isDetailed)
         figure.caption.push_back({translatable("gap and next gap: a projection from more dimensions")});
-    if (scan && !requiredFeeds(scan->scan).empty())
+    std::optional<std::pair<StudyPanel, StudyPanel>> scanned;
+    if (scan) scanned = scanPanels(*scan);
+    if (scanned && !scanned->first.bands.empty())
         figure.caption.push_back(
             {translatable("feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) "
                           "returns an undamped rod before the next blow")});
@@ -248,8 +250,8 @@ StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan,
         show(DrillingPanel::energy,
              energyPanel(sequence->result ? sequence->result->ledger : DrillingLedger{}));
     }
-    if (scan) {
-        auto [rates, gaps] = scanPanels(*scan);
+    if (scanned) {
+        auto& [rates, gaps] = *scanned;
         show(DrillingPanel::rate, std::move(rates));
         if (isDetailed) show(DrillingPanel::scannedGap, std::move(gaps));
         summarise({translatable("Penetration rate, contact share and gaps over %1."),

@@ -44,6 +44,11 @@ bool lacksWaveLoss(const DrillingResult& result) {
     return sequence && sequence->unresolved == UnresolvedReason::noWaveLoss;
 }
 
+/// Returns the words with the value inserted for %1, or nothing if there is no value.
+QString withValue(const QString& words, const QString& value) {
+    return value.isEmpty() ? QString() : words.arg(value);
+}
+
 }  // namespace
 
 ShortSequence::ShortSequence(QObject* parent) : QObject(parent) {
@@ -154,12 +159,9 @@ void ResultPanel::showHeadline() {
         const auto value = [this](std::string_view output) {
             return outputText(*findOutput(output), *m_blow);
         };
-        const auto named = [](const QString& words, const QString& text) {
-            return text.isEmpty() ? text : words.arg(text);
-        };
         parts << penetrationText();
-        parts << named(tr("hammer work %1"), value("work_ratio"))
-              << named(tr("power %1"), value("percussion_power"))
+        parts << withValue(tr("hammer work %1"), value("work_ratio"))
+              << withValue(tr("power %1"), value("percussion_power"))
               << tr("e = %1").arg(value("cor")).replace(u' ', QChar(QChar::Nbsp));
         parts.removeAll(QString());
     }
@@ -167,8 +169,8 @@ void ResultPanel::showHeadline() {
 }
 
 QString ResultPanel::penetrationText() const {
-    const QString text = outputText(*findOutput("residual_penetration"), *m_blow);
-    return text.isEmpty() ? QString() : tr("this blow: penetration %1").arg(text);
+    return withValue(tr("this blow: penetration %1"),
+                     outputText(*findOutput("residual_penetration"), *m_blow));
 }
 
 QString ResultPanel::shortAnswer() const {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int captionMargin = 10;  // pixels on either side of a caption
 constexpr double smallLetters = 0.9;
-constexpr int leastLetters = 4;  // of a name that is cut short
+constexpr int leastLetters = 4;  // letters that a shortened name keeps
 
 QFont captionFont(const QTabBar& bar) {
     QFont font = bar.font();

@@ -99,7 +99,7 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     layout->addLayout(makeBar());
     layout->addWidget(m_instant);
     layout->addWidget(m_plot, 1);
-    static constexpr int lines = 26;  // of four plots
+    static constexpr int lines = 26;  // text lines that four plots need
     setLeastLines(lines + BlowPlots::plotCount);
     connect(m_plot, &PlotWidget::afterLayout, this, [this] { setLeastLines(lines + m_plots->legendRows()); });
 

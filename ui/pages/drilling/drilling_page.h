@@ -93,7 +93,7 @@ class DrillingPage : public StudyPage {
     QCheckBox* m_bracket = nullptr;
     DrillingTable* m_table;
     SectionBox* m_details = nullptr;
-    QLabel* m_exponent = nullptr;  // of Lyapunov, in the details
+    QLabel* m_exponent = nullptr;  // Lyapunov exponent, in the details
     FigureFrame* m_frame = nullptr;
     std::shared_ptr<const DrillingAnswer> m_complete;  // last sequence that was computed to its end
     std::shared_ptr<const DrillingAnswer> m_before;    // sequence of an earlier scenario
